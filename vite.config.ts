@@ -6,11 +6,11 @@ import { chmodSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import type { Plugin, UserConfig } from 'vite';
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
-import { givenFiles } from './src/cli/given-files.ts';
-import { draco } from './vite.draco.ts';
-import { manual } from './vite.manual.ts';
-import { offline } from './vite.offline.ts';
-import { policy } from './vite.policy.ts';
+import { draco } from './plugins/draco.ts';
+import { givenFiles } from './plugins/given-files.ts';
+import { manual } from './plugins/manual.ts';
+import { offline } from './plugins/offline.ts';
+import { policy } from './plugins/policy.ts';
 
 const page: UserConfig = {
   plugins: [manual(), offline()],
@@ -44,7 +44,7 @@ const command: UserConfig = {
     target: 'node20',
     copyPublicDir: false,
     rolldownOptions: {
-      input: { marrow: 'src/cli/main.ts', samples: 'src/samples/make.ts' },
+      input: { marrow: 'src/cli/main.ts', samples: 'examples/characters/make.ts' },
       output: { entryFileNames: '[name].js', chunkFileNames: 'shared/[name].js' },
     },
   },

@@ -192,7 +192,7 @@ describe('the files of src', () => {
         if (file.endsWith('.ts')) texts.set(folder + file.replaceAll('\\', '/'), readFileSync(join(at, file), 'utf8'));
       }
     }
-    for (const file of ['vite.config.ts', 'vite.offline.ts']) {
+    for (const file of ['vite.config.ts', 'plugins/offline.ts']) {
       texts.set(file, readFileSync(fileURLToPath(new URL(`../${file}`, import.meta.url)), 'utf8'));
     }
     const filesNaming = new Map<string, number>();

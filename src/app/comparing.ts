@@ -1,7 +1,8 @@
 /** Compares dumps that were opened with the character that they are of; loaded with the first of them. */
-import type { NamedDump } from '../lesson/dump/fit-dump.ts';
-import type { DumpFile } from '../project/open/open-files.ts';
-import { currentCharacter } from '../ui/state/action.ts';
+
+import type { DumpFile } from '../files/open/open-files.ts';
+import type { NamedDump } from '../teaching/dump/fit-dump.ts';
+import { currentCharacter } from '../ui/state/actions/action.ts';
 import { type ComparePhase, DumpComparison, type RunCompare } from '../ui/state/dump-comparison.ts';
 import type { Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';

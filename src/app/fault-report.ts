@@ -1,8 +1,8 @@
 /** What whoever mends an error needs to know of it. Nothing of the user's files is in it but what errors say. */
 import { VERSION } from '../model/version.ts';
-import { BLOCKED, copyText } from '../ui/kit/clipboard.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { FileActions } from '../ui/state/workbench.ts';
+import { BLOCKED, copyText } from '../ui/widgets/clipboard.ts';
 
 export interface ReportParts {
   readonly messages: Pick<Messages, 'note'>;

@@ -11,7 +11,7 @@ import { sharedFrameRate } from '../edit/frame-rate.ts';
 import { countedAt, DEFAULT_PLAYBACK, intoRange, type Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { findCharacter, rangeOfClips } from '../model/document.ts';
-import type { Observable } from '../ui/kit/observable.ts';
+import type { Observable } from '../ui/widgets/observable.ts';
 
 type Range = readonly [number, number];
 

@@ -1,6 +1,7 @@
 /** Installing the page as an app, where the browser offers it. */
-import type { Observable } from '../ui/kit/observable.ts';
+
 import type { Offline } from '../ui/state/offline.ts';
+import type { Observable } from '../ui/widgets/observable.ts';
 
 /** Not in TypeScript's DOM library, because not every browser has it. https://wicg.github.io/manifest-incubations/ */
 interface InstallPromptEvent extends Event {

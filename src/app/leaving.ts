@@ -1,5 +1,5 @@
 /** How the browser shows unsaved work: a mark in the title, and a question before leaving the page. */
-import { cutMessage } from '../model/cut-text.ts';
+import { cutMessage } from '../model/names/cut-text.ts';
 import type { FileActions } from '../ui/state/workbench.ts';
 
 /** `• wasp_walk.anim – Marrow`; `• 3 files – Marrow`. */

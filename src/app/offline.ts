@@ -4,8 +4,8 @@
  * still get their own scripts.
  */
 import { TAKE_OVER } from '../offline/take-over.ts';
-import type { Observable } from '../ui/kit/observable.ts';
 import type { Offline } from '../ui/state/offline.ts';
+import type { Observable } from '../ui/widgets/observable.ts';
 
 export interface OfflineParts {
   readonly offline: Observable<Offline>;

@@ -5,17 +5,17 @@
 
 import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
-import { adoptSkinFacts } from '../evaluate/bounds.ts';
+import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
 import type { Steps } from '../evaluate/steps.ts';
+import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import type { ParsedFile, SourceFile } from '../model/files.ts';
-import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../project/open/open-files.ts';
-import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
+import type { Observable } from '../ui/widgets/observable.ts';
 import { runInSlices } from '../view/slices.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
 import type { GivenBlob, ParseOutput } from '../worker/protocol.ts';
@@ -149,7 +149,7 @@ export class Opener {
       if (known.length > 0) this.parts.offerSpaces?.(known);
       // Errors stay in the line instead: they say themselves what became of their files. The first character is seen.
       if (reloads === undefined && !options.asOpeningSample && !hasErrors(diagnostics)) {
-        const module = await import('../project/open/unseen-changes.ts').catch(() => undefined);
+        const module = await import('../files/open/unseen-changes.ts').catch(() => undefined);
         const unseen = module?.unseenChanges(before, result.document, output.files, output.diagnostics);
         if (unseen !== undefined) messages.note(unseen);
       }

@@ -6,7 +6,7 @@ import { type VideoFrames, videoFrames } from '../edit/video-frames.ts';
 import type { FrameCanvas, FrameWriter } from '../io/frame-writer.ts';
 import type { PictureOptions, Pictures, VideoFormat, VideoOptions } from '../ui/state/pictures.ts';
 import type { Uses } from '../ui/state/workbench.ts';
-import { beginShots, type ShotOptions, type Shots } from '../view/shots.ts';
+import { beginShots, type ShotOptions, type Shots } from '../view/camera/shots.ts';
 import { breathe } from '../view/slices.ts';
 
 export function picturesOf(wb: Uses<'viewport' | 'transport'>, save: (name: string, content: Blob) => void): Pictures {

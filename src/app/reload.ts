@@ -3,6 +3,7 @@
  * none has changed, edits are reverted to what the files hold.
  */
 import type { Store } from '../edit/store.ts';
+import { formatKindOf } from '../files/kinds.ts';
 import type { DiskFile } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { partsOf } from '../model/character-parts.ts';
@@ -10,7 +11,6 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts
 import { type Character, findCharacter } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { baseName } from '../model/files.ts';
-import { formatKindOf } from '../project/kinds.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';

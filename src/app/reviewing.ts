@@ -5,23 +5,23 @@
 
 import { addToReview, readReview } from '../edit/commands/review.ts';
 import type { Store } from '../edit/store.ts';
+import { openFiles } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { baseName } from '../model/files.ts';
-import { openFiles } from '../project/open/open-files.ts';
 import type { TakeDigest } from '../review/digest.ts';
 import { matchPaths } from '../review/match-paths.ts';
 import { isTakeList, readList } from '../review/read-list.ts';
 import { isReviewable } from '../review/reviewable.ts';
-import { plural } from '../ui/kit/number-text.ts';
-import { type Observable, observable } from '../ui/kit/observable.ts';
-import { attempt } from '../ui/state/attempt.ts';
+import { attempt } from '../ui/state/actions/attempt.ts';
 import type { Messages } from '../ui/state/messages.ts';
-import { openPanel } from '../ui/state/panels.ts';
+import { openPanel } from '../ui/state/panels/panels.ts';
 import { MOST_OPENED, type ReviewFiles, type ReviewProgress } from '../ui/state/review.ts';
 import type { Settings } from '../ui/state/settings.ts';
 import type { Timeline } from '../ui/state/timeline.ts';
+import { plural } from '../ui/widgets/numbers/number-text.ts';
+import { type Observable, observable } from '../ui/widgets/observable.ts';
 import type { Runs } from '../worker/client.ts';
 import type { Opener } from './opening.ts';
 

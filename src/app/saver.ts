@@ -7,6 +7,10 @@
  */
 
 import type { Store } from '../edit/store.ts';
+import { formatKindOf, KINDS, type SavedKind } from '../files/kinds.ts';
+import { changedFiles, distinctJobs, type Job, savedFilesOf } from '../files/save/jobs.ts';
+import type { FilePiece } from '../files/save/output.ts';
+import { jointPose, poseToSave } from '../files/save/saved-poses.ts';
 import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
 import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -14,10 +18,6 @@ import { findCharacter } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
-import { formatKindOf, KINDS, type SavedKind } from '../project/kinds.ts';
-import { changedFiles, distinctJobs, type Job, savedFilesOf } from '../project/save/jobs.ts';
-import type { FilePiece } from '../project/save/output.ts';
-import { jointPose, poseToSave } from '../project/save/saved-poses.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Unsaved } from './unsaved.ts';

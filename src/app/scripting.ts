@@ -9,14 +9,14 @@ import { number } from '../edit/schema/shape.ts';
 import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
-import type { GlbOptions } from '../exchange/glb/options.ts';
+import type { GlbOptions } from '../export/glb/options.ts';
+import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../files/kinds.ts';
 import { transformPoint } from '../math/vec3.ts';
-import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/clip.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, shownClip } from '../model/document.ts';
-import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../project/kinds.ts';
+import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/takes/clip.ts';
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
-import { type CharacterRef, resolveCharacter } from '../ui/state/character-ref.ts';
+import { type CharacterRef, resolveCharacter } from '../ui/state/joints/character-ref.ts';
 import type { PictureOptions, VideoOptions } from '../ui/state/pictures.ts';
 import type { MadeGlb, Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/screen.ts';
@@ -262,7 +262,7 @@ async function saveByName(store: Store, name: string): Promise<string> {
   if (!kind || !isSaved(kind)) {
     throw new Error(`"${name}" must end in one of ${WRITABLE_EXTENSIONS.map((e) => `.${e}`).join(' ')}.`);
   }
-  const { saveCharacter } = await import('../project/save/saving.ts');
+  const { saveCharacter } = await import('../files/save/saving.ts');
   const preferred = resolveCharacter(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {
     const file = saveCharacter(character, kind).find((f) => f.name.toLowerCase() === name.toLowerCase());

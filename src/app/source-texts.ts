@@ -2,12 +2,13 @@
  * The text of files as they were given, for the tab *Source*. Blobs are kept, which refer to bytes on disk or in the
  * browser's own storage: nothing is copied until lines are shown. After a restored session the file is read from disk.
  */
+
+import { formatKindOf } from '../files/kinds.ts';
 import type { GivenFile } from '../io/given.ts';
 import type { Character, Document } from '../model/document.ts';
 import { baseName, type SourceFile } from '../model/files.ts';
 import { mapMarks } from '../model/part.ts';
 import type { SourceMap } from '../model/source-map.ts';
-import { formatKindOf } from '../project/kinds.ts';
 import type { AsOpened, SourceFiles, TextEdits } from '../ui/state/source.ts';
 import type { SourceInput } from '../worker/protocol.ts';
 import type { FoundText, TextParts } from './read-text.ts';

@@ -4,16 +4,16 @@
  */
 import { setSpace } from '../edit/commands/spaces.ts';
 import type { Store } from '../edit/store.ts';
-import { metresPerUnit } from '../evaluate/metres.ts';
-import { spaceText, unitText } from '../evaluate/space.ts';
-import { type SpaceChoices, spaceChoices } from '../evaluate/space-choices.ts';
+import { metresPerUnit } from '../evaluate/space/metres.ts';
+import { spaceText, unitText } from '../evaluate/space/space.ts';
+import { type SpaceChoices, spaceChoices } from '../evaluate/space/space-choices.ts';
 import { type Character, findCharacter, shownClip } from '../model/document.ts';
-import { skeletonKey } from '../model/skeleton-key.ts';
+import { skeletonKey } from '../model/skeleton/skeleton-key.ts';
 import type { Space } from '../model/space.ts';
-import { shown } from '../ui/kit/number-text.ts';
-import { attempt } from '../ui/state/attempt.ts';
+import { attempt } from '../ui/state/actions/attempt.ts';
 import type { Messages, Offer } from '../ui/state/messages.ts';
 import type { WorkbenchStage } from '../ui/state/workbench.ts';
+import { shown } from '../ui/widgets/numbers/number-text.ts';
 
 interface Parts {
   readonly store: Store;

@@ -3,16 +3,16 @@
  * read and written in the worker.
  */
 import type { Store } from '../edit/store.ts';
-import { adoptSkinFacts } from '../evaluate/bounds.ts';
+import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
+import { openFiles } from '../files/open/open-files.ts';
+import { type Owned, ownedIn } from '../files/save/owned.ts';
+import { poseToSave } from '../files/save/saved-poses.ts';
 import { hasErrors } from '../model/diagnostic.ts';
 import type { Character, Document } from '../model/document.ts';
 import { baseName, type SourceFile } from '../model/files.ts';
-import { openFiles } from '../project/open/open-files.ts';
-import { type Owned, ownedIn } from '../project/save/owned.ts';
-import { poseToSave } from '../project/save/saved-poses.ts';
-import { bytes as inWords } from '../ui/kit/number-text.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { CheckedText, FileChanges, TextEdits } from '../ui/state/source.ts';
+import { bytes as inWords } from '../ui/widgets/numbers/number-text.ts';
 import type { Runs } from '../worker/client.ts';
 import type { CheckOutput } from '../worker/protocol.ts';
 import { type Opener, showingTheSame } from './opening.ts';

@@ -1,9 +1,9 @@
 /** Verdicts on takes that no list has yet are unsaved work, beside the parts of characters. */
 import type { Store } from '../edit/store.ts';
-import type { UnsavedPart } from '../project/save/saved-parts.ts';
-import { type Observable, observable } from '../ui/kit/observable.ts';
+import type { UnsavedPart } from '../files/save/saved-parts.ts';
 import type { ReviewState } from '../ui/state/review.ts';
 import type { UnsavedList } from '../ui/state/workbench.ts';
+import { type Observable, observable } from '../ui/widgets/observable.ts';
 
 const LIST: UnsavedList = { kind: 'review', name: 'review.csv' };
 

@@ -1,10 +1,10 @@
 /** Unsaved parts (`project/save/saved-parts.ts`) as observable state that follows the store. */
 import type { Store } from '../edit/store.ts';
+import { type SavedCharacter, SavedParts, type UnsavedPart } from '../files/save/saved-parts.ts';
 import type { Character, Document } from '../model/document.ts';
 import { type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
 import { mapMarks, NO_MARKS, type Part, type PartFile } from '../model/part.ts';
-import { type SavedCharacter, SavedParts, type UnsavedPart } from '../project/save/saved-parts.ts';
-import { type Observable, observable } from '../ui/kit/observable.ts';
+import { type Observable, observable } from '../ui/widgets/observable.ts';
 
 export class Unsaved {
   /** Updated at the end of the task that changed the document; `current` is always up to date. */

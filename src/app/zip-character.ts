@@ -1,11 +1,11 @@
 /** Characters as one zip. Loaded on first use, with the zip library. */
 
+import { SAVED_KINDS, type SavedKind } from '../files/kinds.ts';
+import { isCopy, saveCharacter } from '../files/save/saving.ts';
 import { type ZippedFile, zipFiles } from '../io/zip-files.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character, Document } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
-import { SAVED_KINDS, type SavedKind } from '../project/kinds.ts';
-import { isCopy, saveCharacter } from '../project/save/saving.ts';
 
 export interface CharactersZip {
   readonly name: string;

@@ -1,6 +1,7 @@
 /** `marrow compare --pin`: targets of a solver of inverse kinematics, for dumps that state none. */
-import type { SolverTask, Targets } from '../lesson/targets.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import type { SolverTask, Targets } from '../teaching/compare/targets.ts';
 import { type AskedPin, resolvePin } from './pin-argument.ts';
 import { UsageError } from './usage-error.ts';
 

@@ -1,5 +1,6 @@
 /** What `marrow compare` prints. */
 
+import { type Character, shownClip } from '../model/document.ts';
 import {
   type Compared,
   type ComparedGoal,
@@ -7,13 +8,18 @@ import {
   type FirstWrong,
   type FrameComparison,
   isExplained,
-} from '../lesson/compare.ts';
-import { areEqual, comparedText, explainedNoun, subjectText, unexplainedSentences } from '../lesson/compared-text.ts';
-import { statesNoTime } from '../lesson/dump/assumed-times.ts';
-import type { NamedDump } from '../lesson/dump/fit-dump.ts';
-import type { Cause } from '../lesson/search/found-causes.ts';
-import type { Targets } from '../lesson/targets.ts';
-import { type Character, shownClip } from '../model/document.ts';
+} from '../teaching/compare/compare.ts';
+import {
+  areEqual,
+  comparedText,
+  explainedNoun,
+  subjectText,
+  unexplainedSentences,
+} from '../teaching/compare/compared-text.ts';
+import type { Targets } from '../teaching/compare/targets.ts';
+import { statesNoTime } from '../teaching/dump/assumed-times.ts';
+import type { NamedDump } from '../teaching/dump/fit-dump.ts';
+import type { Cause } from '../teaching/search/found-causes.ts';
 
 /** A comparison, and what was compared. */
 export interface ToldComparison {

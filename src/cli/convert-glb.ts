@@ -1,15 +1,15 @@
 /** `marrow convert IN… OUT.glb`: one character with its takes, for programs that read glTF. */
 import { resolve } from 'node:path';
 import { CommandError } from '../edit/command-error.ts';
-import { spaceText } from '../evaluate/space.ts';
-import { DEFAULT_GLB, type GlbOptions } from '../exchange/glb/options.ts';
-import { diagnosticsOf } from '../exchange/glb/report.ts';
-import { TakeError } from '../exchange/glb/take-motion.ts';
+import { spaceText } from '../evaluate/space/space.ts';
+import { DEFAULT_GLB, type GlbOptions } from '../export/glb/options.ts';
+import { diagnosticsOf } from '../export/glb/report.ts';
+import { TakeError } from '../export/glb/take-motion.ts';
+import { openFiles } from '../files/open/open-files.ts';
+import { refusal } from '../files/save/conversion.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../model/document.ts';
 import { byPath, type ParsedFile } from '../model/files.ts';
-import { openFiles } from '../project/open/open-files.ts';
-import { refusal } from '../project/save/conversion.ts';
 import type { PickOptions } from './convert-one.ts';
 import { oneOf, text, whole } from './options/kinds.ts';
 import { flag, type OptionValues, option, section } from './options/option.ts';
@@ -95,7 +95,7 @@ async function write(
   name: string,
   path: string,
 ): Promise<WrittenGlb> {
-  const { writeGlb } = await import('../exchange/glb/write.ts');
+  const { writeGlb } = await import('../export/glb/write.ts');
   const { pieces, report } = writeGlb(character, options, !isRaw);
   const written = writeOutput(path, pieces);
   if ('bytes' in written) {

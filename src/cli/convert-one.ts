@@ -4,22 +4,22 @@
  */
 
 import { CommandError } from '../edit/command-error.ts';
+import { formatKindOf, isSaved, KINDS } from '../files/kinds.ts';
+import { openFiles } from '../files/open/open-files.ts';
+import type { Format } from '../files/readers.ts';
+import { bvhOf, type NamedFigure, skelOf } from '../files/save/character-files.ts';
+import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversion.ts';
+import { bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
+import { type Output, outputOf } from '../files/save/output.ts';
+import { copiesOf, isCopy } from '../files/save/saving.ts';
+import { unitNotKept } from '../files/save/unit-not-kept.ts';
 import { fitOneBvh } from '../formats/bvh/write.ts';
-import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../model/files.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/skeleton/axis-angle.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { textureNames } from '../model/skin.ts';
-import { formatKindOf, isSaved, KINDS } from '../project/kinds.ts';
-import { openFiles } from '../project/open/open-files.ts';
-import type { Format } from '../project/readers.ts';
-import { bvhOf, type NamedFigure, skelOf } from '../project/save/character-files.ts';
-import { outputsOf, refusal, TARGETS, type Target } from '../project/save/conversion.ts';
-import { bvhCopy, type ConversionOptions } from '../project/save/copies.ts';
-import { type Output, outputOf } from '../project/save/output.ts';
-import { copiesOf, isCopy } from '../project/save/saving.ts';
-import { unitNotKept } from '../project/save/unit-not-kept.ts';
 
 /** What is done to a character before it is written. */
 export type Edit = (character: Character) => Character;

@@ -4,9 +4,12 @@
  */
 import { statSync } from 'node:fs';
 import { basename, dirname, isAbsolute, relative, resolve, sep } from 'node:path';
-import type { Beside } from '../exchange/imported.ts';
+import { unreadMessage } from '../files/foreign.ts';
+import { type OpenResult, openFiles } from '../files/open/open-files.ts';
+import { type Format, formatOf } from '../files/readers.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
+import type { Beside } from '../import/imported.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
@@ -19,9 +22,6 @@ import {
   type SourceFile,
 } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
-import { unreadMessage } from '../project/foreign.ts';
-import { type OpenResult, openFiles } from '../project/open/open-files.ts';
-import { type Format, formatOf } from '../project/readers.ts';
 import { findGiven, type GivenPath, isFile, type MissingPath } from './paths.ts';
 import { fileBytes, readPieces } from './read-file.ts';
 import { reasonOf } from './reason.ts';
@@ -153,7 +153,7 @@ function besideOnDisk(absolute: string, wanted: string, folder: string): Beside 
 
 /** For each archive, what finds its files. */
 const findersIn = perObject(async (near: readonly GivenPath[]) => {
-  const { besideIn } = await import('../project/imports.ts');
+  const { besideIn } = await import('../files/imports.ts');
   const byZip = new Map<string | undefined, GivenPath[]>();
   for (const file of near) {
     const others = byZip.get(file.zip);

@@ -2,8 +2,8 @@
 import type { IkReach } from '../evaluate/ik/limb.ts';
 import type { IkPin } from '../evaluate/ik/pins.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { cutText } from '../model/cut-text.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { cutText } from '../model/names/cut-text.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { type Kind, numbers, readValue } from './options/kinds.ts';
 import { UsageError } from './usage-error.ts';
 

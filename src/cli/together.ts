@@ -1,8 +1,9 @@
 /** Which files are opened together, decided by their names and by rigs before any other is read. */
+
+import { openingOf } from '../files/kinds.ts';
+import { type FileGroup, groupFiles, type ReadFile } from '../files/open/grouping.ts';
+import { formatOf } from '../files/readers.ts';
 import { baseName } from '../model/files.ts';
-import { openingOf } from '../project/kinds.ts';
-import { type FileGroup, groupFiles, type ReadFile } from '../project/open/grouping.ts';
-import { formatOf } from '../project/readers.ts';
 import { loadGiven } from './load.ts';
 import type { GivenPath } from './paths.ts';
 

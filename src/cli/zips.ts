@@ -1,10 +1,10 @@
 /** Zips among the files that a command is given. */
 import { dirname, join, resolve } from 'node:path';
+import { otherContent } from '../files/foreign.ts';
+import { isBuffer } from '../files/kinds.ts';
+import { formatOf } from '../files/readers.ts';
+import { isZip, zipContent } from '../files/zip-content.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { otherContent } from '../project/foreign.ts';
-import { isBuffer } from '../project/kinds.ts';
-import { formatOf } from '../project/readers.ts';
-import { isZip, zipContent } from '../project/zip-content.ts';
 import { type GivenPath, isFile } from './paths.ts';
 import { fileBytes } from './read-file.ts';
 import { reasonOf } from './reason.ts';

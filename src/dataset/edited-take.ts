@@ -1,8 +1,8 @@
 /** A take with the options applied, as a take again: for files of motion rather than of numbers. */
 import { bakeRetarget } from '../edit/commands/retarget.ts';
 import { withoutDriver } from '../edit/drivers.ts';
-import type { ChannelClip } from '../model/clip.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip } from '../model/document.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import { type TakeOptions, takeOf } from './take.ts';
 
 /**

@@ -7,8 +7,8 @@
  *     LeftUpLeg,mixamorig:LeftUpLeg
  */
 import { CommandError } from '../edit/command-error.ts';
-import type { JointPair } from '../model/retarget.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import type { JointPair } from '../model/takes/retarget.ts';
 
 /** Names of joints: the target's, and the source's that it follows. */
 export type JointMap = readonly (readonly [target: string, source: string])[];

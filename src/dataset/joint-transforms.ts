@@ -10,15 +10,16 @@
  * In the scene: metres, y up, on the ground (`evaluate/space.ts`); the root's rotation includes that of the up axis, so
  * local rotations and the offsets compose to the world ones. Without a space all is as in the file.
  */
-import { appliedDofs, eulerDofs, renamedAxes } from '../evaluate/euler-dofs.ts';
+
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
-import { metresPerUnit } from '../evaluate/metres.ts';
-import { applySpace } from '../evaluate/space.ts';
+import { appliedDofs, eulerDofs, renamedAxes } from '../evaluate/rotations/euler-dofs.ts';
+import { metresPerUnit } from '../evaluate/space/metres.ts';
+import { applySpace } from '../evaluate/space/space.ts';
 import { writeRotationPart } from '../math/mat3.ts';
 import { writeSinesAndCosines } from '../math/sines-cosines.ts';
-import { stretches } from '../model/joint-types.ts';
-import { perSkeleton } from '../model/per-skeleton.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { stretches } from '../model/skeleton/joint-types.ts';
+import { perSkeleton } from '../model/skeleton/per-skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import { put, turnUp, writeUnitQuaternion } from './frame-quaternions.ts';
 import { BLOCK, type JointRows, JointRowWriter } from './joint-rows.ts';

@@ -16,12 +16,12 @@
  */
 import { CommandError } from '../edit/command-error.ts';
 import { playedClip } from '../evaluate/bake.ts';
-import { carrierIn, retargetCarrier } from '../evaluate/carrier.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../evaluate/foot-contacts.ts';
-import { metresPerUnit } from '../evaluate/metres.ts';
 import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
-import { applySpace } from '../evaluate/space.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { carrierIn, retargetCarrier } from '../evaluate/space/carrier.ts';
+import { metresPerUnit } from '../evaluate/space/metres.ts';
+import { applySpace } from '../evaluate/space/space.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import type { DataArray, Floats } from './data-array.ts';
 import type { FloatPool, Precision } from './float-pool.ts';

@@ -4,11 +4,11 @@ import { CommandError } from '../edit/command-error.ts';
 import { retargetedTo } from '../edit/commands/retarget.ts';
 import { mirroringTake } from '../edit/samples/take-mirror.ts';
 import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
-import { frameRateOf } from '../evaluate/frame-rate.ts';
-import { framesOfClip } from '../evaluate/key-frames.ts';
+import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
+import { framesOfClip } from '../evaluate/samples/key-frames.ts';
 import { runToEnd } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import { type JointMap, pairsOf } from './joint-map.ts';
 

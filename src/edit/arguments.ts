@@ -1,5 +1,5 @@
 /** What checks of command arguments share that shapes can't make: those that depend on the document. */
-import { cutText } from '../model/cut-text.ts';
+import { cutText } from '../model/names/cut-text.ts';
 import { CommandError } from './command-error.ts';
 
 /** An index from `from` up to (excluding) `to`. */

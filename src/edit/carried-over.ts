@@ -4,8 +4,8 @@
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
-import { characterDofs } from '../model/dofs.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { characterDofs } from '../model/skeleton/dofs.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { movedPoses } from './pose/library.ts';
 import { sameJoints } from './pose/same-joints.ts';
 import { remapIk, remapPairs, withIk } from './rig/by-joint.ts';

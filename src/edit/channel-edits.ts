@@ -4,9 +4,9 @@
  * keys.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/clip.ts';
 import { type Document, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/takes/clip.ts';
 import { indexIn } from './arguments.ts';
 import type { Edit } from './change.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';

@@ -1,5 +1,5 @@
 /** The frame rate of what plays. */
-import { frameRateOf } from '../evaluate/frame-rate.ts';
+import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
 import { type Document, playingCharacters, shownClip } from '../model/document.ts';
 
 /** Of everything that plays and is visible; undefined for takes without a rate. */

@@ -3,9 +3,9 @@
  * are keyed are no longer unkeyed.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
+import { FLAT, LINEAR, SMOOTH } from '../model/takes/clip.ts';
 import { type KeyPlacing, type OutsideCycle, placeOf } from './keys/cycle.ts';
 import { putKeyAt } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';

@@ -1,6 +1,6 @@
 /** What becomes of a take's markers when its times change. */
-import type { ChannelClip } from '../model/clip.ts';
-import { inOrder, type Marker } from '../model/markers.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
+import { inOrder, type Marker } from '../model/takes/markers.ts';
 
 /** Times closer than this are the same. */
 const SAME_TIME = 1e-9;

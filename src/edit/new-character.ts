@@ -1,8 +1,8 @@
 /** Creating a character, and giving one another skeleton. */
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
-import { filePose, rootDofCount } from '../model/dofs.ts';
 import { NO_MARKS } from '../model/part.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { filePose, rootDofCount } from '../model/skeleton/dofs.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { carriedOver } from './carried-over.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
 

@@ -5,10 +5,11 @@
  *
  * Marks are part of the document, so undo restores a revision together with its content.
  */
-import type { ChannelClip } from '../model/clip.ts';
+
 import { type Character, type Document, findCharacter, isBvh } from '../model/document.ts';
-import { characterDofs } from '../model/dofs.ts';
 import { mapMarks, NO_MARKS, ownRevision, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
+import { characterDofs } from '../model/skeleton/dofs.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import { sameValue } from './delta.ts';
 import { haveSameNames } from './pose/same-joints.ts';
 

@@ -1,13 +1,14 @@
 /** Placement of new characters: beside existing ones, so that fifty dropped at once don't overlap. */
-import { posedBounds, skinBounds } from '../evaluate/bounds.ts';
-import { compileSkin, skinMatrices } from '../evaluate/deform.ts';
+
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
-import { applySpace } from '../evaluate/space.ts';
-import { areBoxesOversized, hasBox } from '../model/boxes.ts';
+import { posedBounds, skinBounds } from '../evaluate/skin/bounds.ts';
+import { compileSkin, skinMatrices } from '../evaluate/skin/deform.ts';
+import { applySpace } from '../evaluate/space/space.ts';
 import { type Character, DEFAULT_PLACEMENT, type Placement, shownClip, shownSkin } from '../model/document.ts';
 import type { SourceFile } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
+import { areBoxesOversized, hasBox } from '../model/skeleton/boxes.ts';
 
 /** Gap between two characters, relative to the wider one. */
 const GAP = 0.25;

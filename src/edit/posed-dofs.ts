@@ -1,7 +1,7 @@
 /** Changes made by hand that are not keyed yet; K keys these. */
 import { channelOf } from '../evaluate/pose.ts';
 import { type Character, shownClip } from '../model/document.ts';
-import { characterDofs } from '../model/dofs.ts';
+import { characterDofs } from '../model/skeleton/dofs.ts';
 import { unkeyedAt } from './unkeyed.ts';
 
 /**

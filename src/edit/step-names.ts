@@ -3,10 +3,10 @@
  */
 
 import type { Character, Document } from '../model/document.ts';
-import { type CharacterDof, characterDofs } from '../model/dofs.ts';
-import { jointName } from '../model/joint-name.ts';
 import type { ChannelKeys } from '../model/session.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { type CharacterDof, characterDofs } from '../model/skeleton/dofs.ts';
+import { jointName } from '../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { requireCharacter } from './characters.ts';
 import { cutName, SHORT_NAME } from './cut-name.ts';
 import { countKeys } from './keys/selection.ts';

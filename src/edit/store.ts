@@ -5,12 +5,13 @@
  * their difference is stored (`history.ts`), so a step costs what it changed. (ProseMirror needs inverses for
  * collaboration; we don't.)
  */
-import { type Channel, type ChannelClip, keysOf } from '../model/clip.ts';
+
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
-import { othersKept } from '../model/selected-joints.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
+import { othersKept } from '../model/skeleton/selected-joints.ts';
+import { type Channel, type ChannelClip, keysOf } from '../model/takes/clip.ts';
 import { type Change, documentIn, type Edit, isChange, type SelectedJoint } from './change.ts';
 import type { Command } from './command.ts';
 import { sameValue } from './delta.ts';

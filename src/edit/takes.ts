@@ -2,10 +2,11 @@
  * Takes as targets for editing. Keys are added to the shown take; if there is none, one is created that changes
  * nothing, since its channels have no keys and rest in the pose.
  */
-import { type Channel, type ChannelClip, restChannel, spanOfChannel } from '../model/clip.ts';
+
 import { type Character, shownClip } from '../model/document.ts';
-import { characterDofs } from '../model/dofs.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
+import { characterDofs } from '../model/skeleton/dofs.ts';
+import { type Channel, type ChannelClip, restChannel, spanOfChannel } from '../model/takes/clip.ts';
 import { CommandError } from './command-error.ts';
 
 /** The shown take. Throws a `CommandError` if there is none. */

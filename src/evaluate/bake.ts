@@ -5,10 +5,11 @@
  *
  *     frame f     the pose at startSeconds + f · frameSeconds, in seconds of the clip
  */
-import type { ChannelClip } from '../model/clip.ts';
+
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
-import type { Samples } from '../model/samples.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Samples } from '../model/takes/samples.ts';
 import { dofCountOf, poseAt } from './pose.ts';
 
 /** Evenly spaced times. */

@@ -11,8 +11,8 @@ import {
   EXTRAPOLATIONS,
   type Extrapolation,
   type KeyedChannel,
-} from '../model/clip.ts';
-import { columnOf, type Samples } from '../model/samples.ts';
+} from '../model/takes/clip.ts';
+import { columnOf, type Samples } from '../model/takes/samples.ts';
 import { slope } from './slopes.ts';
 
 /**

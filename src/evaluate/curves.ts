@@ -15,9 +15,9 @@
  * An infinite time gives the value of the key at that end; NaN that of the first key.
  */
 import { lastNotAbove } from '../math/search.ts';
-import { EXTRAPOLATIONS } from '../model/clip.ts';
+import { EXTRAPOLATIONS } from '../model/takes/clip.ts';
 import type { CompiledClip } from './compiled-clip.ts';
-import { columnSlope, sampleColumn } from './sampling.ts';
+import { columnSlope, sampleColumn } from './samples/sampling.ts';
 
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');

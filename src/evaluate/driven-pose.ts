@@ -7,7 +7,7 @@
  * The commands for retargeting and the session reader do.
  */
 import type { Character, Driver } from '../model/document.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 
 /** Writes the DOFs that the driver controls; the joints' other DOFs come from the pose. Seconds of the transport. */
 export type DrivenPose = (

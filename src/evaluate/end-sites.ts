@@ -1,6 +1,6 @@
 /** Ends of a posed skeleton's bones: BVH's End Sites, and the tips of bones along +y. */
 import { transformPoint, type Vec3 } from '../math/vec3.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 
 export interface EndSitePosition {
   /** Index of its joint. */

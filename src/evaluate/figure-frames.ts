@@ -1,8 +1,9 @@
 /** Frames of a figure that is no character yet, evenly over its clip; used for guesses when a file is opened. */
-import type { ChannelClip } from '../model/clip.ts';
+
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
-import { filePose } from '../model/dofs.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { filePose } from '../model/skeleton/dofs.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import { poseFrom, poseSource } from './pose.ts';
 
 /** A character with nothing but a skeleton and perhaps a take; its limits are not enforced. */

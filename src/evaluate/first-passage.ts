@@ -6,7 +6,7 @@
  * Which way a surface faces matters, since there may be several in a row: clothes over a body, or two triangles at the
  * edge that the line meets.
  */
-import { Hits, hitTriangle, type TriangleMesh } from './triangle-hits.ts';
+import { Hits, hitTriangle, type TriangleMesh } from './skin/triangle-hits.ts';
 
 /** Scratch, never escapes. */
 const hits = new Hits();

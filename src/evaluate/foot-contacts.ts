@@ -6,11 +6,11 @@
  * for at least 0.08 s. The speed is measured over 1/30 s, or two frames if these are longer, so that it does not depend
  * on the frame rate. Shorter gaps than 0.05 s are noise within a contact.
  */
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
-import { percentile } from './frame-shapes.ts';
 import { distance } from './retarget/figure.ts';
 import { LIMB_SIDES, rolesOf } from './retarget/roles.ts';
+import { percentile } from './space/frame-shapes.ts';
 
 const SLOW = 0.35;
 const LOW = 0.08;

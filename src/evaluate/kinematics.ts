@@ -8,16 +8,16 @@
  */
 import { multiplyAffine } from '../math/mat4.ts';
 import { writeRotation } from '../math/quaternion.ts';
-import { couplesOf, type DofCouple } from '../model/couples.ts';
-import { rootDofCount } from '../model/dofs.ts';
-import { dofsOf, factorsOf, offsetBesideDofs, takesLimits } from '../model/joint-types.ts';
 import { perObject } from '../model/per-object.ts';
-import { perSkeleton } from '../model/per-skeleton.ts';
-import { type Motion, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
-import { appliedDofs, eulerDofs } from './euler-dofs.ts';
+import { couplesOf, type DofCouple } from '../model/skeleton/couples.ts';
+import { rootDofCount } from '../model/skeleton/dofs.ts';
+import { dofsOf, factorsOf, offsetBesideDofs, takesLimits } from '../model/skeleton/joint-types.ts';
+import { perSkeleton } from '../model/skeleton/per-skeleton.ts';
+import { type Motion, type Skeleton, UNLIMITED } from '../model/skeleton/skeleton.ts';
 import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
-import type { PoseRotations } from './pose-rotations.ts';
+import { appliedDofs, eulerDofs } from './rotations/euler-dofs.ts';
+import type { PoseRotations } from './rotations/pose-rotations.ts';
 
 /** A skeleton ready for posing. Joints are in depth-first pre-order, so a subtree is a contiguous range. */
 export interface CompiledSkeleton {

@@ -6,7 +6,7 @@
  * nothing, since calls of a single function are inlined anyway.
  */
 import { perObject } from '../model/per-object.ts';
-import type { Motion } from '../model/skeleton.ts';
+import type { Motion } from '../model/skeleton/skeleton.ts';
 import { prismaticMotion, screwMotion } from './motions/axis.ts';
 import { BALLS } from './motions/ball.ts';
 import type { JointMotion } from './motions/motion.ts';

@@ -8,18 +8,19 @@
  *     5. limits                of the joints, unless the character does not enforce them
  *     6. linked DOFs           override all the above
  */
-import type { Channel } from '../model/clip.ts';
+
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
-import { rootDofCount } from '../model/dofs.ts';
+import { rootDofCount } from '../model/skeleton/dofs.ts';
+import type { Channel } from '../model/takes/clip.ts';
 import { type CompiledClip, compileClip } from './compiled-clip.ts';
 import { evaluateClip } from './curves.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
-import type { PoseRotations } from './pose-rotations.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
-import { type SampledJoints, sampledJoints } from './sampled-joints.ts';
-import { samplePose } from './sampled-pose.ts';
+import type { PoseRotations } from './rotations/pose-rotations.ts';
+import { type SampledJoints, sampledJoints } from './samples/sampled-joints.ts';
+import { samplePose } from './samples/sampled-pose.ts';
 
 /** Times closer than this are the same; seconds. */
 const SAME_MOMENT = 1e-9;

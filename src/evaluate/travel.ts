@@ -1,9 +1,9 @@
 /** How far a character has moved over the ground, for display "in place". */
 import { type Character, shownClip } from '../model/document.ts';
 import type { Space } from '../model/space.ts';
-import { carrierIn, retargetCarrier } from './carrier.ts';
 import type { CompiledSkeleton } from './kinematics.ts';
-import { upAxis } from './space.ts';
+import { carrierIn, retargetCarrier } from './space/carrier.ts';
+import { upAxis } from './space/space.ts';
 
 /** Index of the joint that moves the character in its shown clip; cached per clip and skeleton. */
 export function carrierOf(character: Character): number {

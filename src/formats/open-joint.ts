@@ -1,4 +1,4 @@
-import { DEFAULT_BOX, type Joint } from '../model/skeleton.ts';
+import { DEFAULT_BOX, type Joint } from '../model/skeleton/skeleton.ts';
 
 /** In place of a joint that is not closed: filled from the last to the first, an array takes six times as much. */
 export const OPEN_JOINT: Joint = {

@@ -3,8 +3,9 @@
  * tokens are merged with a count. Without limits, a hundred megabytes with decimal commas would give ten million
  * messages.
  */
-import { cutMessage } from '../model/cut-text.ts';
+
 import { type Diagnostic, type Excerpt, MOST_KEPT, moreThanKept, type Severity } from '../model/diagnostic.ts';
+import { cutMessage } from '../model/names/cut-text.ts';
 import { excerptOf, type Place } from './places.ts';
 
 /** Thrown inside a reader when nothing after this place can be read; only the readers of `reader.ts` catch it. */

@@ -5,9 +5,10 @@
  * Tabs, LF, one blank between numbers, as in the course's own files. Rejected: aligned columns, which need two passes,
  * make files a third larger, and would not align the shortest decimals at their points anyway.
  */
-import { cutMessage } from '../model/cut-text.ts';
+
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { oneToken, restOfLine, wellFormed } from '../model/written-names.ts';
+import { cutMessage } from '../model/names/cut-text.ts';
+import { oneToken, restOfLine, wellFormed } from '../model/names/written-names.ts';
 import { NO_PLACE } from './places.ts';
 import type { WriteResult } from './reader.ts';
 import { Report } from './report.ts';

@@ -1,4 +1,4 @@
-import { cutMessage } from './cut-text.ts';
+import { cutMessage } from './names/cut-text.ts';
 
 /** A message to the user about a file: what was found, what was expected, where, and what was assumed. */
 export interface Diagnostic {

@@ -3,19 +3,19 @@
  * document to the next, which tells the view what to rebuild.
  */
 import type { Vec3 } from '../math/vec3.ts';
-import type { ChannelClip } from './clip.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { IkSetup } from './ik.ts';
-import { isOfBvh } from './joint-types.ts';
 import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
 import { perObject } from './per-object.ts';
 import type { NamedPose } from './poses.ts';
-import type { JointPair, RetargetOptions } from './retarget.ts';
-import type { ReviewedTake } from './review.ts';
-import type { Skeleton } from './skeleton.ts';
+import { isOfBvh } from './skeleton/joint-types.ts';
+import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { Space } from './space.ts';
+import type { ChannelClip } from './takes/clip.ts';
+import type { JointPair, RetargetOptions } from './takes/retarget.ts';
+import type { ReviewedTake } from './takes/review.ts';
 
 export interface Document {
   readonly characters: readonly Character[];

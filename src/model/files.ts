@@ -1,15 +1,16 @@
 /** Results of reading: one model per file, whatever its format. */
-import type { ChannelClip } from './clip.ts';
+
 import type { Dump } from './dump.ts';
-import type { Marker } from './markers.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
 import type { PoseLibrary } from './poses.ts';
-import type { Positions } from './position-channels.ts';
 import type { Rig } from './rig.ts';
-import type { Skeleton } from './skeleton.ts';
+import type { Positions } from './skeleton/position-channels.ts';
+import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { FileSpace } from './space.ts';
+import type { ChannelClip } from './takes/clip.ts';
+import type { Marker } from './takes/markers.ts';
 
 /** A file as provided: dropped, picked, fetched or read from disk. */
 export interface SourceFile {

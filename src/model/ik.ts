@@ -5,7 +5,7 @@
  * A pin does not store its target: that is its point's position in the pose shown, which a drag keeps while it lasts.
  */
 import type { Vec3 } from '../math/vec3.ts';
-import type { Skeleton } from './skeleton.ts';
+import type { Skeleton } from './skeleton/skeleton.ts';
 
 export interface IkSetup {
   /** In creation order; no two hold the same point of the same joint. */

@@ -6,8 +6,9 @@
  * A motion capture character has one `.bvh` per take, with skeleton and motion together; every other character has its
  * skeleton in a `.skel` and its takes in `.anim` files.
  */
-import { savesAsAxisAngle } from './axis-angle.ts';
+
 import { type FileKind, type PartContents, type PartKind, type SourceFile, sameName } from './files.ts';
+import { savesAsAxisAngle } from './skeleton/axis-angle.ts';
 
 /** The file that a part was read from or saved as. */
 export interface PartFile {

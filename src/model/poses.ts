@@ -1,6 +1,6 @@
 /** A character's pose library: named poses, in the order in which they were saved. */
 import type { Morph } from './morph.ts';
-import type { Skeleton } from './skeleton.ts';
+import type { Skeleton } from './skeleton/skeleton.ts';
 
 export interface NamedPose {
   /** Unique in its character. */

@@ -5,7 +5,7 @@
 import { type BuiltFiles, StoredPage } from './stored-page.ts';
 import { TAKE_OVER } from './take-over.ts';
 
-/** Set by the build (`vite.offline.ts`). */
+/** Set by the build (`plugins/offline.ts`). */
 declare const BUILT_FILES: BuiltFiles;
 
 /** An event that lasts until the promise settles. */

@@ -2,12 +2,12 @@
  * What looks wrong in a take: one pass over its frames, in metres, with all checks at once. They are `checks/`, each
  * with its thresholds; what they find is a hint to look, not a judgement.
  */
-import { metresPerUnit } from '../evaluate/metres.ts';
+import { metresPerUnit } from '../evaluate/space/metres.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
-import type { ChannelClip } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import { Bones } from './checks/bones.ts';
 import type { Check } from './checks/check.ts';
 import { Deviations } from './checks/deviations.ts';

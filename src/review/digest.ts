@@ -1,7 +1,8 @@
 /** What the list of takes shows of one, made where its file is read: the file's numbers are not kept. */
-import type { ChannelClip } from '../model/clip.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import type { TakeFacts } from './list.ts';
 import { type StickFigure, stickFigure } from './stick-figure.ts';
 import { takeFacts } from './take-facts.ts';

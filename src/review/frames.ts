@@ -1,15 +1,15 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
 import { playedClip } from '../evaluate/bake.ts';
 import { bareFigure } from '../evaluate/figure-frames.ts';
-import { framesOfClip } from '../evaluate/key-frames.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
-import { metresPerUnit } from '../evaluate/metres.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
-import { PoseRotations } from '../evaluate/pose-rotations.ts';
-import type { ChannelClip } from '../model/clip.ts';
+import { PoseRotations } from '../evaluate/rotations/pose-rotations.ts';
+import { framesOfClip } from '../evaluate/samples/key-frames.ts';
+import { metresPerUnit } from '../evaluate/space/metres.ts';
 import type { Character } from '../model/document.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 
 /** Frames per second of takes that have none. */
 export const KEYED_RATE = 60;

@@ -1,5 +1,5 @@
 /** A list of takes with what a person thinks of them: its rows, whatever they are written as. */
-import type { Review, ReviewedTake } from '../model/review.ts';
+import type { Review, ReviewedTake } from '../model/takes/review.ts';
 import { type Flag, flagText, statedAmount, worstOf } from './flags.ts';
 
 /** A take in a list. Lists written by hand may lack everything but the path. */

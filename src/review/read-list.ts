@@ -2,9 +2,10 @@
  * Reads lists of takes: the CSV and JSON that are written, those columns in any order and number in a table saved by a
  * spreadsheet, or plain paths, one a line. Only the path is needed.
  */
-import { cutMessage } from '../model/cut-text.ts';
+
 import { type Diagnostic, MOST_KEPT, moreThanKept } from '../model/diagnostic.ts';
-import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/review.ts';
+import { cutMessage } from '../model/names/cut-text.ts';
+import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/takes/review.ts';
 import { eachRow, firstLineOf, lineEndsOf, separatorOf } from './csv.ts';
 import { meant } from './formula-cells.ts';
 import { LIST_COLUMNS, type ListColumn, type ListedTake } from './list.ts';

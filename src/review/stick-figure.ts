@@ -1,8 +1,8 @@
 /** A take as a small moving picture: a few frames of a stick figure, seen from the side and above its feet. */
 import { partsOf } from '../evaluate/retarget/roles.ts';
-import type { ChannelClip } from '../model/clip.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import { takeFrames } from './frames.ts';
 
 /** About 2 kB, so that thousands fit in a page. */

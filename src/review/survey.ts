@@ -1,8 +1,9 @@
 /** A first look at a take, on a few of its frames: which joints are which, and what is usual in it. */
-import { percentile } from '../evaluate/frame-shapes.ts';
+
 import { fingerBases } from '../evaluate/retarget/fingers.ts';
 import { LIMB_SIDES, partsOf } from '../evaluate/retarget/roles.ts';
 import { footTip, type PointTree, tipBelow } from '../evaluate/retarget/tip.ts';
+import { percentile } from '../evaluate/space/frame-shapes.ts';
 import type { Space } from '../model/space.ts';
 import type { TakeFrames } from './frames.ts';
 

@@ -1,9 +1,9 @@
 /** What a list says about a take without anybody having looked at it. */
-import { frameRateOf } from '../evaluate/frame-rate.ts';
-import { framesOfClip } from '../evaluate/key-frames.ts';
-import type { ChannelClip } from '../model/clip.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
+import { framesOfClip } from '../evaluate/samples/key-frames.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
+import type { ChannelClip } from '../model/takes/clip.ts';
 import { checkTake } from './check-take.ts';
 import { KEYED_RATE } from './frames.ts';
 import type { TakeFacts } from './list.ts';

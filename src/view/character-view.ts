@@ -11,10 +11,10 @@
  * A large skin isn't shown at once: `prepare` converts and uploads it in slices, then shows it.
  */
 import { type Bone, Box3, Group, PerspectiveCamera, Scene, Sphere, Vector3, type WebGLRenderer } from 'three';
-import { posedBounds } from '../evaluate/bounds.ts';
-import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { skinParts } from '../evaluate/shapes/skin-parts.ts';
-import { upAxis } from '../evaluate/space.ts';
+import { posedBounds } from '../evaluate/skin/bounds.ts';
+import { NO_TRAVEL, placementMatrix } from '../evaluate/space/placements.ts';
+import { upAxis } from '../evaluate/space/space.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownSkin } from '../model/document.ts';
@@ -22,16 +22,16 @@ import type { Texture as Picture } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
 import { type Skin, textureNames, vertexCount } from '../model/skin.ts';
-import { Bones } from './bones.ts';
-import { HoveredPart } from './hovered-part.ts';
-import { PosePlayer } from './pose-track.ts';
-import { BUILT_AT_ONCE, type Heat, ShownSkin } from './shown-skin.ts';
-import { SkinTextures } from './skin-textures.ts';
-import { SKIN_THEMES } from './skin-theme.ts';
-import type { MarrowSkinnedMesh } from './skinning.ts';
+import { PosePlayer } from './motion/pose-track.ts';
+import { Bones } from './skeleton/bones.ts';
+import { HoveredPart } from './skin/hovered-part.ts';
+import { BUILT_AT_ONCE, type Heat, ShownSkin } from './skin/shown-skin.ts';
+import { SkinTextures } from './skin/skin-textures.ts';
+import { SKIN_THEMES } from './skin/skin-theme.ts';
+import type { MarrowSkinnedMesh } from './skin/skinning.ts';
+import { uploadInFrames } from './skin/upload.ts';
 import { runInSlices } from './slices.ts';
 import { STAGE_THEMES, type ThemeName, type Tint } from './theme.ts';
-import { uploadInFrames } from './upload.ts';
 
 /** Callbacks of a character. */
 export interface CharacterEvents {

@@ -5,7 +5,7 @@ import { look } from '../evaluate/shapes/look.ts';
 import { type Rgb, rasterise } from '../evaluate/shapes/rasterise.ts';
 import { type Posed, solidOf } from '../evaluate/shapes/solids.ts';
 import type { Character } from '../model/document.ts';
-import type { Joint } from '../model/skeleton.ts';
+import type { Joint } from '../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE } from '../model/space.ts';
 
 export interface ThumbnailColours {

@@ -3,8 +3,8 @@
  * another size are being drawn; and what becomes of it when the browser takes its WebGL context.
  */
 import { SRGBColorSpace, WebGLRenderer } from 'three';
-import { shaderError } from './shader-error.ts';
-import { LINE_RESOLUTION } from './thick-lines.ts';
+import { shaderError } from './scene/shader-error.ts';
+import { LINE_RESOLUTION } from './scene/thick-lines.ts';
 
 /** Of the last frame drawn. */
 export interface FrameStats {

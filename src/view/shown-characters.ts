@@ -4,14 +4,14 @@
  * ones are drawn, picked or framed.
  */
 import { Box3, type Group, Vector3 } from 'three';
-import { placementMatrix } from '../evaluate/placements.ts';
+import { placementMatrix } from '../evaluate/space/placements.ts';
 import { timeBetween } from '../math/time-between.ts';
 import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../model/document.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
-import { nodesFor, type PosedSkeleton, sizesFor } from './drawn-skeletons.ts';
 import type { Look } from './look.ts';
-import type { DrawnSkin } from './picking.ts';
+import type { DrawnSkin } from './picking/picking.ts';
+import { nodesFor, type PosedSkeleton, sizesFor } from './skeleton/drawn-skeletons.ts';
 import type { Tints } from './theme.ts';
 
 /** A character's view, with what is drawn of it elsewhere. */

@@ -9,21 +9,21 @@ import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
-import type { Annotations } from './annotations.ts';
 import { CharacterView } from './character-view.ts';
-import { haveSameJoints, type JointRef, type PosedSkeleton } from './drawn-skeletons.ts';
-import { Grid } from './grid.ts';
-import { Highlight } from './highlight.ts';
 import type { Look } from './look.ts';
+import type { Annotations } from './names/annotations.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
-import type { DrawnSkin } from './picking.ts';
+import { Highlight } from './picking/highlight.ts';
+import type { DrawnSkin } from './picking/picking.ts';
+import { Grid } from './scene/grid.ts';
+import { Stage } from './scene/stage.ts';
 import type { Screen } from './screen.ts';
 import { type ShownCharacter, ShownCharacters } from './shown-characters.ts';
-import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
-import { Stage } from './stage.ts';
+import { haveSameJoints, type JointRef, type PosedSkeleton } from './skeleton/drawn-skeletons.ts';
+import { isOpaque, SkeletonDrawing } from './skeleton/skeleton-drawing.ts';
+import { VertexMarker } from './skin/vertex-marker.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
-import { VertexMarker } from './vertex-marker.ts';
 
 /** What is drawn besides the characters. */
 export interface Surroundings {

@@ -1,6 +1,7 @@
 /** The `changes` and `check` jobs: what the page changed in a text file, and what was edited in the text. */
+
+import { changedText, rewritten } from '../files/changes/changed-text.ts';
 import { mapSource } from '../formats/source/map-source.ts';
-import { changedText, rewritten } from '../project/changes/changed-text.ts';
 import { parse } from './parse.ts';
 import type { ChangesInput, ChangesOutput, CheckInput, CheckOutput, Progress } from './protocol.ts';
 import { textIn } from './source.ts';

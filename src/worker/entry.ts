@@ -1,8 +1,8 @@
 /** The worker's side: receives a job, runs it, responds. */
 
-import { testKit } from '../kit/kit.ts';
 import { sentenceOf } from '../model/failure.ts';
-import { compareDumps } from './compare.ts';
+import { testKit } from '../teaching/kit/kit.ts';
+import { compareDumps } from './compare-program.ts';
 import { parse } from './parse.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
 import { mapSourceOf } from './source.ts';

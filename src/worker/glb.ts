@@ -1,5 +1,5 @@
 /** Writes a character as GLB, with progress. Loaded on first use. */
-import { writeGlb } from '../exchange/glb/write.ts';
+import { writeGlb } from '../export/glb/write.ts';
 import type { GlbInput, GlbOutput, Progress } from './protocol.ts';
 
 /** Between two messages of progress, in milliseconds. */

@@ -2,11 +2,12 @@
  * The part of the `parse` job that reads files of other programs, as a whole and with the files that they name: buffers
  * and textures, which may have been given earlier, or come later.
  */
+
+import { isBuffer } from '../files/kinds.ts';
+import { type Format, formatOf } from '../files/readers.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, baseName, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
-import { isBuffer } from '../project/kinds.ts';
-import { type Format, formatOf } from '../project/readers.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import type { GivenBlob } from './protocol.ts';
 import { transferables } from './transferables.ts';
@@ -79,7 +80,7 @@ interface ReadBlob extends ImportedBlob {
 }
 
 const finderIn = perObject(async (place: readonly GivenBlob[]) => {
-  const { besideIn } = await import('../project/imports.ts');
+  const { besideIn } = await import('../files/imports.ts');
   return besideIn(place);
 });
 

@@ -3,8 +3,12 @@
  * unpacked here, and formats are recognised by file name only.
  */
 
-import { checkMorph } from '../evaluate/binding.ts';
-import { skinFacts } from '../evaluate/bounds.ts';
+import { checkMorph } from '../evaluate/skin/binding.ts';
+import { skinFacts } from '../evaluate/skin/bounds.ts';
+import { otherContent, readableList, unreadMessage } from '../files/foreign.ts';
+import { isBuffer } from '../files/kinds.ts';
+import { type Format, formatOf } from '../files/readers.ts';
+import { isZip, MAX_FILES, tooManyFiles, zipContent } from '../files/zip-content.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { ZipRefusal } from '../formats/unzip.ts';
@@ -13,10 +17,6 @@ import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
-import { otherContent, readableList, unreadMessage } from '../project/foreign.ts';
-import { isBuffer } from '../project/kinds.ts';
-import { type Format, formatOf } from '../project/readers.ts';
-import { isZip, MAX_FILES, tooManyFiles, zipContent } from '../project/zip-content.ts';
 import { importedFrom, waitingBuffer } from './parse-imports.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';

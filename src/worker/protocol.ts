@@ -2,12 +2,10 @@
  * What the page and its worker share: the jobs and their messages. Another kind of work is another entry in `Jobs`;
  * another file format needs no change here (`project/kinds.ts`).
  */
-import type { SkinFacts } from '../evaluate/bounds.ts';
-import type { GlbOptions } from '../exchange/glb/options.ts';
-import type { GlbReport } from '../exchange/glb/report.ts';
-import type { Comparison } from '../lesson/compare.ts';
-import type { NamedDump } from '../lesson/dump/fit-dump.ts';
-import type { Targets } from '../lesson/targets.ts';
+import type { SkinFacts } from '../evaluate/skin/bounds.ts';
+import type { GlbOptions } from '../export/glb/options.ts';
+import type { GlbReport } from '../export/glb/report.ts';
+import type { Owned } from '../files/save/owned.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
 import type { BrokenFile, ParsedFile, SourceFile } from '../model/files.ts';
@@ -15,8 +13,10 @@ import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import type { SourceMap } from '../model/source-map.ts';
 import type { LineHunk } from '../model/text-changes.ts';
-import type { Owned } from '../project/save/owned.ts';
 import type { TakeDigest } from '../review/digest.ts';
+import type { Comparison } from '../teaching/compare/compare.ts';
+import type { Targets } from '../teaching/compare/targets.ts';
+import type { NamedDump } from '../teaching/dump/fit-dump.ts';
 
 export interface Jobs {
   parse: { takes: ParseInput; gives: ParseOutput };

@@ -1,7 +1,8 @@
 /** The `review` job: takes in, what the list shows of each out. One file is in memory at a time. And takes out of zips. */
+
+import { openFiles } from '../files/open/open-files.ts';
 import { unzip } from '../formats/unzip.ts';
 import { EMPTY_DOCUMENT } from '../model/document.ts';
-import { openFiles } from '../project/open/open-files.ts';
 import { digestOf, type TakeDigest, type TakeRead } from '../review/digest.ts';
 import { isReviewable } from '../review/reviewable.ts';
 import { parse } from './parse.ts';

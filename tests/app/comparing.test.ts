@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { compareDropped } from '../../src/app/comparing.ts';
+import type { DumpFile } from '../../src/files/open/open-files.ts';
 import { readDump } from '../../src/formats/dump/read.ts';
-import { Evaluator } from '../../src/lesson/program/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
 import type { Character } from '../../src/model/document.ts';
-import type { DumpFile } from '../../src/project/open/open-files.ts';
+import { Evaluator } from '../../src/teaching/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import type { Workbench } from '../../src/ui/state/workbench.ts';
-import { characterOf, OWN } from '../lesson/lesson-files.ts';
+import { characterOf, OWN } from '../teaching/lesson-files.ts';
 import { documentOf, workbench } from '../ui/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 

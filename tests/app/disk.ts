@@ -3,11 +3,11 @@ import { DiskHandles } from '../../src/app/disk-handles.ts';
 import { type Disk, Saver } from '../../src/app/saver.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
 import { Store } from '../../src/edit/store.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import { DiskError, NotNowError } from '../../src/io/disk-files.ts';
 import type { GivenFile } from '../../src/io/given.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { parse } from '../../src/worker/parse.ts';
 

@@ -6,7 +6,7 @@ import { keyPose } from '../../src/edit/commands/keying.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import { rangeOfClips, startSeconds } from '../../src/model/document.ts';
-import { observable } from '../../src/ui/kit/observable.ts';
+import { observable } from '../../src/ui/widgets/observable.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';
 
 const walking = character({ clips: [clip('walk', [0], [1, 3]), clip('run', [0], [-1, 2])], shownClip: 0 });

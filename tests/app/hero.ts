@@ -1,6 +1,7 @@
 /** A character as files, edits of it, and what the page says. */
+
+import { saveCharacter } from '../../src/files/save/saving.ts';
 import type { Character } from '../../src/model/document.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
 import { character, clip, skeleton, skin } from '../helpers/builders.ts';
 import type { pageWith } from './disk.ts';
 

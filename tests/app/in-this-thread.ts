@@ -1,7 +1,7 @@
-import { testKit } from '../../src/kit/kit.ts';
+import { testKit } from '../../src/teaching/kit/kit.ts';
 import { changesOf, checkText } from '../../src/worker/changes.ts';
 import { WorkerClient } from '../../src/worker/client.ts';
-import { compareDumps } from '../../src/worker/compare.ts';
+import { compareDumps } from '../../src/worker/compare-program.ts';
 import { glbOf } from '../../src/worker/glb.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';

@@ -3,12 +3,12 @@ import { describe, expect, it } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
-import { observable } from '../../src/ui/kit/observable.ts';
+import { saveCharacter } from '../../src/files/save/saving.ts';
 import { leaveRefusalsBehind } from '../../src/ui/shell/stale-messages.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
-import { GltfMaker } from '../exchange/make-gltf.ts';
+import { observable } from '../../src/ui/widgets/observable.ts';
 import { character, paintedSkin, skin } from '../helpers/builders.ts';
+import { GltfMaker } from '../import/make-gltf.ts';
 import { workbench } from '../ui/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 

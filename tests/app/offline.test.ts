@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { offerInstalling } from '../../src/app/installing.ts';
 import { startOffline } from '../../src/app/offline.ts';
 import { TAKE_OVER } from '../../src/offline/take-over.ts';
-import { observable } from '../../src/ui/kit/observable.ts';
 import { NOT_OFFLINE, type Offline } from '../../src/ui/state/offline.ts';
+import { observable } from '../../src/ui/widgets/observable.ts';
 
 class FakeWorker extends EventTarget {
   state: ServiceWorkerState = 'installing';

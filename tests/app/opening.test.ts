@@ -3,13 +3,13 @@ import { Opener } from '../../src/app/opening.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
+import { saveCharacter } from '../../src/files/save/saving.ts';
 import { type Character, findCharacter } from '../../src/model/document.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
-import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
-import { GltfMaker } from '../exchange/make-gltf.ts';
+import { observable } from '../../src/ui/widgets/observable.ts';
 import { character, clip, skeleton, skin } from '../helpers/builders.ts';
+import { GltfMaker } from '../import/make-gltf.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 function openerOf(

@@ -4,11 +4,11 @@ import { expect, it } from 'vitest';
 import { type ReviewingParts, takeForReview } from '../../src/app/reviewing.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { GivenFile } from '../../src/io/given.ts';
-import { NO_REVIEW } from '../../src/model/review.ts';
+import { NO_REVIEW } from '../../src/model/takes/review.ts';
 import { listAsCsv } from '../../src/review/write-list.ts';
-import { observable } from '../../src/ui/kit/observable.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
 import { Timeline } from '../../src/ui/state/timeline.ts';
+import { observable } from '../../src/ui/widgets/observable.ts';
 import { unpackTakes } from '../../src/worker/review.ts';
 
 const given = (path: string, text = ''): GivenFile => ({ path, blob: new Blob([text]), version: '1' });

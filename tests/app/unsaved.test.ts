@@ -6,11 +6,11 @@ import { setDofs } from '../../src/edit/commands/pose.ts';
 import { keepPose, renamePose } from '../../src/edit/commands/poses.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { Store } from '../../src/edit/store.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import { partsOf } from '../../src/model/character-parts.ts';
-import { type ChannelClip, keysOf } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
+import { type ChannelClip, keysOf } from '../../src/model/takes/clip.ts';
 import { animFile, clip, file, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../helpers/builders.ts';
 
 /** A page on which files were opened as the opener does. */

@@ -5,16 +5,16 @@
  */
 import { bench, describe } from 'vitest';
 import { runToEnd } from '../../src/evaluate/steps.ts';
-import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
-import { compare } from '../../src/lesson/compare.ts';
-import { Evaluator } from '../../src/lesson/program/evaluator.ts';
-import { type Program, RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
-import type { Targets } from '../../src/lesson/targets.ts';
-import { type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { oneSurface, type Skin } from '../../src/model/skin.ts';
+import { type ChannelClip, SMOOTH } from '../../src/model/takes/clip.ts';
+import { CATALOGUE } from '../../src/teaching/catalogue/all.ts';
+import { compare } from '../../src/teaching/compare/compare.ts';
+import type { Targets } from '../../src/teaching/compare/targets.ts';
+import { Evaluator } from '../../src/teaching/program/evaluator.ts';
+import { type Program, RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import { character, joint } from '../helpers/builders.ts';
-import { random } from '../lesson/planted.ts';
+import { random } from '../teaching/planted.ts';
 
 const JOINTS = 240;
 const VERTICES = 31_000;

@@ -6,7 +6,7 @@
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import type { TraceMap } from '../../src/evaluate/plot/trace-path.ts';
-import { type Channel, type ChannelClip, keysOf, SMOOTH } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, keysOf, SMOOTH } from '../../src/model/takes/clip.ts';
 import { LineTrace, traceLine } from '../../src/ui/editors/curves/scene/trace.ts';
 
 const SECONDS = 10;

@@ -5,8 +5,8 @@
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateClip } from '../../src/evaluate/curves.ts';
-import type { ChannelClip } from '../../src/model/clip.ts';
-import { SMOOTH } from '../../src/model/clip.ts';
+import type { ChannelClip } from '../../src/model/takes/clip.ts';
+import { SMOOTH } from '../../src/model/takes/clip.ts';
 
 const CHANNELS = 10_000;
 const SECONDS = 10;

@@ -3,13 +3,13 @@
  * measures each pair of joints. Against only posing both, which is needed anyway. Goal: at most 1.5 times that.
  */
 import { bench, describe } from 'vitest';
-import { commonFrames, measureDistances } from '../../src/evaluate/distance.ts';
-import { matchJoints } from '../../src/evaluate/joint-match.ts';
+import { commonFrames, measureDistances } from '../../src/evaluate/compare/distance.ts';
+import { matchJoints } from '../../src/evaluate/compare/joint-match.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { runToEnd } from '../../src/evaluate/steps.ts';
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../src/model/clip.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../src/model/takes/clip.ts';
 import { character, joint } from '../helpers/builders.ts';
 
 const JOINTS = 60;

@@ -9,10 +9,10 @@ import { checkOf } from '../../src/cli/export/take-check.ts';
 import { FloatPool } from '../../src/dataset/float-pool.ts';
 import { takeOf } from '../../src/dataset/take.ts';
 import { takeArrays } from '../../src/dataset/take-arrays.ts';
+import { capturedContent } from '../../src/files/captured.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { capturedContent } from '../../src/project/captured.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
 
 const JOINTS = 25;
 const FRAMES = 1000;

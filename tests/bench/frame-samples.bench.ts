@@ -7,10 +7,10 @@
 import { bench, describe } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
-import { INTERPOLATIONS, type Interpolation } from '../../src/model/samples.ts';
-import type { Joint } from '../../src/model/skeleton.ts';
-import { PosePlayer } from '../../src/view/pose-track.ts';
+import type { Joint } from '../../src/model/skeleton/skeleton.ts';
+import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
+import { INTERPOLATIONS, type Interpolation } from '../../src/model/takes/samples.ts';
+import { PosePlayer } from '../../src/view/motion/pose-track.ts';
 import { character, joint } from '../helpers/builders.ts';
 import { bareCrowd } from './bare-crowd.ts';
 

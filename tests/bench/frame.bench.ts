@@ -18,11 +18,11 @@ import {
 } from 'three';
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
-import { compileSkin } from '../../src/evaluate/deform.ts';
 import { compileSkeleton } from '../../src/evaluate/kinematics.ts';
+import { compileSkin } from '../../src/evaluate/skin/deform.ts';
 import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
-import { type ChannelClip, keysOf, SMOOTH } from '../../src/model/clip.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
+import { type ChannelClip, keysOf, SMOOTH } from '../../src/model/takes/clip.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
 

@@ -16,8 +16,8 @@ import { Bone, Skeleton as Bones, BufferGeometry, MeshBasicMaterial, Quaternion,
 import { CCDIKSolver } from 'three/addons/animation/CCDIKSolver.js';
 import { ikProblem, movePin } from '../../src/evaluate/ik/problem.ts';
 import { type IkMode, solve } from '../../src/evaluate/ik/solve.ts';
-import { filePose } from '../../src/model/dofs.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { tipPin } from '../helpers/ik-cases.ts';
 
 /** A solver with its pins: the first one is dragged. */

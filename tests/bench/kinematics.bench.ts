@@ -5,10 +5,10 @@
  */
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
-import { compileSkin, skinMatrices } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
+import { compileSkin, skinMatrices } from '../../src/evaluate/skin/deform.ts';
+import { type ChannelClip, SMOOTH } from '../../src/model/takes/clip.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
 
 const CHARACTERS = 100;

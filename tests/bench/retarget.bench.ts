@@ -4,13 +4,13 @@
  * times without.
  */
 import { bench, describe } from 'vitest';
+import { WALKER_SKELETON } from '../../examples/characters/walker/skeleton.ts';
 import { worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { planRetarget } from '../../src/evaluate/retarget/make-plan.ts';
 import { automaticPairs } from '../../src/evaluate/retarget/match.ts';
 import { retargetPose } from '../../src/evaluate/retarget/retarget-pose.ts';
 import { sourcePose } from '../../src/evaluate/retarget/source-pose.ts';
-import { jointDofCount } from '../../src/model/dofs.ts';
-import { WALKER_SKELETON } from '../../src/samples/walker/skeleton.ts';
+import { jointDofCount } from '../../src/model/skeleton/dofs.ts';
 import { driverOf, PARTS, person, take } from '../evaluate/retarget/people.ts';
 
 const body = person();

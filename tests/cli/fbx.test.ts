@@ -3,9 +3,9 @@ import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, expect, it } from 'vitest';
-import { walkingBones } from '../exchange/fbx/walking-bones.ts';
-import { fbxBytes, fbxText } from '../exchange/fbx/write-fbx.ts';
 import { command } from '../helpers/command.ts';
+import { walkingBones } from '../import/fbx/walking-bones.ts';
+import { fbxBytes, fbxText } from '../import/fbx/write-fbx.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'marrow-fbx-'));
 afterAll(() => rmSync(folder, { recursive: true }));

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import type { Grade } from '../../src/cli/grade/grade.ts';
 import { commandJson } from '../helpers/command.ts';
-import { ARMS_TEXT, HAND, OTHER_HAND, reached, START, stepped, worldOf } from '../lesson/ik/student-arm.ts';
+import { ARMS_TEXT, HAND, OTHER_HAND, reached, START, stepped, worldOf } from '../teaching/ik/student-arm.ts';
 
 const TARGET = [0.4, 1.6, 1.1] as const;
 const LINE = `target ${HAND}: ${TARGET.join(' ')}\n`;

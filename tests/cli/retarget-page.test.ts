@@ -5,11 +5,11 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { loadAny } from '../../src/cli/load.ts';
 import { bakeRetarget, setRetarget } from '../../src/edit/commands/retarget.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
+import { bvhOf } from '../../src/files/save/character-files.ts';
+import { bvhCopy } from '../../src/files/save/copies.ts';
+import { outputOf, savedFileOf } from '../../src/files/save/output.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
-import { bvhOf } from '../../src/project/save/character-files.ts';
-import { bvhCopy } from '../../src/project/save/copies.ts';
-import { outputOf, savedFileOf } from '../../src/project/save/output.ts';
 import { command } from '../helpers/command.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { saveCharacter } from '../../src/project/save/saving.ts';
+import { saveCharacter } from '../../src/files/save/saving.ts';
 import { character, clip, joint } from '../helpers/builders.ts';
 import { command } from '../helpers/command.ts';
 

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join, relative } from 'node:path';
 import { zipSync } from 'fflate';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { saveCharacter } from '../../src/project/save/saving.ts';
+import { saveCharacter } from '../../src/files/save/saving.ts';
 import { character, clip, skin } from '../helpers/builders.ts';
 import { command } from '../helpers/command.ts';
 import { WALK } from './captures.ts';

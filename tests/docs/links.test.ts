@@ -3,7 +3,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
-import { anchorOf } from '../../vite.manual.ts';
+import { anchorOf } from '../../plugins/manual.ts';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const docs = readdirSync(join(ROOT, 'docs'), { recursive: true, encoding: 'utf8' })

@@ -7,8 +7,8 @@ import { type HelpPart, helpParts, usageLines } from '../../src/cli/options/help
 import type { ShellCommand } from '../../src/cli/options/shell-command.ts';
 import { COMMANDS } from '../../src/cli/run.ts';
 import { commandList } from '../../src/edit/commands/all.ts';
-import { MOUSE_GESTURES } from '../../src/ui/shell/mouse-gestures.ts';
-import { actionLabel, actionsOf } from '../../src/ui/state/action.ts';
+import { MOUSE_GESTURES } from '../../src/ui/shell/help/mouse-gestures.ts';
+import { actionLabel, actionsOf } from '../../src/ui/state/actions/action.ts';
 import { GROUPS } from '../../src/ui/state/menus.ts';
 import { shortcutText } from '../../src/ui/state/shortcuts.ts';
 import type { Action } from '../../src/ui/state/workbench.ts';

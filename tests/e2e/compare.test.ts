@@ -1,12 +1,12 @@
 /** Another program's numbers on the page: dropped, pasted, at several times, and wrong ones. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { Evaluator } from '../../src/lesson/program/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
+import { Evaluator } from '../../src/teaching/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import { COMPARE_COLOURS } from '../../src/view/compare/compare-colours.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
-import { characterOf, SHARED } from '../lesson/lesson-files.ts';
+import { characterOf, SHARED } from '../teaching/lesson-files.ts';
 
 const WASP = ['wasp.skel', 'wasp_walk.anim'];
 

@@ -9,13 +9,13 @@ import { unzipSync, zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import type { Character } from '../../src/model/document.ts';
-import { mixamoFile } from '../exchange/fbx/mixamo-file.ts';
-import { fbxBytes } from '../exchange/fbx/write-fbx.ts';
-import { GltfMaker, glbOf as glbFile } from '../exchange/make-gltf.ts';
 import { glbOf } from '../helpers/glb.ts';
 import { hero, STRIDE, vrmOf, WALKER_FILES } from '../helpers/hero.ts';
 import { type DroppedFile, dropFiles, dropPaths, type OpenPage, withPage } from '../helpers/page.ts';
 import { posed } from '../helpers/posed.ts';
+import { mixamoFile } from '../import/fbx/mixamo-file.ts';
+import { fbxBytes } from '../import/fbx/write-fbx.ts';
+import { GltfMaker, glbOf as glbFile } from '../import/make-gltf.ts';
 import { noDisk } from './checks/saving.ts';
 
 /** Names of joints and where they are, and all vertices. */

@@ -1,7 +1,7 @@
 /** A lab's day in one page: takes listed, played, judged by keys and saved; measured, marked, and there after a reload. */
 import { expect, it } from 'vitest';
 import { RULER_HEIGHT } from '../../src/ui/editors/transport/scrubber-picture.ts';
-import { fitWindow } from '../../src/ui/kit/time-window.ts';
+import { fitWindow } from '../../src/ui/widgets/time/time-window.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { kept, restore } from './checks/autosave.ts';
 

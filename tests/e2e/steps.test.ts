@@ -3,14 +3,14 @@ import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
-import { compileSkin, deform } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { compileSkin, deform } from '../../src/evaluate/skin/deform.ts';
 import { runToEnd } from '../../src/evaluate/steps.ts';
-import { FourAttachments, type FourFacts, type KeptFour } from '../../src/lesson/program/four-attachments.ts';
+import { FourAttachments, type FourFacts, type KeptFour } from '../../src/teaching/program/four-attachments.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
-import { characterOf, SHARED } from '../lesson/lesson-files.ts';
+import { characterOf, SHARED } from '../teaching/lesson-files.ts';
 
 const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
 

@@ -9,12 +9,12 @@ import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../src/edit/keys/selection.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import type { Store } from '../../src/edit/store.ts';
-import { type ChannelClip, EXTRAPOLATIONS, TANGENT_KINDS } from '../../src/model/clip.ts';
 import { type Character, isBvh, type Placement, shownClip } from '../../src/model/document.ts';
-import { characterDofs } from '../../src/model/dofs.ts';
-import { NO_REVIEW } from '../../src/model/review.ts';
-import { INTERPOLATIONS } from '../../src/model/samples.ts';
 import type { ChannelKeys } from '../../src/model/session.ts';
+import { characterDofs } from '../../src/model/skeleton/dofs.ts';
+import { type ChannelClip, EXTRAPOLATIONS, TANGENT_KINDS } from '../../src/model/takes/clip.ts';
+import { NO_REVIEW } from '../../src/model/takes/review.ts';
+import { INTERPOLATIONS } from '../../src/model/takes/samples.ts';
 import type { Dice } from './dice.ts';
 import { RIG_COMMANDS, rigArguments } from './rig/random-rig.ts';
 

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { poseByNames, takePose } from '../../src/edit/pose/by-names.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import type { Character, Driver } from '../../src/model/document.ts';
 import type { IkSetup } from '../../src/model/ik.ts';
-import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
+import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { character, clip, documentOf, joint, skelFile } from '../helpers/builders.ts';
 
 const HINGE: Motion = { kind: 'hinge', axis: [1, 0, 0] };

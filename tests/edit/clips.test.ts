@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange } from '../../src/edit/commands/clips.ts';
 import { rangeOfKeys } from '../../src/edit/takes.ts';
-import { restChannel } from '../../src/model/clip.ts';
+import { restChannel } from '../../src/model/takes/clip.ts';
 import { character, clip, clipsFrom, documentOf } from '../helpers/builders.ts';
 
 const walk = clip('walk', [1, 2], [0, 1]);

@@ -2,7 +2,7 @@ import { readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { CommandError } from '../../src/edit/command-error.ts';
 import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
-import { COMMANDS_AT_HAND, mayBeFetched } from '../../src/edit/commands/at-hand.ts';
+import { COMMANDS_AT_HAND, mayBeFetched } from '../../src/edit/commands/first-commands.ts';
 import { LABEL_LENGTH } from '../../src/edit/step-names.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';

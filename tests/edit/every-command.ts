@@ -5,12 +5,12 @@
 import type { FollowedDof } from '../../src/edit/commands/couples.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
-import { type ChannelClip, restChannel } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document } from '../../src/model/document.ts';
-import { NO_REVIEW } from '../../src/model/review.ts';
-import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton.ts';
+import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { oneSurface } from '../../src/model/skin.ts';
 import { DEFAULT_SPACE } from '../../src/model/space.ts';
+import { type ChannelClip, restChannel } from '../../src/model/takes/clip.ts';
+import { NO_REVIEW } from '../../src/model/takes/review.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
 import { sliding } from './hold/sliding.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { playsFrames, sharedFrameRate } from '../../src/edit/frame-rate.ts';
-import type { ChannelClip } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
+import type { ChannelClip } from '../../src/model/takes/clip.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';
 
 function sampled(id: string, frameSeconds: number, more: Partial<Character> = {}): Character {

@@ -4,7 +4,7 @@ import type { Command } from '../../src/edit/command.ts';
 import { stepsToForget } from '../../src/edit/history-budget.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
-import type { Samples } from '../../src/model/samples.ts';
+import type { Samples } from '../../src/model/takes/samples.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';
 
 const MEGABYTE = 1e6;

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import type { Edit } from '../../src/edit/change.ts';
 import type { Command } from '../../src/edit/command.ts';
 import { Store } from '../../src/edit/store.ts';
-import { type ChannelClip, keysOf } from '../../src/model/clip.ts';
 import type { Document } from '../../src/model/document.ts';
+import { type ChannelClip, keysOf } from '../../src/model/takes/clip.ts';
 import { character, clip, documentOf, skin } from '../helpers/builders.ts';
 
 const KEYS = 100_000;

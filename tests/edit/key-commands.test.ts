@@ -13,8 +13,8 @@ import { pasteKeys } from '../../src/edit/commands/paste.ts';
 import { setSlopes, setTangents, unifyTangents } from '../../src/edit/commands/tangents.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { Store, withSelectedKeys } from '../../src/edit/store.ts';
-import { keysOf, restChannel } from '../../src/model/clip.ts';
 import { shownClip } from '../../src/model/document.ts';
+import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 import { channelOf, pointsOf, rowsOf } from './keys/channels.ts';
 

@@ -9,8 +9,8 @@ import { evaluateClip } from '../../src/evaluate/curves.ts';
 import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/clip.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
+import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 
 const hip = joint(-1, { name: 'hip', limits: [0, 1, 2].map(() => ({ min: -1, max: 1 })) });

@@ -4,9 +4,9 @@ import { setDofs } from '../../src/edit/commands/pose.ts';
 import { renameJoint } from '../../src/edit/commands/rig-joint.ts';
 import { Store } from '../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { filePose } from '../../src/model/dofs.ts';
-import type { Joint } from '../../src/model/skeleton.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
+import { saveCharacter } from '../../src/files/save/saving.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import type { Joint } from '../../src/model/skeleton/skeleton.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { character, documentOf, joint } from '../helpers/builders.ts';
 

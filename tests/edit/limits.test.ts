@@ -3,7 +3,7 @@ import { clearLimit, setLimit } from '../../src/edit/commands/limits.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
-import { UNLIMITED } from '../../src/model/skeleton.ts';
+import { UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { character, documentOf, morph, skeleton } from '../helpers/builders.ts';
 
 const document = documentOf(

@@ -5,7 +5,7 @@ import { cropSamples, resampleSamples, reverseSamples, splitSamples } from '../.
 import { mirrorTakes, setTakeSpeed } from '../../src/edit/commands/take-edits.ts';
 import { cutOutOfTakes, insertIntoTake, joinTakes } from '../../src/edit/commands/take-joins.ts';
 import { type Document, shownClip } from '../../src/model/document.ts';
-import type { Marker } from '../../src/model/markers.ts';
+import type { Marker } from '../../src/model/takes/markers.ts';
 import { documentOf } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
 import { swing, swinging } from './samples/made.ts';

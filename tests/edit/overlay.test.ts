@@ -7,6 +7,8 @@ import { sameHeight } from '../../src/edit/commands/heights.ts';
 import { endOverlay, overlayTakes } from '../../src/edit/commands/takes.ts';
 import { ownHeight } from '../../src/edit/same-height.ts';
 import { Store } from '../../src/edit/store.ts';
+import { capturedContent } from '../../src/files/captured.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import {
   type Character,
   DEFAULT_PLACEMENT,
@@ -15,8 +17,6 @@ import {
   findCharacter,
 } from '../../src/model/document.ts';
 import type { Space } from '../../src/model/space.ts';
-import { capturedContent } from '../../src/project/captured.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
 import { character, clip, documentOf, joint } from '../helpers/builders.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';
 import { figure, take } from '../helpers/mocap.ts';

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { extentOf } from '../../src/edit/place-beside.ts';
+import { capturedContent } from '../../src/files/captured.ts';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { capturedContent } from '../../src/project/captured.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
 import { figure, take } from '../helpers/mocap.ts';
 
 type Point = readonly [number, number, number];

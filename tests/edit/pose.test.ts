@@ -3,7 +3,7 @@ import { documentIn } from '../../src/edit/change.ts';
 import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
 import { documentWithoutUnkeyed } from '../../src/edit/unkeyed.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { keysOf, restChannel } from '../../src/model/clip.ts';
+import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 
 const limited = joint(-1, {

@@ -9,12 +9,12 @@ import { setDofs } from '../../src/edit/commands/pose.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from '../../src/edit/commands/retarget.ts';
 import { cropSamples, smoothSamples } from '../../src/edit/commands/samples.ts';
 import { Store } from '../../src/edit/store.ts';
-import { commonFrames } from '../../src/evaluate/distance.ts';
+import { commonFrames } from '../../src/evaluate/compare/distance.ts';
 import { channelOf, dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { retargetPlan } from '../../src/evaluate/retarget/make-plan.ts';
-import { keysOf } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, findCharacter, rangeOfClips, shownClip } from '../../src/model/document.ts';
-import { jointDofCount } from '../../src/model/dofs.ts';
+import { jointDofCount } from '../../src/model/skeleton/dofs.ts';
+import { keysOf } from '../../src/model/takes/clip.ts';
 import { PARTS, person, take } from '../evaluate/retarget/people.ts';
 import { character, clip, documentOf, morph } from '../helpers/builders.ts';
 

@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { addToReview, readReview, setReview } from '../../src/edit/commands/review.ts';
 import { Store } from '../../src/edit/store.ts';
-import { NO_REVIEW } from '../../src/model/review.ts';
+import { NO_REVIEW } from '../../src/model/takes/review.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 
 const HERO = documentOf(character());

@@ -1,18 +1,18 @@
 import { describe, expect, it } from 'vitest';
+import { makeSamples } from '../../examples/characters/examples.ts';
 import { CommandError } from '../../src/edit/command-error.ts';
 import { autoWeights, autoWeightsSteps, bindPlaces } from '../../src/edit/commands/skin-weights.ts';
 import { Store } from '../../src/edit/store.ts';
-import { compileSkin, deform, skinMatrices } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { compileSkin, deform, skinMatrices } from '../../src/evaluate/skin/deform.ts';
 import { readSkin } from '../../src/formats/skin/read.ts';
 import { writeSkin } from '../../src/formats/skin/write.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import type { Character } from '../../src/model/document.ts';
-import { filePose } from '../../src/model/dofs.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { oneSurface, type Skin } from '../../src/model/skin.ts';
-import { makeSamples } from '../../src/samples/samples.ts';
 import { finish, tube, weightOf } from '../evaluate/weights/meshes.ts';
 import { character, documentOf, joint } from '../helpers/builders.ts';
 

@@ -3,9 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { applyConstraints, compileSkeleton } from '../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
-import { coupleOf, couplesOf } from '../../src/model/couples.ts';
-import { firstDofs } from '../../src/model/dofs.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import { coupleOf, couplesOf } from '../../src/model/skeleton/couples.ts';
+import { firstDofs } from '../../src/model/skeleton/dofs.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { skeleton as anySkeleton } from '../formats/arbitraries.ts';
 import { character, joint } from '../helpers/builders.ts';
 

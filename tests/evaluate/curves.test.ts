@@ -12,7 +12,7 @@ import {
   keysOf,
   restChannel,
   TANGENT_KINDS,
-} from '../../src/model/clip.ts';
+} from '../../src/model/takes/clip.ts';
 import { expectClose } from '../helpers/close.ts';
 import { referenceClip } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { applyConstraints, compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
 
 interface JointTypes {

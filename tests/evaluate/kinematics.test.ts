@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { clampDofs, compileSkeleton, localMatrices, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { EULER_ORDERS, type EulerOrder, type Skeleton } from '../../src/model/skeleton.ts';
+import { EULER_ORDERS, type EulerOrder, type Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { joint, skeleton } from '../helpers/builders.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { referenceSkeleton } from '../helpers/reference.ts';

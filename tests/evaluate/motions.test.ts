@@ -5,9 +5,9 @@ import type { MotionPart } from '../../src/evaluate/motions/motion.ts';
 import { jointMotion } from '../../src/evaluate/motions.ts';
 import { determinant3, multiplyAffine, setIdentity as writeIdentity } from '../../src/math/mat4.ts';
 import { writeRotation } from '../../src/math/quaternion.ts';
-import { displaces, dofsOf } from '../../src/model/joint-types.ts';
-import { skelMotionOf } from '../../src/model/skel-motion.ts';
-import type { Motion } from '../../src/model/skeleton.ts';
+import { displaces, dofsOf } from '../../src/model/skeleton/joint-types.ts';
+import { skelMotionOf } from '../../src/model/skeleton/skel-motion.ts';
+import type { Motion } from '../../src/model/skeleton/skeleton.ts';
 import { bvhMotion, motion } from '../formats/arbitraries.ts';
 import { expectClose } from '../helpers/close.ts';
 

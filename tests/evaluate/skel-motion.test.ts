@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { filePose, firstDofs } from '../../src/model/dofs.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
-import { skelMotionOf, skelSkeleton } from '../../src/model/skel-motion.ts';
-import { type BvhMotion, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { filePose, firstDofs } from '../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
+import { skelMotionOf, skelSkeleton } from '../../src/model/skeleton/skel-motion.ts';
+import { type BvhMotion, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { bvhMotion } from '../formats/arbitraries.ts';
 import { joint, skeleton as plain } from '../helpers/builders.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';

@@ -2,10 +2,10 @@
 import { expect, it } from 'vitest';
 import { forFrames } from '../../src/evaluate/figure-frames.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { applySpace } from '../../src/evaluate/space.ts';
-import { guessSpace } from '../../src/evaluate/space-guess.ts';
+import { applySpace } from '../../src/evaluate/space/space.ts';
+import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
-import { positionsMeant, withPositions } from '../../src/model/position-channels.ts';
+import { positionsMeant, withPositions } from '../../src/model/skeleton/position-channels.ts';
 import type { LengthUnit } from '../../src/model/space.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 

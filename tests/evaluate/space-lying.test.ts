@@ -1,11 +1,11 @@
 /** Up axis and unit of takes in which nobody stands: lying, crawling, sitting; of real skeletons and a made one. */
 import { describe, expect, it } from 'vitest';
-import { liftOntoGround } from '../../src/evaluate/space.ts';
-import { guessSpace } from '../../src/evaluate/space-guess.ts';
-import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
-import { firstDofs, jointDofCount, rootDofCount } from '../../src/model/dofs.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
-import type { Joint, Skeleton } from '../../src/model/skeleton.ts';
+import { liftOntoGround } from '../../src/evaluate/space/space.ts';
+import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
+import { firstDofs, jointDofCount, rootDofCount } from '../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
+import type { Joint, Skeleton } from '../../src/model/skeleton/skeleton.ts';
+import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
 import { describeShared } from '../helpers/shared.ts';
 import { captured } from './retarget/captures.ts';
 import { BVH_ROOT, PARTS, person, take } from './retarget/people.ts';

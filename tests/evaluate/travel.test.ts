@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { carrierOf, groundTravel } from '../../src/evaluate/travel.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';

@@ -3,7 +3,7 @@ import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { FIXED_TANGENT, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/clip.ts';
+import { FIXED_TANGENT, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/clip.ts';
 import { told } from './read-in-pieces.ts';
 
 const anim = (text: string) => readAnim(text, 'walk.anim');

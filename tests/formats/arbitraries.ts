@@ -2,10 +2,9 @@
 import fc from 'fast-check';
 import { radiansOf } from '../../src/formats/skel/degrees.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED_TANGENT, type Tangents } from '../../src/model/clip.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
 import type { Morph, MorphRows } from '../../src/model/morph.ts';
 import type { Rig } from '../../src/model/rig.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import {
   AXIS_PAIRS,
   type BvhMotion,
@@ -18,8 +17,15 @@ import {
   SCALE_MODES,
   type Skeleton,
   UNLIMITED,
-} from '../../src/model/skeleton.ts';
+} from '../../src/model/skeleton/skeleton.ts';
 import type { Attachments, Material, Skin } from '../../src/model/skin.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  EXTRAPOLATIONS,
+  FIXED_TANGENT,
+  type Tangents,
+} from '../../src/model/takes/clip.ts';
 
 /** Any finite double, -0 included. */
 export const finite = fc.oneof(

@@ -5,9 +5,9 @@ import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts
 import { degreesOf, radiansOf } from '../../src/formats/skel/degrees.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
-import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../src/model/axis-angle.ts';
-import { filePose } from '../../src/model/dofs.ts';
-import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../src/model/skeleton/axis-angle.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { expectClose } from '../helpers/close.ts';
 import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
 import { axisAngleSkeleton, finite } from './arbitraries.ts';

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { FORMAT_KINDS, KINDS } from '../../src/project/kinds.ts';
+import { FORMAT_KINDS, KINDS } from '../../src/files/kinds.ts';
 import { expectLinearTime } from '../helpers/growth.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { bytesOf, read, readAsOpened, readInPieces } from './read-in-pieces.ts';

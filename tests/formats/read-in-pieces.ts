@@ -1,8 +1,9 @@
 /** Reading helpers for the format tests: any format, in one piece or in many. */
+
+import { formatOf } from '../../src/files/readers.ts';
 import { isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
 import type { ReadResult } from '../../src/formats/reader.ts';
 import type { FileContent } from '../../src/model/files.ts';
-import { formatOf } from '../../src/project/readers.ts';
 
 export function bytesOf(text: string): Uint8Array {
   return new TextEncoder().encode(text);

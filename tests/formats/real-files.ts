@@ -2,7 +2,7 @@
 
 import { writePoses } from '../../src/formats/pose/write.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { BVH_FILES } from '../helpers/bvh-files.ts';
 import { sharedBytes } from '../helpers/shared.ts';
 import { GOOD_FILES } from './shared-files.ts';

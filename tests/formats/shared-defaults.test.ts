@@ -1,7 +1,7 @@
 /** Files whose joints say little, and many joints or roots: what joints have in common is held once. */
 import { expect, it } from 'vitest';
 import { readBvh } from '../../src/formats/bvh/read.ts';
-import type { Joint } from '../../src/model/skeleton.ts';
+import type { Joint } from '../../src/model/skeleton/skeleton.ts';
 import { bytesOf, read, readInPieces } from './read-in-pieces.ts';
 
 function jointsOf(text: string, name: string): readonly Joint[] {

@@ -1,6 +1,6 @@
 /** The reference files of all formats that are read and written. */
 import { readdirSync } from 'node:fs';
-import { formatKindOf, isSaved } from '../../src/project/kinds.ts';
+import { formatKindOf, isSaved } from '../../src/files/kinds.ts';
 import { hasShared, sharedPath } from '../helpers/shared.ts';
 
 function filesIn(folder: string): string[] {

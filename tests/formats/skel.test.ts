@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
-import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../src/model/skeleton.ts';
+import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { told } from './read-in-pieces.ts';
 
 const skel = (text: string) => readSkel(text, 'hero.skel');

@@ -1,8 +1,8 @@
 /** Numbers that no file can hold: an error names them, and nothing else is written in their place. */
 import { describe, expect, it } from 'vitest';
-import { cutMessage, cutText, MOST_SHOWN } from '../../src/model/cut-text.ts';
+import { saveCharacter } from '../../src/files/save/saving.ts';
 import type { FileContent } from '../../src/model/files.ts';
-import { saveCharacter } from '../../src/project/save/saving.ts';
+import { cutMessage, cutText, MOST_SHOWN } from '../../src/model/names/cut-text.ts';
 import { character, clip, joint, morph, skin } from '../helpers/builders.ts';
 import { bvhJoint } from '../helpers/bvh.ts';
 import { writeFile } from '../helpers/write-file.ts';

@@ -1,12 +1,19 @@
 /** Tiny models for tests, with plain defaults. */
-import type { ChannelClip } from '../../src/model/clip.ts';
+
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { filePose } from '../../src/model/dofs.ts';
 import type { FileContent, ParsedFile } from '../../src/model/files.ts';
 import type { Morph } from '../../src/model/morph.ts';
 import { NO_MARKS, type PartMark, type PartMarks, UNMARKED } from '../../src/model/part.ts';
-import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import {
+  DEFAULT_BOX,
+  DEFAULT_MOTION,
+  type Joint,
+  type Skeleton,
+  UNLIMITED,
+} from '../../src/model/skeleton/skeleton.ts';
 import { type Material, oneSurface, type Skin } from '../../src/model/skin.ts';
+import type { ChannelClip } from '../../src/model/takes/clip.ts';
 
 export function joint(parent: number, more: Partial<Joint> = {}): Joint {
   return {

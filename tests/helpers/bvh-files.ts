@@ -1,8 +1,8 @@
 /** The real files of motion capture, read as the page reads them. */
 import { readdirSync } from 'node:fs';
+import { formatOf } from '../../src/files/readers.ts';
 import { readWhole } from '../../src/formats/reader.ts';
 import type { CapturedFigure } from '../../src/model/files.ts';
-import { formatOf } from '../../src/project/readers.ts';
 import { hasShared, sharedBytes, sharedPath } from './shared.ts';
 
 /** Names of all that load without errors. */

@@ -1,11 +1,11 @@
 /** Hand-made BVH figures: a skeleton whose joints have channels, and rows of values in degrees. */
 
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import { restChannel, SAMPLED } from '../../src/model/clip.ts';
-import { rootDofCount } from '../../src/model/dofs.ts';
 import type { CapturedFigure } from '../../src/model/files.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
-import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { rootDofCount } from '../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
+import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
+import { restChannel, SAMPLED } from '../../src/model/takes/clip.ts';
 import { joint } from './builders.ts';
 
 export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: Partial<Joint> = {}): Joint {

@@ -2,9 +2,10 @@
  * How far what another program makes of a GLB file is from our own doubles: joints, their axes, and vertices, which are
  * skinned here from the joints that the program shows.
  */
-import { blendMorphs, compileSkin, deform } from '../../src/evaluate/deform.ts';
+
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { blendMorphs, compileSkin, deform } from '../../src/evaluate/skin/deform.ts';
 import { type Character, shownSkin } from '../../src/model/document.ts';
 import type { Skin } from '../../src/model/skin.ts';
 import { type Glb, numbersOf, type Player } from './glb.ts';

@@ -10,9 +10,9 @@ import '@babylonjs/loaders/glTF/2.0/glTFLoader.js';
 import { validateBytes } from 'gltf-validator';
 import { AnimationMixer, LoopOnce, type Object3D, Texture } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
-import { DEFAULT_GLB, type GlbOptions } from '../../src/exchange/glb/options.ts';
-import type { GlbReport } from '../../src/exchange/glb/report.ts';
-import { writeGlb } from '../../src/exchange/glb/write.ts';
+import { DEFAULT_GLB, type GlbOptions } from '../../src/export/glb/options.ts';
+import type { GlbReport } from '../../src/export/glb/report.ts';
+import { writeGlb } from '../../src/export/glb/write.ts';
 import type { Character } from '../../src/model/document.ts';
 
 export interface Glb {

@@ -1,8 +1,8 @@
 /** The example walker as people get characters from elsewhere: with Mixamo's names for its joints, as VRM. */
 import { readFileSync } from 'node:fs';
+import { openFiles } from '../../src/files/open/open-files.ts';
 import type { Character } from '../../src/model/document.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { openFiles } from '../../src/project/open/open-files.ts';
 import { parse } from '../../src/worker/parse.ts';
 import { glbOf, withJson } from './glb.ts';
 

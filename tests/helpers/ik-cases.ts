@@ -1,7 +1,7 @@
 /** The reference cases of inverse kinematics, with their skeletons. */
 import type { IkPin } from '../../src/evaluate/ik/pins.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { conformance, sharedBytes } from './shared.ts';
 
 export interface IkCases {

@@ -1,5 +1,13 @@
 /** Invariants of every document. */
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { type Character, type Document, shownClip } from '../../src/model/document.ts';
+import type { Morph } from '../../src/model/morph.ts';
+import type { Selection } from '../../src/model/session.ts';
+import { couplesOf } from '../../src/model/skeleton/couples.ts';
+import { characterDofs } from '../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
+import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
 import {
   type Channel,
   type ChannelClip,
@@ -7,16 +15,8 @@ import {
   FIXED_TANGENT,
   keysOf,
   TANGENT_KINDS,
-} from '../../src/model/clip.ts';
-import { couplesOf } from '../../src/model/couples.ts';
-import { type Character, type Document, shownClip } from '../../src/model/document.ts';
-import { characterDofs } from '../../src/model/dofs.ts';
-import { dofsOf } from '../../src/model/joint-types.ts';
-import type { Morph } from '../../src/model/morph.ts';
-import { columnOf, type Samples } from '../../src/model/samples.ts';
-import type { Selection } from '../../src/model/session.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
-import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
+} from '../../src/model/takes/clip.ts';
+import { columnOf, type Samples } from '../../src/model/takes/samples.ts';
 
 /** Like `expect`, but fast enough for ten thousand calls. */
 function must(holds: boolean, what: string): void {

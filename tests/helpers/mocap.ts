@@ -1,10 +1,16 @@
 /** A generated motion capture figure: hips, head, two legs; any height and orientation. */
 
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
-import { filePose } from '../../src/model/dofs.ts';
-import { type BvhChannel, DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import {
+  type BvhChannel,
+  DEFAULT_BOX,
+  type Joint,
+  type Skeleton,
+  UNLIMITED,
+} from '../../src/model/skeleton/skeleton.ts';
+import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
 import { character } from './builders.ts';
 
 type Point = readonly [number, number, number];

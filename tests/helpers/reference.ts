@@ -3,11 +3,11 @@ import { readAnim } from '../../src/formats/anim/read.ts';
 import { readMorph } from '../../src/formats/morph/read.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { readSkin } from '../../src/formats/skin/read.ts';
-import type { ChannelClip } from '../../src/model/clip.ts';
 import type { Diagnostic } from '../../src/model/diagnostic.ts';
 import type { Morph } from '../../src/model/morph.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
+import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import type { Skin } from '../../src/model/skin.ts';
+import type { ChannelClip } from '../../src/model/takes/clip.ts';
 import { sharedBytes } from './shared.ts';
 
 type Read<T> = (bytes: Uint8Array, name: string) => { readonly value?: T; readonly diagnostics: readonly Diagnostic[] };

@@ -5,7 +5,7 @@
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
-import { HEADERS } from '../../vite.policy.ts';
+import { HEADERS } from '../../plugins/policy.ts';
 
 /** Files served in addition to the folder's, by their path below the sub-path: `given/a.skel`. */
 export type ExtraFiles = Readonly<Record<string, Uint8Array | string>>;

@@ -4,8 +4,8 @@ import { partnersByName } from '../../src/edit/pose/sides.ts';
 import { freeName, mirroredName } from '../../src/edit/rig/names.ts';
 import { readName } from '../../src/evaluate/retarget/names.ts';
 import { readDump } from '../../src/formats/dump/read.ts';
-import { lastDigitsIn } from '../../src/model/numbered-names.ts';
-import { restOfLine } from '../../src/model/written-names.ts';
+import { lastDigitsIn } from '../../src/model/names/numbered-names.ts';
+import { restOfLine } from '../../src/model/names/written-names.ts';
 import { expectLinearTime } from '../helpers/growth.ts';
 
 const NAMES: Readonly<Record<string, (length: number) => string>> = {

@@ -4,11 +4,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { CATALOGUE } from '../../src/lesson/catalogue/all.ts';
-import { type Program, RIGHT_PROGRAM } from '../../src/lesson/program/program.ts';
+import { CATALOGUE } from '../../src/teaching/catalogue/all.ts';
+import { type Program, RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import { command } from '../helpers/command.ts';
-import { characterOf, OWN } from '../lesson/lesson-files.ts';
-import { numbersBy } from '../lesson/planted.ts';
+import { characterOf, OWN } from '../teaching/lesson-files.ts';
+import { numbersBy } from '../teaching/planted.ts';
 
 export interface Shot {
   /** Of the file, without its extension. */

@@ -1,14 +1,13 @@
 /** Faults planted in real takes are found at their moment, and takes without faults have no flags. */
 import { describe, expect, it } from 'vitest';
 import { bakeRetarget } from '../../src/edit/commands/retarget.ts';
-import { guessSpace } from '../../src/evaluate/space-guess.ts';
-
-import type { ChannelClip } from '../../src/model/clip.ts';
-import { firstDofs } from '../../src/model/dofs.ts';
-import { positionsMeant, withPositions } from '../../src/model/position-channels.ts';
-import type { Samples } from '../../src/model/samples.ts';
-import type { BvhChannel, Skeleton } from '../../src/model/skeleton.ts';
+import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
+import { firstDofs } from '../../src/model/skeleton/dofs.ts';
+import { positionsMeant, withPositions } from '../../src/model/skeleton/position-channels.ts';
+import type { BvhChannel, Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../src/model/space.ts';
+import type { ChannelClip } from '../../src/model/takes/clip.ts';
+import type { Samples } from '../../src/model/takes/samples.ts';
 import { checkTake } from '../../src/review/check-take.ts';
 import { type Flag, type FlagKind, flagText } from '../../src/review/flags.ts';
 import { captured, retargeted } from '../evaluate/retarget/captures.ts';

@@ -1,7 +1,7 @@
 /** Lists of takes, as CSV and as JSON, there and back; and as spreadsheets and people write them. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { NO_REVIEW, tagsOf, VERDICTS } from '../../src/model/review.ts';
+import { NO_REVIEW, tagsOf, VERDICTS } from '../../src/model/takes/review.ts';
 import type { Flag } from '../../src/review/flags.ts';
 import { type ListedTake, listedTake } from '../../src/review/list.ts';
 import { isTakeList, readList } from '../../src/review/read-list.ts';

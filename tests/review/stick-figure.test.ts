@@ -1,7 +1,7 @@
 /** Small moving pictures of takes. */
 import { expect, it } from 'vitest';
-import { guessSpace } from '../../src/evaluate/space-guess.ts';
-import { positionsMeant, withPositions } from '../../src/model/position-channels.ts';
+import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
+import { positionsMeant, withPositions } from '../../src/model/skeleton/position-channels.ts';
 import { digestOf } from '../../src/review/digest.ts';
 import { stickFigure } from '../../src/review/stick-figure.ts';
 import { BVH_FILES, sharedFigures } from '../helpers/bvh-files.ts';

@@ -1,12 +1,17 @@
 /** Small documents and a workbench without a page, for the tests of `ui`. */
 import { DEFAULT_PLAYBACK, type Playback } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, SAMPLED } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { filePose } from '../../src/model/dofs.ts';
-import type { Samples } from '../../src/model/samples.ts';
-import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
-import { observable } from '../../src/ui/kit/observable.ts';
+import { filePose } from '../../src/model/skeleton/dofs.ts';
+import {
+  DEFAULT_BOX,
+  DEFAULT_MOTION,
+  type Joint,
+  type Skeleton,
+  UNLIMITED,
+} from '../../src/model/skeleton/skeleton.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, SAMPLED } from '../../src/model/takes/clip.ts';
+import type { Samples } from '../../src/model/takes/samples.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { DumpComparison } from '../../src/ui/state/dump-comparison.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
@@ -16,6 +21,7 @@ import { Posing } from '../../src/ui/state/posing.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
 import { Timeline } from '../../src/ui/state/timeline.ts';
 import type { DialogName, Loading, Workbench } from '../../src/ui/state/workbench.ts';
+import { observable } from '../../src/ui/widgets/observable.ts';
 
 export function joint(name: string, parent: number): Joint {
   return {

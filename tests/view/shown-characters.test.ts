@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { fitEye, lookingFrom } from '../../src/math/framing.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
-import { Grid } from '../../src/view/grid.ts';
+import { Grid } from '../../src/view/scene/grid.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
 import { character, documentOf, joint, skin } from '../helpers/builders.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
-import { SkeletonDrawing } from '../../src/view/skeleton-drawing.ts';
+import { SkeletonDrawing } from '../../src/view/skeleton/skeleton-drawing.ts';
 import { STAGE_THEMES, type Tints } from '../../src/view/theme.ts';
 import { character, documentOf, skin } from '../helpers/builders.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';

@@ -2,7 +2,7 @@
  * Channels in sessions kept by earlier versions. They had no kind: a channel without keys had empty columns, followed
  * the samples if they had a column for it, and else stayed at its `rest`.
  */
-import { type Channel, type ChannelClip, followingSamples, NO_KEYS } from '../../model/clip.ts';
+import { type Channel, type ChannelClip, followingSamples, NO_KEYS } from '../../model/takes/clip.ts';
 
 /** A decoded object in the present form: the object itself, unless it is a channel or clip of an earlier version. */
 export function inPresentForm(value: Readonly<Record<string, unknown>>): object {

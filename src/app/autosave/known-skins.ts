@@ -2,7 +2,7 @@
  * Precomputed facts of skins that no file brings back. When a file is read again, the worker computes the facts of its
  * skin; for a skin kept as arrays, the page would have to do so itself, in a task as long as the skin is large.
  */
-import { skinFacts } from '../../evaluate/bounds.ts';
+import { skinFacts } from '../../evaluate/skin/bounds.ts';
 import type { Document } from '../../model/document.ts';
 import type { KnownSkin } from '../../worker/protocol.ts';
 import type { Origins } from './origins.ts';

@@ -4,8 +4,8 @@
  */
 import type { SessionLocks } from '../../io/session-locks.ts';
 import type { SessionCard, SessionStore } from '../../io/session-store.ts';
-import type { Observable } from '../../ui/kit/observable.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
+import type { Observable } from '../../ui/widgets/observable.ts';
 import { READABLE_VERSIONS } from './session-state.ts';
 
 const MAX_KEPT = 5;

@@ -1,9 +1,9 @@
 /** Restores a kept session into the page. */
 import { DEFAULT_PLAYBACK, type Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
-import type { Observable } from '../../ui/kit/observable.ts';
 import { DEFAULT_TIMELINE_VIEW, type Timeline } from '../../ui/state/timeline.ts';
 import type { WorkbenchStage } from '../../ui/state/workbench.ts';
+import type { Observable } from '../../ui/widgets/observable.ts';
 import type { SessionState } from './session-state.ts';
 
 interface PutBackParts {

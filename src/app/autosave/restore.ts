@@ -2,7 +2,7 @@
  * Reads a kept session: its files through the worker as when they were opened, and its arrays from their pieces. All or
  * nothing; the document isn't touched here.
  */
-import { adoptSkinFacts } from '../../evaluate/bounds.ts';
+import { adoptSkinFacts } from '../../evaluate/skin/bounds.ts';
 import { type KeptFile, SessionLostError, type SessionStore } from '../../io/session-store.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import type { Runs } from '../../worker/client.ts';

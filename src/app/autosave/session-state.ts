@@ -3,13 +3,13 @@
  * be many times the document's size; display and panels are remembered for all pages together (`ui/state/settings.ts`).
  */
 import type { Playback } from '../../edit/playback.ts';
+import type { SavedCharacter } from '../../files/save/saved-parts.ts';
 import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
 import type { Document } from '../../model/document.ts';
-import type { ReviewedTake } from '../../model/review.ts';
 import type { Selection } from '../../model/session.ts';
-import type { SavedCharacter } from '../../project/save/saved-parts.ts';
+import type { ReviewedTake } from '../../model/takes/review.ts';
 import type { TimelineView } from '../../ui/state/timeline.ts';
-import type { CameraView } from '../../view/camera.ts';
+import type { CameraView } from '../../view/camera/camera.ts';
 import type { KnownSkin } from '../../worker/protocol.ts';
 import type { KeptDiskFile } from '../disk-handles.ts';
 

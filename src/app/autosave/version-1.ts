@@ -2,12 +2,13 @@
  * Sessions kept before parts had an identity: a part's file was found by name, and a part counted as saved if it was
  * the very object that had been read or written.
  */
+
+import type { SavedCharacter } from '../../files/save/saved-parts.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, isBvh } from '../../model/document.ts';
 import { type PartKind, type SourceFile, stemOf } from '../../model/files.ts';
 import type { Part, PartMark } from '../../model/part.ts';
 import { UNMARKED } from '../../model/part.ts';
-import type { SavedCharacter } from '../../project/save/saved-parts.ts';
 import type { KeptMarks, KeptState } from './session-state.ts';
 
 /** Saving state of version 1. */

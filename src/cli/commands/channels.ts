@@ -2,8 +2,8 @@
 import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type ChannelClip, keysOf, TANGENT_KINDS } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
+import { type ChannelClip, keysOf, TANGENT_KINDS } from '../../model/takes/clip.ts';
 import { FILE_EXITS } from '../io.ts';
 import { loadAny } from '../load.ts';
 import { files } from '../options/inputs.ts';

@@ -3,16 +3,16 @@
  * joint, vertex or channel is wrong first, and which mistake explains all of it.
  */
 import { runToEnd } from '../../evaluate/steps.ts';
-import { compare } from '../../lesson/compare.ts';
-import { assumeTime, statesNoTime } from '../../lesson/dump/assumed-times.ts';
-import { bestFit } from '../../lesson/dump/best-fit.ts';
-import { type Fitted, fitDumps, type NamedDump, onlyTime } from '../../lesson/dump/fit-dump.ts';
-import { joinedFigures } from '../../lesson/dump/joined-figures.ts';
-import { fitDumpsAt } from '../../lesson/dump/times.ts';
-import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
+import { dumpFormat } from '../../files/readers.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import { dumpFormat } from '../../project/readers.ts';
+import { compare } from '../../teaching/compare/compare.ts';
+import { DEFAULT_TOLERANCE } from '../../teaching/compare/errors.ts';
+import { assumeTime, statesNoTime } from '../../teaching/dump/assumed-times.ts';
+import { bestFit } from '../../teaching/dump/best-fit.ts';
+import { type Fitted, fitDumps, type NamedDump, onlyTime } from '../../teaching/dump/fit-dump.ts';
+import { joinedFigures } from '../../teaching/dump/joined-figures.ts';
+import { fitDumpsAt } from '../../teaching/dump/times.ts';
 import { withPins } from '../compare-pin.ts';
 import { comparisonJson, comparisonText } from '../compare-text.ts';
 import { loadAny, openLoaded } from '../load.ts';

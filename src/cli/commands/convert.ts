@@ -10,11 +10,11 @@
  */
 import { basename, resolve } from 'node:path';
 import { withEditedTakes } from '../../dataset/edited-take.ts';
+import { isSaved, WRITABLE_EXTENSIONS } from '../../files/kinds.ts';
+import { formatOf } from '../../files/readers.ts';
+import { refusal } from '../../files/save/conversion.ts';
+import type { ConversionOptions } from '../../files/save/copies.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
-import { isSaved, WRITABLE_EXTENSIONS } from '../../project/kinds.ts';
-import { formatOf } from '../../project/readers.ts';
-import { refusal } from '../../project/save/conversion.ts';
-import type { ConversionOptions } from '../../project/save/copies.ts';
 import { convertToGlb, GLB_OPTIONS, isGlb } from '../convert-glb.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import { type Edit, pickOrRefuse } from '../convert-one.ts';

@@ -1,8 +1,8 @@
 /** `marrow grade`: a class's submissions against the teacher's files. */
 import { resolve } from 'node:path';
-import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
+import { isZip } from '../../files/zip-content.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { isZip } from '../../project/zip-content.ts';
+import { DEFAULT_TOLERANCE } from '../../teaching/compare/errors.ts';
 import { countsText, type Grade } from '../grade/grade.ts';
 import { asHtml } from '../grade/html.ts';
 import { NEEDS } from '../grade/needs.ts';

@@ -1,7 +1,8 @@
 /** `marrow info`: what files contain, their problems, and which of them belong together. */
+
+import { factsOf } from '../../files/kinds.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Character, Document } from '../../model/document.ts';
-import { factsOf } from '../../project/kinds.ts';
 import { FILE_EXITS } from '../io.ts';
 import { type LoadedFile, loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { ANY_FILE, files } from '../options/inputs.ts';

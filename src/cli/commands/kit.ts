@@ -1,7 +1,7 @@
 /** `marrow kit`: small files that tell known mistakes apart, with the right numbers. */
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { testKit } from '../../kit/kit.ts';
+import { testKit } from '../../teaching/kit/kit.ts';
 import { oneFolder } from '../options/inputs.ts';
 import { flag } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';

@@ -6,15 +6,16 @@
  *
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
-import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/deform.ts';
+
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { applyConstraints, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/skin/deform.ts';
+import { refusal } from '../../files/save/conversion.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, shownClip, shownSkin } from '../../model/document.ts';
-import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import { jointTypeOf } from '../../model/joint-types.ts';
-import { refusal } from '../../project/save/conversion.ts';
+import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { jointTypeOf } from '../../model/skeleton/joint-types.ts';
 import { FILE_EXITS } from '../io.ts';
 import { loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { ANY_FILE, files } from '../options/inputs.ts';

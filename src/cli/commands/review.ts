@@ -3,10 +3,10 @@
  * Motion capture is read one file at a time, so that memory is bounded by the largest take.
  */
 import { resolve } from 'node:path';
+import { refusal } from '../../files/save/conversion.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
-import { NO_REVIEW } from '../../model/review.ts';
-import { refusal } from '../../project/save/conversion.ts';
+import { NO_REVIEW } from '../../model/takes/review.ts';
 import { type ListedTake, listedTake, type TakeFacts } from '../../review/list.ts';
 import { matchPaths } from '../../review/match-paths.ts';
 import { takeFacts } from '../../review/take-facts.ts';

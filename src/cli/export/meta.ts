@@ -1,6 +1,6 @@
 /** What the `meta` of an exported take says: where it comes from, and what was done to it. */
 import type { Take } from '../../dataset/take.ts';
-import { metresPerUnit } from '../../evaluate/metres.ts';
+import { metresPerUnit } from '../../evaluate/space/metres.ts';
 import type { Character } from '../../model/document.ts';
 import { VERSION } from '../../model/version.ts';
 import type { Meta } from './formats.ts';

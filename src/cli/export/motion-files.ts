@@ -2,10 +2,10 @@
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
 import { CommandError } from '../../edit/command-error.ts';
-import { DEFAULT_GLB } from '../../exchange/glb/options.ts';
-import { TakeError } from '../../exchange/glb/take-motion.ts';
+import { DEFAULT_GLB } from '../../export/glb/options.ts';
+import { TakeError } from '../../export/glb/take-motion.ts';
+import { outputsOf, TARGETS } from '../../files/save/conversion.ts';
 import type { Character } from '../../model/document.ts';
-import { outputsOf, TARGETS } from '../../project/save/conversion.ts';
 import type { ExportedFile } from './formats.ts';
 
 /** What takes are written as, one by one: `glb` with all of the character. */
@@ -34,7 +34,7 @@ export async function motionFiles(
 }
 
 async function glbPieces(character: Character, options: typeof DEFAULT_GLB) {
-  const { writeGlb } = await import('../../exchange/glb/write.ts');
+  const { writeGlb } = await import('../../export/glb/write.ts');
   try {
     return writeGlb(character, options, true).pieces;
   } catch (error) {

@@ -2,7 +2,7 @@
 import type { Take } from '../../dataset/take.ts';
 import { runToEnd } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
-import { isUnlimited } from '../../model/skeleton.ts';
+import { isUnlimited } from '../../model/skeleton/skeleton.ts';
 import { checkDisplayed, checkTake, TakeCheck } from '../../review/check-take.ts';
 import { flagText } from '../../review/flags.ts';
 import { takeFrames } from '../../review/frames.ts';

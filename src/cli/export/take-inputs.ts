@@ -6,8 +6,8 @@
  * so that several processes can share it.
  */
 import { dirname, extname, relative, resolve, sep } from 'node:path';
-import { isBuffer, openingOf } from '../../project/kinds.ts';
-import { formatOf } from '../../project/readers.ts';
+import { isBuffer, openingOf } from '../../files/kinds.ts';
+import { formatOf } from '../../files/readers.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 import { groupsIn, isWhole } from '../together.ts';
 import { UsageError } from '../usage-error.ts';

@@ -5,7 +5,7 @@ import { type JointMap, readJointMap } from '../../dataset/joint-map.ts';
 import type { RetargetTarget } from '../../dataset/take.ts';
 import { CommandError } from '../../edit/command-error.ts';
 import type { Character } from '../../model/document.ts';
-import { skeletonKey } from '../../model/skeleton-key.ts';
+import { skeletonKey } from '../../model/skeleton/skeleton-key.ts';
 import type { Space } from '../../model/space.ts';
 import { loadAny, openLoaded } from '../load.ts';
 import { isFile } from '../paths.ts';

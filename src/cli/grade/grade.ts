@@ -1,7 +1,8 @@
 /** The result of judging a submission: plain data, which threads pass on and `--json` prints. */
-import type { Compared, FirstWrong } from '../../lesson/compare.ts';
-import { comparedText } from '../../lesson/compared-text.ts';
+
 import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Compared, FirstWrong } from '../../teaching/compare/compare.ts';
+import { comparedText } from '../../teaching/compare/compared-text.ts';
 import type { SideBySide } from './side-by-side.ts';
 
 /** `incomplete`: what could be compared is right, but something could not be read, or is missing. */

@@ -2,8 +2,9 @@
  * Grades as one HTML file without anything outside it: an overview, and a page per submission that its address leads to
  * (`report.html#3`). Printed, all follow one another.
  */
-import type { FirstWrong } from '../../lesson/compare.ts';
+
 import { VERSION } from '../../model/version.ts';
+import type { FirstWrong } from '../../teaching/compare/compare.ts';
 import { errorText as differenceText } from '../compare-text.ts';
 import {
   countsText,

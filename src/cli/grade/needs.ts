@@ -1,7 +1,8 @@
 /** `--needs`: which parts a submission must have. */
+
+import { formatOf } from '../../files/readers.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { baseName } from '../../model/files.ts';
-import { formatOf } from '../../project/readers.ts';
 import type { Kind } from '../options/kinds.ts';
 import type { PartGrade } from './grade.ts';
 

@@ -1,8 +1,9 @@
 /** The teacher's files: what is right. */
-import { joinedFigures } from '../../lesson/dump/joined-figures.ts';
+
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
+import { joinedFigures } from '../../teaching/dump/joined-figures.ts';
 import { loadInside, openLoaded } from '../load.ts';
 import { report } from '../report.ts';
 import { UsageError } from '../usage-error.ts';

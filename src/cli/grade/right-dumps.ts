@@ -3,14 +3,15 @@
  * the reference says to which character and times the numbers belong, so that mistakes are searched for; any other is
  * compared number by number.
  */
-import { worstError } from '../../lesson/compare.ts';
-import { fitDumps } from '../../lesson/dump/fit-dump.ts';
-import { FRAME_KINDS, type Targets } from '../../lesson/targets.ts';
+
+import type { DumpFile } from '../../files/open/open-files.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import type { Dump } from '../../model/dump.ts';
 import type { ParsedFile } from '../../model/files.ts';
-import type { DumpFile } from '../../project/open/open-files.ts';
+import { worstError } from '../../teaching/compare/compare.ts';
+import { FRAME_KINDS, type Targets } from '../../teaching/compare/targets.ts';
+import { fitDumps } from '../../teaching/dump/fit-dump.ts';
 
 export interface RightDump {
   readonly file: DumpFile;

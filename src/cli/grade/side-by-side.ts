@@ -1,6 +1,6 @@
 /** The numbers that differ first, theirs beside the right ones. */
-import type { Comparison, FirstWrong } from '../../lesson/compare.ts';
-import type { Targets } from '../../lesson/targets.ts';
+import type { Comparison, FirstWrong } from '../../teaching/compare/compare.ts';
+import type { Targets } from '../../teaching/compare/targets.ts';
 
 /** Rows of numbers, with those of the program that was judged first. */
 export interface SideBySide {

@@ -4,8 +4,8 @@
  */
 import { readdirSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
+import { isZip } from '../../files/zip-content.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { isZip } from '../../project/zip-content.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 import { isOfSystem, withZipsUnpacked } from '../zips.ts';
 

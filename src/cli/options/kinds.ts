@@ -1,5 +1,5 @@
 /** Kinds of values that options take. Each says how it is written, in usage, and what it must be, in errors. */
-import { cutText } from '../../model/cut-text.ts';
+import { cutText } from '../../model/names/cut-text.ts';
 import { UsageError } from '../usage-error.ts';
 
 /** Refuses a value. @param found what doesn't fit, default all of it @throws UsageError */

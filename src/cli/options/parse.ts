@@ -4,7 +4,7 @@
  * An option that takes a value takes the next argument whatever it begins with, so `--time -1` needs no quoting; after
  * `--` everything is an input. Node's own `parseArgs` calls a value with a minus ambiguous and refuses it.
  */
-import { cutText } from '../../model/cut-text.ts';
+import { cutText } from '../../model/names/cut-text.ts';
 import { UsageError } from '../usage-error.ts';
 import { nearestName } from './nearest-name.ts';
 import type { Option, Options, OptionValues } from './option.ts';

@@ -16,7 +16,7 @@
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
-import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats } from '../../model/clip.ts';
+import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats } from '../../model/takes/clip.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';

@@ -7,7 +7,7 @@
  * cost more: a dozen differences per span rather than one.)
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
-import type { KeyedChannel } from '../../model/clip.ts';
+import type { KeyedChannel } from '../../model/takes/clip.ts';
 
 /** The largest difference and its position. */
 export interface Difference {

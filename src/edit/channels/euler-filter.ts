@@ -15,8 +15,9 @@
  * A key never leaves its joint's limits, since playback clamps to them; one that is outside is not changed. In gimbal
  * lock (φj = ±π/2) a rotation has more forms, which are not considered.
  */
-import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
-import type { EulerOrder, Limit } from '../../model/skeleton.ts';
+
+import type { EulerOrder, Limit } from '../../model/skeleton/skeleton.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/takes/clip.ts';
 
 const TURN = 2 * Math.PI;
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };

@@ -1,5 +1,5 @@
 /** Results of an operation on several channels, as numbers that can also be shown in advance. */
-import type { DofUnit } from '../../model/skeleton.ts';
+import type { DofUnit } from '../../model/skeleton/skeleton.ts';
 import type { Difference } from './difference.ts';
 
 /** "1,240 → 86 keys, largest error 0.12° at 1.3 s". */

@@ -11,7 +11,7 @@
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/takes/clip.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
 import { unrolled } from './bake-extrapolation.ts';

@@ -1,10 +1,10 @@
 /** Which of a character's channels rotate one joint together, and the Euler filter for all of them. */
-import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
-import type { Channel, KeyedChannel } from '../../model/clip.ts';
-import { couplesOf } from '../../model/couples.ts';
+import { eulerDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs, firstDofs } from '../../model/dofs.ts';
-import { jointName } from '../../model/joint-name.ts';
+import { couplesOf } from '../../model/skeleton/couples.ts';
+import { characterDofs, firstDofs } from '../../model/skeleton/dofs.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
+import type { Channel, KeyedChannel } from '../../model/takes/clip.ts';
 import { filterRotations, keyedTogether, keysChanged, type Triple, unrollAngle } from './euler-filter.ts';
 
 export interface Filtered {

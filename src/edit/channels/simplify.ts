@@ -15,7 +15,7 @@
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/takes/clip.ts';
 import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { agrees, type Curve, FREE_SLOPE, fitStretch, type Knots, reaches } from './fit.ts';

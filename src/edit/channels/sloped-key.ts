@@ -3,7 +3,7 @@
  * its shape only as numbers.
  */
 import type { Slopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/takes/clip.ts';
 import { type Key, keyAt, type Tangent, tangent } from '../keys/columns.ts';
 
 export interface Sloped extends Key {

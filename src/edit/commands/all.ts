@@ -1,8 +1,8 @@
 /** Every command of the document. */
 import type { AnyCommand } from '../command.ts';
-import { COMMANDS_AT_HAND, commandsIn } from './at-hand.ts';
 import * as channels from './channels.ts';
 import * as couples from './couples.ts';
+import { COMMANDS_AT_HAND, commandsIn } from './first-commands.ts';
 import * as heights from './heights.ts';
 import * as hold from './hold.ts';
 import * as ik from './ik.ts';

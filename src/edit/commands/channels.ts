@@ -5,10 +5,10 @@
  */
 
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
-import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
-import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
-import type { DofUnit } from '../../model/skeleton.ts';
+import { characterDofs, unitOfChannel } from '../../model/skeleton/dofs.ts';
+import type { DofUnit } from '../../model/skeleton/skeleton.ts';
+import type { Channel, KeyedChannel } from '../../model/takes/clip.ts';
 import { described } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
@@ -23,8 +23,8 @@ import { CommandError } from '../command-error.ts';
 import { allKeys } from '../keys/selection.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { filteringAngles } from '../samples/euler-filter.ts';
-import { CHANNELS, indices, range } from '../schema/parts.ts';
 import { boolean, either, number, oneOf, optional, record } from '../schema/shape.ts';
+import { CHANNELS, indices, range } from '../schema/shared-shapes.ts';
 import { curvesIn } from '../step-names.ts';
 import { withTake } from '../takes.ts';
 

@@ -8,8 +8,8 @@ import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withoutDriver } from '../drivers.ts';
-import { CHARACTER, placement } from '../schema/parts.ts';
 import { filledText, index, number, whole } from '../schema/shape.ts';
+import { CHARACTER, placement } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

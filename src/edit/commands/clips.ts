@@ -3,17 +3,17 @@
  * another is given.
  */
 
-import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { sameName } from '../../model/files.ts';
-import { INTERPOLATIONS } from '../../model/samples.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import { INTERPOLATIONS } from '../../model/takes/samples.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
-import { CHARACTER, range, TAKE } from '../schema/parts.ts';
 import { filledText, oneOf, optional } from '../schema/shape.ts';
+import { CHARACTER, range, TAKE } from '../schema/shared-shapes.ts';
 import { fileInTheWay, newTakeName, requireTake, uniqueTakeName, withNewTake, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

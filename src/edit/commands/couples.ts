@@ -1,17 +1,17 @@
 /** Linked DOFs. They belong to the skeleton and are saved in its `.skel`. */
 
-import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
-import { jointName } from '../../model/joint-name.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Couple, Skeleton } from '../../model/skeleton.ts';
+import { couplesOf } from '../../model/skeleton/couples.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Couple, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { boundAnew } from '../rig/apply.ts';
-import { JOINT } from '../schema/parts.ts';
 import { index, nullable, number, record, text } from '../schema/shape.ts';
+import { JOINT } from '../schema/shared-shapes.ts';
 import { jointIn } from '../step-names.ts';
 
 export interface FollowedDof {

@@ -1,10 +1,10 @@
 /** Extrapolation of channels before their first key and after their last. */
 
-import type { Extrapolation } from '../../model/clip.ts';
+import type { Extrapolation } from '../../model/takes/clip.ts';
 import { checkedChannels, clipOf, keyable, withClipChannels } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import type { TangentSide } from '../keys/tangents.ts';
-import { CHANNELS, extrapolation, side } from '../schema/parts.ts';
+import { CHANNELS, extrapolation, side } from '../schema/shared-shapes.ts';
 import { curvesIn } from '../step-names.ts';
 
 /** Names for labels. */

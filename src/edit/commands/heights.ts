@@ -5,8 +5,8 @@ import { requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { withOwnHeights, withSameHeight, withSameUnit } from '../same-height.ts';
-import { CHARACTERS } from '../schema/parts.ts';
 import { text } from '../schema/shape.ts';
+import { CHARACTERS } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 
 const noHeight = ({ name }: Character) =>

@@ -5,10 +5,10 @@
 
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
-import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { type ChannelClip, keysOf } from '../../model/takes/clip.ts';
 import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -16,8 +16,8 @@ import { CommandError } from '../command-error.ts';
 import { type HeldTake, holding, placesAt } from '../hold/hold.ts';
 import type { HoldWindow } from '../hold/window.ts';
 import { refuseMoved } from '../refuse-moved.ts';
-import { CHARACTER, indices, range } from '../schema/parts.ts';
 import { number, optional } from '../schema/shape.ts';
+import { CHARACTER, indices, range } from '../schema/shared-shapes.ts';
 import { requireTake, withChannels, withTake } from '../takes.ts';
 import { withUnkeyed } from '../unkeyed.ts';
 import { pinnedNames, requirePin } from './ik.ts';

@@ -6,14 +6,14 @@
 import { ikOf, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk, type IkSetup, type Pin, type StiffJoint } from '../../model/ik.ts';
-import { jointName } from '../../model/joint-name.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
-import { CHARACTER, indices, vector } from '../schema/parts.ts';
 import { boolean, either, index, number, oneOf, optional } from '../schema/shape.ts';
+import { CHARACTER, indices, vector } from '../schema/shared-shapes.ts';
 import { characterIn, jointIn } from '../step-names.ts';
 
 /** Appends a pin. Refuses a point that is already pinned. */

@@ -7,8 +7,8 @@ import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { keyDofs } from '../key-dofs.ts';
-import { indices, KEY_OPTIONS, NOW } from '../schema/parts.ts';
 import { optional } from '../schema/shape.ts';
+import { indices, KEY_OPTIONS, NOW } from '../schema/shared-shapes.ts';
 import { characterIn, dofsIn } from '../step-names.ts';
 
 /**

@@ -2,8 +2,8 @@
 
 import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
-import { followingSamples, TANGENT_KINDS } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { followingSamples, TANGENT_KINDS } from '../../model/takes/clip.ts';
 import { indexIn } from '../arguments.ts';
 import {
   changeKeys,
@@ -24,8 +24,8 @@ import { withKeysRemoved } from '../keys/remove.ts';
 import { rippleRoom, withKeysRippled } from '../keys/ripple.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { withKeysSet, withKeysSnapped } from '../keys/set.ts';
-import { CHANNELS, KEYS, NOW, onCollision, PLACING, tangentKind } from '../schema/parts.ts';
 import { ifGiven, index, list, number, optional } from '../schema/shape.ts';
+import { CHANNELS, KEYS, NOW, onCollision, PLACING, tangentKind } from '../schema/shared-shapes.ts';
 import { curvesIn, keysIn } from '../step-names.ts';
 
 export interface AtTime {

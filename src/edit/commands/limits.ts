@@ -4,15 +4,15 @@
  */
 
 import type { Document } from '../../model/document.ts';
-import { characterDofs, firstDofs } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import { type Limit, UNLIMITED } from '../../model/skeleton.ts';
+import { characterDofs, firstDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import { type Limit, UNLIMITED } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
-import { CHARACTER } from '../schema/parts.ts';
 import { index, number } from '../schema/shape.ts';
+import { CHARACTER } from '../schema/shared-shapes.ts';
 import { dofIn } from '../step-names.ts';
 
 export interface OfDof {

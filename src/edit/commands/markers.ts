@@ -1,8 +1,8 @@
 /** Commands for the markers and labelled spans of a take. Each applies to the shown take unless another is given. */
 
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
-import type { Marker } from '../../model/markers.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Marker } from '../../model/takes/markers.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -10,8 +10,8 @@ import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withMarkers } from '../markers.ts';
-import { indices, TAKE } from '../schema/parts.ts';
 import { index, list, number, optional, record, text } from '../schema/shape.ts';
+import { indices, TAKE } from '../schema/shared-shapes.ts';
 import { requireTake, withTake } from '../takes.ts';
 
 const marker = record({ timeSeconds: number, endSeconds: optional(number), label: text });

@@ -1,12 +1,12 @@
 /** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
 
-import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
+import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/takes/clip.ts';
 import { clipOf, requireKeyable, withClipChannels } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type CopiedKeys, PASTE_MODES, withKeysPasted } from '../keys/clipboard.ts';
-import { indices, NOW, PLACING } from '../schema/parts.ts';
 import { bytes, doubles, index, list, number, oneOf, optional, record } from '../schema/shape.ts';
+import { indices, NOW, PLACING } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 
 const tangents = record({ kinds: bytes, slopes: doubles });

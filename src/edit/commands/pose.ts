@@ -16,14 +16,14 @@
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/skeleton/dofs.ts';
 import { indexIn } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
-import { CHARACTER, key, NOW } from '../schema/parts.ts';
 import { boolean, index, list, number, oneOf, record } from '../schema/shape.ts';
+import { CHARACTER, key, NOW } from '../schema/shared-shapes.ts';
 import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
 import { withTake } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';

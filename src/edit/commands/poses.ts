@@ -6,9 +6,9 @@
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';
-import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { NamedPose } from '../../model/poses.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { characterDofs, jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -19,8 +19,8 @@ import { takePose } from '../pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName, withPoses } from '../pose/library.ts';
 import { counterpartOf, mirroredPose } from '../pose/mirror.ts';
 import { partnersByName } from '../pose/sides.ts';
-import { CHARACTER, indices, key, NOW, poseByNames } from '../schema/parts.ts';
 import { filledText, index, list, number, oneOf, optional } from '../schema/shape.ts';
+import { CHARACTER, indices, key, NOW, poseByNames } from '../schema/shared-shapes.ts';
 import { characterIn, jointIn } from '../step-names.ts';
 import { setValues, withinLimit } from './pose.ts';
 

@@ -6,19 +6,19 @@
  */
 
 import { bakeClip, framesOf } from '../../evaluate/bake.ts';
-import { frameRateOf } from '../../evaluate/frame-rate.ts';
+import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import { command } from '../command.ts';
-import { CHARACTER } from '../schema/parts.ts';
 import { boolean, either, index, list, number, oneOf, optional, record, type Shape, text } from '../schema/shape.ts';
+import { CHARACTER } from '../schema/shared-shapes.ts';
 import '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
-import { SAMPLED } from '../../model/clip.ts';
 import type { Character, Driver } from '../../model/document.ts';
-import { restPose } from '../../model/dofs.ts';
-import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/retarget.ts';
-import type { Samples } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { restPose } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { SAMPLED } from '../../model/takes/clip.ts';
+import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/takes/retarget.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { CommandError } from '../command-error.ts';

@@ -1,7 +1,7 @@
 /** Commands on the list of reviewed takes: which are in it, and what a person says about them. */
 
 import type { Document } from '../../model/document.ts';
-import { MOST_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/review.ts';
+import { MOST_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/takes/review.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';

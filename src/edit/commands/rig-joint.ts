@@ -1,12 +1,12 @@
 /** Properties of one joint of a skeleton: name, offset, motion, box, bone and file pose. */
 
 import type { Vec3 } from '../../math/vec3.ts';
-import { tipOf } from '../../model/bone-ends.ts';
 import type { Character, Document } from '../../model/document.ts';
-import { firstDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
-import { dofsOf, positionsOf, turnsJoint } from '../../model/joint-types.ts';
-import type { Joint, Motion, Skeleton } from '../../model/skeleton.ts';
+import { tipOf } from '../../model/skeleton/bone-ends.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf, positionsOf, turnsJoint } from '../../model/skeleton/joint-types.ts';
+import type { Joint, Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -20,8 +20,8 @@ import { intoSpace, localPivot, turnedAs, withPivots } from '../rig/places.ts';
 import { restAtOffsets } from '../rig/remap-skin.ts';
 import type { OfJoint } from '../rig/rigging.ts';
 import { requireSkeleton, type ShownPose, shownAt } from '../rig/shown.ts';
-import { JOINT, RIGGING, vector } from '../schema/parts.ts';
 import { index, nullable, number, oneOf, optional, record, text } from '../schema/shape.ts';
+import { JOINT, RIGGING, vector } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 
 export const renameJoint = command({

@@ -5,8 +5,8 @@
 
 import { command } from '../command.ts';
 import { boundAnew } from '../rig/apply.ts';
-import { RIGGING } from '../schema/parts.ts';
 import { index, number } from '../schema/shape.ts';
+import { RIGGING } from '../schema/shared-shapes.ts';
 import { clearLimit, setLimit } from './limits.ts';
 
 export const limitRigged = command({

@@ -5,7 +5,7 @@
 
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
-import { jointName } from '../../model/joint-name.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
 import { indexIn } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -23,8 +23,8 @@ import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
 import { type Kept, keepPlaces } from '../rig/places.ts';
 import { AXIS_LETTERS, SKIN_MODES } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
-import { JOINT, RIGGING, vector } from '../schema/parts.ts';
 import { filledText, index, oneOf, optional, text } from '../schema/shape.ts';
+import { JOINT, RIGGING, vector } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 
 /** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */

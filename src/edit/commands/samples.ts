@@ -5,9 +5,9 @@
  */
 
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { described } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { checkedChannels } from '../channel-edits.ts';
@@ -24,8 +24,8 @@ import { resampling } from '../samples/resample.ts';
 import { reversing } from '../samples/reverse.ts';
 import { jointRotations } from '../samples/rotations.ts';
 import { type SampleFilter, smoothing } from '../samples/smooth.ts';
-import { CHARACTER, indices, NOW, range } from '../schema/parts.ts';
 import { index, number, oneOf, optional, record } from '../schema/shape.ts';
+import { CHARACTER, indices, NOW, range } from '../schema/shared-shapes.ts';
 import { requireTake, uniqueTakeName, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

@@ -11,16 +11,16 @@ import { boneSegments } from '../../evaluate/weights/bones.ts';
 import { heatWeights } from '../../evaluate/weights/heat-weights.ts';
 import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import type { Character, Document } from '../../model/document.ts';
-import { jointName } from '../../model/joint-name.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
-import { NOW } from '../schema/parts.ts';
 import { index, oneOf, optional, whole } from '../schema/shape.ts';
+import { NOW } from '../schema/shared-shapes.ts';
 
 /**
  * Where mesh and skeleton are bound. `bound`: as before, keeping the bindings. `drawn`: as both are displayed now, so

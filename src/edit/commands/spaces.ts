@@ -1,16 +1,16 @@
 /** How a character's own space maps to the scene, the meaning of its position channels, and whether it is visible. */
 
-import { metresPerUnit } from '../../evaluate/metres.ts';
-import { liftOntoGround } from '../../evaluate/space.ts';
+import { metresPerUnit } from '../../evaluate/space/metres.ts';
+import { liftOntoGround } from '../../evaluate/space/space.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
-import { poseForPositions, positionsTaken, withPositions } from '../../model/position-channels.ts';
-import { skeletonKey } from '../../model/skeleton-key.ts';
+import { poseForPositions, positionsTaken, withPositions } from '../../model/skeleton/position-channels.ts';
+import { skeletonKey } from '../../model/skeleton/skeleton-key.ts';
 import { LENGTH_UNITS, type Space } from '../../model/space.ts';
 import { changeCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
-import { CHARACTER } from '../schema/parts.ts';
 import { boolean, list, number, oneOf, optional, record, text } from '../schema/shape.ts';
+import { CHARACTER } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

@@ -4,10 +4,10 @@
  */
 
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
-import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { characterDofs, unitOfChannel } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -19,8 +19,8 @@ import { looping } from '../samples/loop.ts';
 import { retiming } from '../samples/speed.ts';
 import { clipOfFrames, framesOnly, KEYED_RATE } from '../samples/take-frames.ts';
 import { mirroringTake } from '../samples/take-mirror.ts';
-import { TAKES } from '../schema/parts.ts';
 import { number, optional } from '../schema/shape.ts';
+import { TAKES } from '../schema/shared-shapes.ts';
 import { withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 import { checkedRefs, nameOfTake, type TakeRef } from './takes.ts';

@@ -4,10 +4,10 @@
  */
 
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character, Document } from '../../model/document.ts';
-import type { Marker } from '../../model/markers.ts';
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Marker } from '../../model/takes/markers.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import { described } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -19,8 +19,8 @@ import { refuseTooMany } from '../samples/most-frames.ts';
 import { resampling } from '../samples/resample.ts';
 import { inChannelsOf } from '../samples/same-channels.ts';
 import { clipOfFrames, framesOnly, takeFrames } from '../samples/take-frames.ts';
-import { TAKES, takeRef } from '../schema/parts.ts';
 import { boolean, filledText, number, oneOf, optional } from '../schema/shape.ts';
+import { TAKES, takeRef } from '../schema/shared-shapes.ts';
 import { uniqueTakeName } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 import { changingTakes, namesOfTakes, type OfTakes, skeletonOf, takesToChange } from './take-edits.ts';

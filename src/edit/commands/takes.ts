@@ -3,12 +3,12 @@
  * affects, since a folder of fifty files is fifty characters with a take each.
  */
 
-import { isSameSize, matchJoints } from '../../evaluate/joint-match.ts';
+import { isSameSize, matchJoints } from '../../evaluate/compare/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../model/document.ts';
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import type { Space } from '../../model/space.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { indexIn } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -17,8 +17,8 @@ import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { driverSource, RETARGETED, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
 import { ownHeight } from '../same-height.ts';
-import { CHARACTERS, TAKES, takeRef } from '../schema/parts.ts';
 import { boolean, number, oneOf, optional, shape } from '../schema/shape.ts';
+import { CHARACTERS, TAKES, takeRef } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 

@@ -1,6 +1,6 @@
 /** Tangents of keys: by kind, as a number, unified or broken. */
 
-import { TANGENT_KINDS } from '../../model/clip.ts';
+import { TANGENT_KINDS } from '../../model/takes/clip.ts';
 import { changeTangents } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import {
@@ -10,8 +10,8 @@ import {
   withTangentsBroken,
   withTangentsUnified,
 } from '../keys/tangents.ts';
-import { KEYS, side, tangentKind } from '../schema/parts.ts';
 import { number } from '../schema/shape.ts';
+import { KEYS, side, tangentKind } from '../schema/shared-shapes.ts';
 import { keysIn } from '../step-names.ts';
 
 /** `fixed` keeps the current slope as a number. */

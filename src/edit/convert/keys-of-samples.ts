@@ -6,11 +6,11 @@
  * must not spin in between. The rotation at every frame is unchanged. Between frames samples rotate a joint along the
  * shortest arc, keys each angle separately; at mocap rates the difference is invisible.
  */
-import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, LINEAR, type Tangents } from '../../model/clip.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import { columnOf, type Samples } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { eulerDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, LINEAR, type Tangents } from '../../model/takes/clip.ts';
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 

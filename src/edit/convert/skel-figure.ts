@@ -14,12 +14,19 @@
  */
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type Channel, type ChannelClip, restChannel } from '../../model/clip.ts';
-import { filePose, firstDofs, rootDofCount } from '../../model/dofs.ts';
-import { dofsOf, isOfBvh, offsetBesideDofs } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
-import { couplesInOrder, skelMotionOf } from '../../model/skel-motion.ts';
-import { type Box, isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import { filePose, firstDofs, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf, isOfBvh, offsetBesideDofs } from '../../model/skeleton/joint-types.ts';
+import { couplesInOrder, skelMotionOf } from '../../model/skeleton/skel-motion.ts';
+import {
+  type Box,
+  isUnlimited,
+  type Joint,
+  type Limit,
+  type Skeleton,
+  UNLIMITED,
+} from '../../model/skeleton/skeleton.ts';
+import { type Channel, type ChannelClip, restChannel } from '../../model/takes/clip.ts';
 import { keyedClip, type SampleKeyOptions } from './keys-of-samples.ts';
 
 export interface SkelFigure {

@@ -7,12 +7,12 @@
  */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import type { Steps } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
-import { columnOf } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import { columnOf } from '../../model/takes/samples.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 import { replacingColumns } from '../samples/columns.ts';
 import { firstFrameFrom } from '../samples/frames.ts';

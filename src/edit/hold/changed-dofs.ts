@@ -1,8 +1,8 @@
 /** Which DOFs a hold has changed; only these are keyed. */
 import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
-import { characterDofs } from '../../model/dofs.ts';
-import { quaternionDofs } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { HeldFrames } from './frames.ts';
 
 /** Radians, factors and fractions of the reach: smaller changes are invisible and not worth keys. */

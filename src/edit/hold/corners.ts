@@ -3,7 +3,7 @@
  * turns as sharply, so those times become frames of their own, and curves get different slopes on either side of them.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import type { ChannelClip } from '../../model/clip.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 
 /** Slopes that differ by less than this fraction, or by this little per second, are equal. */

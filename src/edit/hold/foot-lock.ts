@@ -6,16 +6,16 @@
 
 import { contactSpans, feetOf, type JointPaths, standingHeight } from '../../evaluate/foot-contacts.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
-import { metresPerUnit } from '../../evaluate/metres.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import { partsOf } from '../../evaluate/retarget/roles.ts';
-import { applySpace } from '../../evaluate/space.ts';
+import { metresPerUnit } from '../../evaluate/space/metres.ts';
+import { applySpace } from '../../evaluate/space/space.ts';
 import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { IkSetup } from '../../model/ik.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { CommandError } from '../command-error.ts';
 import { takeAlone } from '../samples/take-alone.ts';
 import { holding } from './hold.ts';

@@ -9,10 +9,10 @@ import { ikOf, type PinTarget, pinTarget, reachOfSkeleton, stiffnessOf } from '.
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Steps, within } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { withTake } from '../takes.ts';
 import { bakingFrames, thinning } from './bake.ts';

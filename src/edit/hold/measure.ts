@@ -3,10 +3,10 @@ import { type PinTarget, pointAt, reachOfSkeleton } from '../../evaluate/ik/set-
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { withTake } from '../takes.ts';
 
 /** Calls back with a character's world matrices at each of the times, seconds of the clip; the array is reused. */

@@ -8,7 +8,7 @@
  * Repetitions are first baked over the playback range, or all of them would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/takes/clip.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { insertKey } from '../keys/insert.ts';

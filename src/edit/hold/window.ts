@@ -10,7 +10,7 @@
  */
 
 import { smoothstep } from '../../math/smoothstep.ts';
-import type { Samples } from '../../model/samples.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { sameTime } from '../keys/same-time.ts';
 import { firstFrameFrom, lastFrameTo } from '../samples/frames.ts';

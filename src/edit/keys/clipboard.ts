@@ -2,8 +2,9 @@
  * Copying keys and pasting them at another time, into the same channels or others. Keys are copied, not curves:
  * tangents by kind (`linear`, `smooth`) stay so and adapt to their new neighbours.
  */
-import type { Channel, ChannelClip, KeyedChannel, Keys, Tangents } from '../../model/clip.ts';
+
 import type { ChannelKeys } from '../../model/session.ts';
+import type { Channel, ChannelClip, KeyedChannel, Keys, Tangents } from '../../model/takes/clip.ts';
 import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
 import { arrangeKeys, type EditedChannel } from './arrange.ts';

@@ -8,8 +8,9 @@
  *     bake       whole repetitions become keys first; then the key is inside and changes only what is next to it
  *     inside     the key is put at the same phase of the cycle, and every repetition shows it
  */
-import { type Channel, type ChannelClip, type KeyedChannel, keysOf, repeats } from '../../model/clip.ts';
+
 import { type Character, shownClip } from '../../model/document.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, keysOf, repeats } from '../../model/takes/clip.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { keyAt } from './columns.ts';
 import { sameTime } from './same-time.ts';

@@ -20,7 +20,15 @@
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats, SMOOTH } from '../../model/clip.ts';
+import {
+  type Channel,
+  FIXED_TANGENT,
+  FLAT,
+  type KeyedChannel,
+  LINEAR,
+  repeats,
+  SMOOTH,
+} from '../../model/takes/clip.ts';
 import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';

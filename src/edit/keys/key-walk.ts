@@ -1,7 +1,7 @@
 /** Selecting keys with the keyboard, like clicking them. Pure; keys are indices into a clip. */
 import { lastNotAbove } from '../../math/search.ts';
-import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { type Channel, keysOf } from '../../model/takes/clip.ts';
 
 /**
  * Moves the selection by one key, forwards (`step` 1) or back (−1), in each channel with selected keys: from the last

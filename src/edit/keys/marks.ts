@@ -5,8 +5,8 @@
  */
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { firstNotBelow } from '../../math/search.ts';
-import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { type Channel, keysOf } from '../../model/takes/clip.ts';
 import { indicesIn } from './row-keys.ts';
 import { countNotAbove } from './same-time.ts';
 

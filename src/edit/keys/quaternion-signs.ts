@@ -2,10 +2,11 @@
  * q and −q are the same rotation, but interpolation between keys takes the short way only if they point the same way: a
  * key of a quaternion joint takes the sign nearer to the previous key.
  */
-import { type Channel, keysOf } from '../../model/clip.ts';
+
 import type { Character } from '../../model/document.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import { quaternionDofs } from '../../model/joint-types.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
+import { type Channel, keysOf } from '../../model/takes/clip.ts';
 import type { Place } from './cycle.ts';
 import { sameTime } from './same-time.ts';
 

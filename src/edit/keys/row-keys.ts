@@ -5,8 +5,8 @@
  * Times here are the CLIP's; the dope sheet shows the transport's, which are less by the character's offset.
  */
 import { firstNotBelow } from '../../math/search.ts';
-import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { type Channel, keysOf } from '../../model/takes/clip.ts';
 import { countNotAbove } from './same-time.ts';
 
 /** The keys of these channels from one time to another, both included. */

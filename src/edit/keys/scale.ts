@@ -7,8 +7,8 @@
  * A negative time factor mirrors: the in and out tangents of each key are swapped. (By the formula, slopes then change
  * sign.)
  */
-import type { KeyedChannel, Tangents } from '../../model/clip.ts';
-import { FIXED_TANGENT } from '../../model/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT } from '../../model/takes/clip.ts';
 import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 import { withValues } from './move.ts';

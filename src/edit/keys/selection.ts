@@ -4,8 +4,8 @@
  * as selecting one.
  */
 import { firstNotBelow } from '../../math/search.ts';
-import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { type ChannelClip, keysOf } from '../../model/takes/clip.ts';
 import { sameTime } from './same-time.ts';
 
 export const NO_KEY_SELECTION: readonly ChannelKeys[] = [];

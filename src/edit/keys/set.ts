@@ -1,5 +1,5 @@
 /** Setting keys to exact, typed numbers. */
-import { FIXED_TANGENT, type KeyedChannel } from '../../model/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel } from '../../model/takes/clip.ts';
 import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 import { tangent } from './columns.ts';
 import { withValues } from './move.ts';

@@ -1,7 +1,7 @@
 /** Editing tangents of keys, by side. Requested slopes become numbers (FIXED); other kinds follow the neighbours. */
 import { keySlope } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf, type Tangents } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf, type Tangents } from '../../model/takes/clip.ts';
 import { type Tangent, tangent } from './columns.ts';
 
 /** The side of a key that is edited. */

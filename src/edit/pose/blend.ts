@@ -2,12 +2,12 @@
  * Blends two poses: rotations along the shortest arc at constant speed (Shoemake 1985), three Euler angles through
  * their quaternion and back to the nearest angles; everything else linearly.
  */
-import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
+import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/rotations/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { slerp } from '../../math/slerp.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import { quaternionDofs } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /**
  * @param from the character's DOFs

@@ -3,11 +3,11 @@
  * names in the same order, they correspond one to one; otherwise they are matched by name (`same-joints.ts`).
  */
 import type { Character } from '../../model/document.ts';
-import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
-import type { Joint } from '../../model/skeleton.ts';
+import { characterDofs, firstDofs, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Joint } from '../../model/skeleton/skeleton.ts';
 import { haveSameNames, sameNames } from './same-joints.ts';
 
 type Posed = Pick<Character, 'skeleton' | 'morphs'>;

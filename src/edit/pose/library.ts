@@ -1,8 +1,8 @@
 /** A character's pose library: unique names, and adding poses. */
 import type { Character } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
 import { poseByNames, takePose } from './by-names.ts';
 
 /** The name itself if unused; else with the next number. */

@@ -9,7 +9,7 @@
  * are compared in turn, without recursion, so that chains may have any length.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { partnersByName, plainName, sidedName } from './sides.ts';
 
 /** Fractions of the size: distance from the plane that counts as the middle, and maximum cost of a pair. */

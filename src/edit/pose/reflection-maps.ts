@@ -3,7 +3,7 @@ import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { perObject } from '../../model/per-object.ts';
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /** How the DOFs of each joint are mirrored. */
 export interface JointMaps {

@@ -5,8 +5,8 @@
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { multiply3 } from '../../math/mat3.ts';
 import { withoutRoundOff } from '../../math/round-off.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { JointMaps } from './reflection-maps.ts';
 
 /** Values away from the reference pose, different for each DOF. */

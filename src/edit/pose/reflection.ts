@@ -17,10 +17,10 @@
  */
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { filePose, restPose } from '../../model/dofs.ts';
-import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { filePose, restPose } from '../../model/skeleton/dofs.ts';
+import { dofsOf, replacesOffset } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { halfWidth, type Partners, partnersAcross } from './partners.ts';
 import { fittingMap, type JointMaps, mapsOf, reflectionMatrix } from './reflection-maps.ts';
 import { signsOf } from './reflection-signs.ts';

@@ -2,10 +2,10 @@
  * Posing several joints at once: a change of one joint's DOF is made to the same DOF of the others, by the same amount,
  * about each joint's own axis.
  */
-import { coupleOf } from '../../model/couples.ts';
-import { characterDofs, type DofValue, firstDofs } from '../../model/dofs.ts';
-import { quaternionDofs } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { coupleOf } from '../../model/skeleton/couples.ts';
+import { characterDofs, type DofValue, firstDofs } from '../../model/skeleton/dofs.ts';
+import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /**
  * The DOFs of these joints with the name and unit of `dof`, without `dof` itself. Linked DOFs have no value of their

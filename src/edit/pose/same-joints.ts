@@ -3,8 +3,8 @@
  * come first: the first of a name matches the first, the second the second; if no name is identical, case and prefixes
  * are ignored. Unnamed and renamed joints are matched by position.
  */
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { plainName } from './sides.ts';
 
 interface Named {

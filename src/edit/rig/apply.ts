@@ -1,6 +1,6 @@
 /** What all rigging commands share: find the joint, change the skeleton, and rebind skins that are to stay. */
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';

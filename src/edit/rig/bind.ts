@@ -7,7 +7,7 @@
  */
 import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import type { Character } from '../../model/document.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 import { bindNew } from './remap-skin.ts';

@@ -1,8 +1,8 @@
 /** What refers to joint indices, besides skins: pins and stiff joints, and retargeting. */
 import type { Character } from '../../model/document.ts';
 import { defaultIk, type IkSetup } from '../../model/ik.ts';
-import type { JointPair } from '../../model/retarget.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { JointPair } from '../../model/takes/retarget.ts';
 import { sameValue } from '../delta.ts';
 import { driverSource } from '../drivers.ts';
 

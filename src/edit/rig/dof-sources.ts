@@ -9,9 +9,9 @@
  * BVH position channels that replace the offset are positions, not distances from it: their values move with the
  * offset, or are converted.
  */
-import { firstDofs, rootDofs } from '../../model/dofs.ts';
-import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
-import { isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import { firstDofs, rootDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf, replacesOffset } from '../../model/skeleton/joint-types.ts';
+import { isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton/skeleton.ts';
 import { sameDof, timesSign } from './same-dof.ts';
 import type { Likeness } from './tree.ts';
 

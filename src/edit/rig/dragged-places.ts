@@ -8,7 +8,7 @@
  */
 import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import { add, dot, subtract, transformVector, type Vec3 } from '../../math/vec3.ts';
-import type { Box } from '../../model/skeleton.ts';
+import type { Box } from '../../model/skeleton/skeleton.ts';
 
 /** Undefined if the matrix is singular. */
 export function inverseOf(m: Float64Array, o = 0): Float64Array | undefined {

@@ -5,10 +5,10 @@
  *     joints before   0 1 2 3 4          to   0 1 -1 2 3         heirs   0 1 1 2 3
  *     joints after    0 1   2 3   4      origins   0 1 3 4 -1
  */
-import { axisAngleObstacle, inHierarchyForm } from '../../model/axis-angle.ts';
-import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Couple, Joint, Skeleton } from '../../model/skeleton.ts';
+import { axisAngleObstacle, inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
+import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Couple, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type DofSource, dofSources, fittedJoint } from './dof-sources.ts';
 import { type SameDof, sameDof, timesSign } from './same-dof.ts';
 import { type Branch, type Likeness, listJoints } from './tree.ts';

@@ -1,8 +1,9 @@
 /** What a character's takes lose with DOFs that a joint no longer has. */
-import { keysOf } from '../../model/clip.ts';
+
 import type { Character } from '../../model/document.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import { keysOf } from '../../model/takes/clip.ts';
 import type { JointMap } from './joint-map.ts';
 
 /** `3 keys of r`, `7 keys and the samples of ry and rz`; undefined if nothing is lost. */

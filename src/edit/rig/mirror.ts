@@ -10,10 +10,10 @@
 
 import { withoutRoundOff } from '../../math/round-off.ts';
 import { reflected, type Vec3 } from '../../math/vec3.ts';
-import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
-import { jointName } from '../../model/joint-name.ts';
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import { couplesOf } from '../../model/skeleton/couples.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { CommandError } from '../command-error.ts';
 import { partnersAcross } from '../pose/partners.ts';
 import { partnersByName } from '../pose/sides.ts';

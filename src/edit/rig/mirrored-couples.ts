@@ -5,8 +5,8 @@
  *
  * A followed joint outside the hierarchy is replaced by its counterpart, if it has one.
  */
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Couple, Joint, Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Couple, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { mirroredMotion } from './mirrored-motion.ts';
 
 /** A joint's other side: its new index, and the signs of its DOFs there. */

@@ -12,8 +12,15 @@
  * Angles keep their sign about the mirrored axis and lose it about the others, in any order.
  */
 import { dot, negated, reflected } from '../../math/vec3.ts';
-import { axisParameter, dofsOf, isSameType, jointTypeOf, stretches, withParameter } from '../../model/joint-types.ts';
-import type { Box, Limit, Motion } from '../../model/skeleton.ts';
+import {
+  axisParameter,
+  dofsOf,
+  isSameType,
+  jointTypeOf,
+  stretches,
+  withParameter,
+} from '../../model/skeleton/joint-types.ts';
+import type { Box, Limit, Motion } from '../../model/skeleton/skeleton.ts';
 
 export interface MirroredMotion {
   readonly motion: Motion;

@@ -1,11 +1,11 @@
 /** The shape of a joint's motion, as commands take it: its kind, with the parameters of that kind and no others. */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Parameter } from '../../model/joint-types/parameters.ts';
-import { MOTION_KINDS, parametersOf } from '../../model/joint-types.ts';
-import type { Motion } from '../../model/skeleton.ts';
+import { MOTION_KINDS, parametersOf } from '../../model/skeleton/joint-types.ts';
+import type { Motion } from '../../model/skeleton/skeleton.ts';
 import { CommandError } from '../command-error.ts';
-import { vector } from '../schema/parts.ts';
 import { list, misfit, number, oneOf, type Shape } from '../schema/shape.ts';
+import { vector } from '../schema/shared-shapes.ts';
 
 const kind = oneOf(MOTION_KINDS);
 

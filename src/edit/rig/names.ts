@@ -1,7 +1,7 @@
 /** Names for new joints: the next in a series, and that of the other side. */
 import { readName } from '../../evaluate/retarget/names.ts';
-import { trailingDigitsAt } from '../../model/numbered-names.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { trailingDigitsAt } from '../../model/names/numbered-names.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /** More are no number that can be counted on. */
 const MAX_DIGITS = 9;

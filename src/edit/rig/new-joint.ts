@@ -1,9 +1,9 @@
 /** Creates joints in the style of their skeleton: position and motion. */
 import type { Vec3 } from '../../math/vec3.ts';
-import { tipOf } from '../../model/bone-ends.ts';
-import { isNoBox } from '../../model/boxes.ts';
 import { type Character, isBvh, shownSkin } from '../../model/document.ts';
-import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
+import { tipOf } from '../../model/skeleton/bone-ends.ts';
+import { isNoBox } from '../../model/skeleton/boxes.ts';
+import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/skeleton/joint-types.ts';
 import {
   type BvhChannel,
   DEFAULT_BOX,
@@ -13,7 +13,7 @@ import {
   NO_BOX,
   type Skeleton,
   UNLIMITED,
-} from '../../model/skeleton.ts';
+} from '../../model/skeleton/skeleton.ts';
 
 /** Default bone length. */
 const PLAIN_LENGTH = 0.5;

@@ -1,5 +1,5 @@
 /** Valid parents of joints. */
-import type { Joint } from '../../model/skeleton.ts';
+import type { Joint } from '../../model/skeleton/skeleton.ts';
 
 /** One past the last joint of this joint's hierarchy, which is contiguous in pre-order. */
 export function branchEnd(joints: readonly Pick<Joint, 'parent'>[], joint: number): number {

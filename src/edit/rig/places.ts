@@ -6,9 +6,9 @@ import { backMultiply3, setIdentity3, writeRotationPart } from '../../math/mat3.
 import { invertAffine, isSingular } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
-import { filePose } from '../../model/dofs.ts';
-import { dofsOf, isOfBvh, turnsJoint } from '../../model/joint-types.ts';
-import type { Joint } from '../../model/skeleton.ts';
+import { filePose } from '../../model/skeleton/dofs.ts';
+import { dofsOf, isOfBvh, turnsJoint } from '../../model/skeleton/joint-types.ts';
+import type { Joint } from '../../model/skeleton/skeleton.ts';
 import { documentIn } from '../change.ts';
 import { requireCharacter } from '../characters.ts';
 import { CommandError } from '../command-error.ts';

@@ -1,11 +1,17 @@
 /** Remaps the channels and samples of a clip to other DOFs. */
 
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
-import { type Channel, type ChannelClip, followingSamples, restChannel, type Tangents } from '../../model/clip.ts';
-import { rootDofs } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import { columnOf, type Samples } from '../../model/samples.ts';
-import type { DofUnit, Skeleton } from '../../model/skeleton.ts';
+import { rootDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { DofUnit, Skeleton } from '../../model/skeleton/skeleton.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  followingSamples,
+  restChannel,
+  type Tangents,
+} from '../../model/takes/clip.ts';
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { type DofSource, valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';
 import { timesSign } from './same-dof.ts';

@@ -7,9 +7,9 @@
  */
 import { compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
-import { restPose, rootDofCount } from '../../model/dofs.ts';
-import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { restPose, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf, replacesOffset } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type Attachments, bindingCount, type Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 

@@ -3,8 +3,8 @@
  *
  *     r of a hinge or screw about ±x, ±y or ±z   ⇄   ± rx, ry or rz
  */
-import { axisOf, dofsOf } from '../../model/joint-types.ts';
-import type { Motion } from '../../model/skeleton.ts';
+import { axisOf, dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Motion } from '../../model/skeleton/skeleton.ts';
 
 export interface SameDof {
   readonly name: string;

@@ -2,7 +2,7 @@
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { CommandError } from '../command-error.ts';
 
 export interface ShownPose {

@@ -2,7 +2,7 @@
  * A skeleton as branches that can be moved, removed and added, and its conversion back to a list of joints in
  * depth-first pre-order. Branches are plain and mutable: a command makes them, changes them and lists them again.
  */
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 
 export interface Branch {
   /** Index of the old joint; -1 for a new one. */

@@ -5,7 +5,7 @@
  *
  *     v′ = A′⁻¹ · (A·v + t − t′)        n′ = N′⁻¹ · N · n        morphs alike
  */
-import { compileSkin, skinMatrices } from '../../evaluate/deform.ts';
+import { compileSkin, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { inverseTranspose3, invertAffine, isSingular } from '../../math/mat4.ts';
 import type { Morph, MorphRows } from '../../model/morph.ts';
 import type { Skin } from '../../model/skin.ts';

@@ -2,7 +2,7 @@
 
 import { turnedNear } from '../../math/euler.ts';
 import { slerp } from '../../math/slerp.ts';
-import type { CharacterDof } from '../../model/dofs.ts';
+import type { CharacterDof } from '../../model/skeleton/dofs.ts';
 import { anglesOf, type JointRotation, putQuaternions } from './rotations.ts';
 
 const p = new Float64Array(4);

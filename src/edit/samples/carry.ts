@@ -4,12 +4,13 @@
  *
  *     p′ = R·p + t        R about the up axis, t along the ground
  */
-import { carrierIn } from '../../evaluate/carrier.ts';
+
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { carrierIn } from '../../evaluate/space/carrier.ts';
 import { multiply3, turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
-import type { ChannelClip } from '../../model/clip.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { anglesOf, type JointRotation, jointRotations } from './rotations.ts';
 
 export interface Carry {

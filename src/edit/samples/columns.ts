@@ -4,7 +4,7 @@
  */
 
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
-import type { Samples } from '../../model/samples.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 
 /** Columns by index, an entry per frame. */
 export function* takingColumns(samples: Samples, columns: readonly number[]): Steps<Map<number, Float64Array>> {

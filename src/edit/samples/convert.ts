@@ -24,11 +24,11 @@
  */
 
 import { type Steps, within } from '../../evaluate/steps.ts';
-import type { ChannelClip, KeyedChannel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
-import { columnOf, type Samples } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { type CharacterDof, characterDofs } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip, KeyedChannel } from '../../model/takes/clip.ts';
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { takingColumns } from './columns.ts';
 import { fittingFrames } from './fit-frames.ts';

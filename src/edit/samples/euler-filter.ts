@@ -8,10 +8,10 @@
  */
 
 import { type Steps, within } from '../../evaluate/steps.ts';
-import type { Channel, ChannelClip, KeyedChannel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
-import { columnOf, type Samples } from '../../model/samples.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import type { Channel, ChannelClip, KeyedChannel } from '../../model/takes/clip.ts';
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { keysChanged } from '../channels/euler-filter.ts';
 import { filterCharacter } from '../channels/rotations.ts';
 import { replacingColumns, takingColumns } from './columns.ts';

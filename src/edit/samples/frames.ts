@@ -5,8 +5,8 @@
  * Many remaining rows are a view of the originals: copying 100 MB takes longer than a display frame, and the history
  * retains the originals anyway. Few are copied, or one second would retain a whole hour.
  */
-import type { ChannelClip } from '../../model/clip.ts';
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { markersBeside, markersWithin, withMarkers } from '../markers.ts';
 

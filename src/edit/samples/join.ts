@@ -11,11 +11,11 @@
 import { partsOf } from '../../evaluate/retarget/roles.ts';
 import type { Steps } from '../../evaluate/steps.ts';
 import { smoothstep } from '../../math/smoothstep.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
-import type { Samples } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import { blendPoses } from './blend-frames.ts';
 import { Carrier, type Carry, isCarried, STAYS } from './carry.ts';
 import { refuseTooMany } from './most-frames.ts';

@@ -10,9 +10,9 @@
  */
 import type { Steps } from '../../evaluate/steps.ts';
 import { smoothstep } from '../../math/smoothstep.ts';
-import type { ChannelClip } from '../../model/clip.ts';
-import { characterDofs } from '../../model/dofs.ts';
-import type { Samples } from '../../model/samples.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { blendPoses } from './blend-frames.ts';
 import { Carrier, type Carry, isCarried, STAYS } from './carry.ts';

@@ -11,9 +11,9 @@
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Steps } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import type { Samples } from '../../model/samples.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import { takeAlone } from './take-alone.ts';
 
 /** By joint. */

@@ -4,9 +4,9 @@
  */
 import { poseAt } from '../../evaluate/pose.ts';
 import type { Steps } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import { requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
 import { takeAlone } from './take-alone.ts';

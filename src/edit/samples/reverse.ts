@@ -5,8 +5,8 @@
  */
 
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
-import type { Channel, ChannelClip } from '../../model/clip.ts';
-import { rangeOfSamples } from '../../model/samples.ts';
+import type { Channel, ChannelClip } from '../../model/takes/clip.ts';
+import { rangeOfSamples } from '../../model/takes/samples.ts';
 import { sameValue } from '../delta.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { retimed, withMarkers } from '../markers.ts';

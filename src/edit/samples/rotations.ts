@@ -8,11 +8,11 @@
  *
  *     sin β = σ·R[i][k]      α = atan2(−σ·R[j][k], R[k][k])      γ = atan2(−σ·R[i][j], R[i][i])
  */
-import { writeNearestForm } from '../../evaluate/euler-angles.ts';
-import { appliedDofs, renamedAxes, rigidEulerDofs } from '../../evaluate/euler-dofs.ts';
+import { writeNearestForm } from '../../evaluate/rotations/euler-angles.ts';
+import { appliedDofs, renamedAxes, rigidEulerDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import { turnedNear } from '../../math/euler.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /** A joint that rotates about three axes. */
 export interface JointRotation {

@@ -2,14 +2,14 @@
  * Another character's frames in the order of one's own channels: takes of the same skeleton, by names. Joints may be in
  * another order; each must have the same DOFs, or its numbers would mean something else.
  */
-import { isSameSkeleton, matchJoints } from '../../evaluate/joint-match.ts';
-import { metresPerUnit } from '../../evaluate/metres.ts';
+import { isSameSkeleton, matchJoints } from '../../evaluate/compare/joint-match.ts';
+import { metresPerUnit } from '../../evaluate/space/metres.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Samples } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { characterDofs, firstDofs, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE } from '../../model/space.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
 

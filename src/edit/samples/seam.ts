@@ -7,7 +7,7 @@
  * The seam is within the range: nothing changes outside. There is none where the range ends with the take.
  */
 import { smoothstep } from '../../math/smoothstep.ts';
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { firstFrameFrom, lastFrameTo } from './frames.ts';
 

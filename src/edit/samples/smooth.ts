@@ -21,9 +21,9 @@
 
 import { type Steps, within } from '../../evaluate/steps.ts';
 import { turnedNear } from '../../math/euler.ts';
-import type { ChannelClip } from '../../model/clip.ts';
-import type { CharacterDof } from '../../model/dofs.ts';
-import { columnOf } from '../../model/samples.ts';
+import type { CharacterDof } from '../../model/skeleton/dofs.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import { columnOf } from '../../model/takes/samples.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
 import { framesBetween, requireSamples } from './frames.ts';
 import { convolving, gaussian } from './gaussian.ts';

@@ -3,8 +3,8 @@
  * again at the take's own rate. The way it goes stays the same.
  */
 import type { Steps } from '../../evaluate/steps.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { retimed, withMarkers } from '../markers.ts';
 import { resampling } from './resample.ts';

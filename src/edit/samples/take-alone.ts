@@ -2,8 +2,9 @@
  * A character exactly as in one of its takes, for `poseAt`: without unkeyed changes, limits, time offset or
  * retargeting.
  */
-import type { ChannelClip } from '../../model/clip.ts';
+
 import type { Character } from '../../model/document.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 
 export function takeAlone(character: Character, clip: ChannelClip): Character {
   const { unkeyed: _byHand, driver: _another, ...rest } = character;

@@ -2,11 +2,11 @@
  * Takes as frames that can be joined, cut and blended: every DOF of the character sampled, from the first channel on.
  */
 import { bakeClip, framesOf, ownFrames } from '../../evaluate/bake.ts';
-import { frameRateOf } from '../../evaluate/frame-rate.ts';
-import { type ChannelClip, SAMPLED } from '../../model/clip.ts';
+import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { characterDofs, jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
+import { type ChannelClip, SAMPLED } from '../../model/takes/clip.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';

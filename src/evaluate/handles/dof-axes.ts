@@ -21,10 +21,10 @@ import {
   unit,
   type Vec3,
 } from '../../math/vec3.ts';
-import { dofAxis } from '../../model/dof-axis.ts';
-import { rootDofCount } from '../../model/dofs.ts';
-import { dofsOf, takesLimits } from '../../model/joint-types.ts';
-import type { Motion, Skeleton } from '../../model/skeleton.ts';
+import { dofAxis } from '../../model/skeleton/dof-axis.ts';
+import { rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf, takesLimits } from '../../model/skeleton/joint-types.ts';
+import type { Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 
 /**

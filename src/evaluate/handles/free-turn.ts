@@ -5,11 +5,11 @@
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { determinant3, invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import { transformVector, unit, type Vec3 } from '../../math/vec3.ts';
-import { coupleOf } from '../../model/couples.ts';
-import { dofsOf, quaternionDofs } from '../../model/joint-types.ts';
-import type { EulerOrder, Joint, Skeleton } from '../../model/skeleton.ts';
-import { eulerDofs, renamedAxes } from '../euler-dofs.ts';
+import { coupleOf } from '../../model/skeleton/couples.ts';
+import { dofsOf, quaternionDofs } from '../../model/skeleton/joint-types.ts';
+import type { EulerOrder, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
+import { eulerDofs, renamedAxes } from '../rotations/euler-dofs.ts';
 import { frameOf } from './dof-axes.ts';
 
 /** The DOFs of a joint that make up a whole rotation, as indices into the character's. */

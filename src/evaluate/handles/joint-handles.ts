@@ -14,11 +14,11 @@ import {
   unit,
   type Vec3,
 } from '../../math/vec3.ts';
-import { hasOwnBox } from '../../model/axis-angle.ts';
-import { hasBox } from '../../model/boxes.ts';
-import { coupleOf } from '../../model/couples.ts';
-import { characterDofs } from '../../model/dofs.ts';
-import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import { hasOwnBox } from '../../model/skeleton/axis-angle.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
+import { coupleOf } from '../../model/skeleton/couples.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import { isUnlimited, type Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type DofAxis, dofAxes } from './dof-axes.ts';
 import { type FreeTurn, freeTurn, turnsOnlyFreely } from './free-turn.ts';
 

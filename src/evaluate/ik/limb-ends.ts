@@ -2,7 +2,7 @@
  * Which joint is posed by dragging another one: hands, feet and heads with all that is on them, and what ends any other
  * limb, such as an insect's legs and a tail.
  */
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import { compileSkeleton } from '../kinematics.ts';
 import { LIMB_SIDES, partsOf, type Role } from '../retarget/roles.ts';

@@ -4,10 +4,10 @@
  *
  *     hand → forearm, upper arm, clavicle     finger → finger     foot → shin, thigh     hips → the whole body
  */
-import { tipOf } from '../../model/bone-ends.ts';
-import { dofsOf, turnsJoint } from '../../model/joint-types.ts';
-import { perSkeleton } from '../../model/per-skeleton.ts';
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import { tipOf } from '../../model/skeleton/bone-ends.ts';
+import { dofsOf, turnsJoint } from '../../model/skeleton/joint-types.ts';
+import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 
 /** Indices of the joints that bend, ascending; or all of them, with root translation. */

@@ -4,13 +4,13 @@
  */
 import { invertAffine, isSingular } from '../../math/mat4.ts';
 import { transformPoint, type Vec3, ZERO } from '../../math/vec3.ts';
-import { tipOf } from '../../model/bone-ends.ts';
-import { hasBox } from '../../model/boxes.ts';
 import type { Character } from '../../model/document.ts';
 import { shownSkin } from '../../model/document.ts';
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import { tipOf } from '../../model/skeleton/bone-ends.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type Attachments, bindingCount, type Skin } from '../../model/skin.ts';
-import { compileSkin } from '../deform.ts';
+import { compileSkin } from '../skin/deform.ts';
 
 /** `boxEnd`: the centre of a face of the joint's box. `skinEnd`: the farthest vertex attached to the joint. */
 export type PinPointKind = 'origin' | 'tip' | 'endSite' | 'boxEnd' | 'skinEnd';

@@ -3,8 +3,8 @@
  * here, once; the solver trusts its numbers.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { dofsOf, positionsOf } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { dofsOf, positionsOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 
 /** A unit quaternion, x y z w. */

@@ -5,7 +5,7 @@
  *
  * Errors are divided by the reach, so that a character in centimetres is solved like one in metres.
  */
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { evaluatePose } from './forward.ts';
 import { systemSize } from './normal.ts';

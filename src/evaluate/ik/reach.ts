@@ -4,7 +4,7 @@
  * irreducible error would keep the damping high, and the pose would creep towards its optimum forever.
  */
 import { length3, type Vec3 } from '../../math/vec3.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { IkPin } from './pins.ts';
 import type { Balls, PinArrays, Slots } from './state.ts';

@@ -10,7 +10,7 @@
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import { defaultIk, type IkSetup, type Pin, type StiffJoint } from '../../model/ik.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 import { orientationAt } from './orientation.ts';
 import { IkError, type IkPin, ikStiffness, type Turn } from './pins.ts';

@@ -5,9 +5,9 @@
  * Variables are scaled so that equal changes cost the same: radians, fractions of the reach, factors, each divided by
  * the square root of its stiffness. Damping then restrains each in proportion.
  */
-import { jointDofCount } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import { jointDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import { isUnlimited, type Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 
 export interface IkVariables {

@@ -10,7 +10,7 @@
  * each from a joint to its parent, as heavy as it is long at rest.
  */
 import { perObject } from '../../model/per-object.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { distance, type RetargetFigure } from '../retarget/figure.ts';
 import { LIMB_SIDES, type LimbPart, type Roles, rolesOf } from '../retarget/roles.ts';
 

@@ -8,14 +8,14 @@
 import { backMultiply3, copy3, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Character } from '../../model/document.ts';
-import { restPose } from '../../model/dofs.ts';
+import { restPose } from '../../model/skeleton/dofs.ts';
 import { type Frames, MAX_FRAMES, playedClip } from '../bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../foot-contacts.ts';
-import { framesOfClip } from '../key-frames.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
-import { NO_TRAVEL, placementMatrix } from '../placements.ts';
 import { dofCountOf, poseFrom, poseSource } from '../pose.ts';
-import { applySpace } from '../space.ts';
+import { framesOfClip } from '../samples/key-frames.ts';
+import { NO_TRAVEL, placementMatrix } from '../space/placements.ts';
+import { applySpace } from '../space/space.ts';
 import type { Steps } from '../steps.ts';
 import { jointMasses, type MassModel } from './mass.ts';
 

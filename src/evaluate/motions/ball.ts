@@ -1,6 +1,6 @@
 /** Three angles about x, y and z, multiplied in any order: balljoints, and other joints with such a rotation. */
-import type { EulerOrder } from '../../model/skeleton.ts';
-import { renamedAxes } from '../euler-dofs.ts';
+import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
+import { renamedAxes } from '../rotations/euler-dofs.ts';
 import { type JointMotion, turnScrew } from './motion.ts';
 
 type BallMotion = JointMotion & Required<Pick<JointMotion, 'screws'>>;

@@ -3,7 +3,7 @@
  *
  *     J = T(t) · R        ∂J/∂t_k = e_k in the last column        ∂J/∂r = that of R
  */
-import type { BvhMotion, EulerOrder } from '../../model/skeleton.ts';
+import type { BvhMotion, EulerOrder } from '../../model/skeleton/skeleton.ts';
 import { BALLS, spreadBall } from './ball.ts';
 import { type JointMotion, type Screw, slideAlong, turnScrew } from './motion.ts';
 import { factorOf, productOf } from './product.ts';

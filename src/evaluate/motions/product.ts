@@ -7,7 +7,7 @@
  * Multiplying by such a factor, or by its derivative, mixes columns of M, so no factor is written out as a matrix.
  */
 import { setIdentity } from '../../math/mat4.ts';
-import type { AxisPair } from '../../model/skeleton.ts';
+import type { AxisPair } from '../../model/skeleton/skeleton.ts';
 import { type JointMotion, type MotionPart, slideAlong, turnScrew } from './motion.ts';
 
 export interface Factor {

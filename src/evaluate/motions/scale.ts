@@ -1,7 +1,7 @@
 /** Joints that deform: scales in all modes, and shear. Their matrices are no rotations. */
 import { setIdentity } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { ScaleMode } from '../../model/skeleton.ts';
+import type { ScaleMode } from '../../model/skeleton/skeleton.ts';
 import { direction } from './axis.ts';
 import type { JointMotion, MotionPart } from './motion.ts';
 import { factorOf, productOf } from './product.ts';

@@ -12,8 +12,8 @@
  * Values are those of the file; the caller applies the scale. Overshoot of cubics between frames is ignored: it is
  * invisible when frames are.
  */
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { sampleColumn } from '../sampling.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import { sampleColumn } from '../samples/sampling.ts';
 
 const BLOCK = 16;
 /** Samples that `building` processes before it yields. */

@@ -6,12 +6,12 @@
  * millions of keys this costs a binary search per channel, and one pass over its times when drawn (`key-buckets.ts`).
  */
 import { firstNotBelow } from '../../math/search.ts';
-import type { Channel } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../../model/document.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import { jointsIn } from '../../model/selected-joints.ts';
 import type { Selection } from '../../model/session.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import { jointsIn } from '../../model/skeleton/selected-joints.ts';
+import type { Channel } from '../../model/takes/clip.ts';
 import { silentChannels } from '../retarget/moved-dofs.ts';
 
 /** A channel's key times, and the offset to subtract for transport times. */

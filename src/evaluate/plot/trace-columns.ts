@@ -6,7 +6,7 @@
  * extremes (`trace-extremes.ts`), which does not visit each key.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import type { Channel } from '../../model/clip.ts';
+import type { Channel } from '../../model/takes/clip.ts';
 import type { CompiledClip } from '../compiled-clip.ts';
 import { ChannelExtremes, type SpanExtremes } from './trace-extremes.ts';
 import { FAR_PIXELS, heightOf, type TraceMap } from './trace-path.ts';

@@ -8,7 +8,7 @@
  * picture, each continues where the last ended, with one evaluation and no search.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
+import { type Channel, EXTRAPOLATIONS } from '../../model/takes/clip.ts';
 import type { CompiledClip } from '../compiled-clip.ts';
 import { evaluateChannel } from '../curves.ts';
 import { extremesOver } from './sample-extremes.ts';

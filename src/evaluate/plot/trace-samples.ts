@@ -8,8 +8,8 @@
  * apart, the visible ones become spans of cubics, drawn like those between keys: a line, a step or a smooth curve, as
  * the samples are played.
  */
-import type { Samples } from '../../model/samples.ts';
-import { columnSlope } from '../sampling.ts';
+import type { Samples } from '../../model/takes/samples.ts';
+import { columnSlope } from '../samples/sampling.ts';
 import { sampleExtremes } from './sample-extremes.ts';
 import type { TracedColumns } from './trace-columns.ts';
 import { heightOf, SpanTracer, type TracedPath, type TraceMap } from './trace-path.ts';

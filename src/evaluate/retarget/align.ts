@@ -20,9 +20,9 @@
  * the same pose does not mean bending one spine to the anatomy of the other.
  */
 import { backMultiply3, copy3, multiply3, setIdentity3, turnVector } from '../../math/mat3.ts';
-import type { JointPair } from '../../model/retarget.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
+import type { JointPair } from '../../model/takes/retarget.ts';
 import { type Foot, footDirection, footOf } from './feet.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { fingerBases } from './fingers.ts';

@@ -4,9 +4,9 @@
  * people do; and where a pose doesn't tell how a sole lies, the bones.
  */
 import { copy3, multiply3, swing, turnAbout, turnVector } from '../../math/mat3.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
-import { metresPerUnit } from '../metres.ts';
+import { metresPerUnit } from '../space/metres.ts';
 import { distance, type RetargetFigure } from './figure.ts';
 import type { BodyParts } from './roles.ts';
 import { footTip, type PointTree, tipBelow } from './tip.ts';

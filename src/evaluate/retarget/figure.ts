@@ -3,11 +3,11 @@
  * axis. Matching, aligning and measuring work on these, so that only this file deals with spaces.
  */
 import { multiply3, setIdentity3, writeRotationPart } from '../../math/mat3.ts';
-import { filePose } from '../../model/dofs.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { filePose } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
-import { metresPerUnit } from '../metres.ts';
+import { metresPerUnit } from '../space/metres.ts';
 
 export interface RetargetFigure {
   /** 9 numbers per joint. */

@@ -1,5 +1,5 @@
 /** Where fingers begin. */
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { BodyParts } from './roles.ts';
 
 export const FINGERS = ['thumb', 'index', 'middle', 'ring', 'pinky'] as const;

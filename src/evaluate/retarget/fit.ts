@@ -13,10 +13,10 @@
  */
 import { eulerNear, turnedNear } from '../../math/euler.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
-import { dofsOf, quaternionDofs } from '../../model/joint-types.ts';
-import type { Joint } from '../../model/skeleton.ts';
-import { eulerDofs, type RenamedAxes, renamedAxes, rigidEulerDofs } from '../euler-dofs.ts';
+import { dofsOf, quaternionDofs } from '../../model/skeleton/joint-types.ts';
+import type { Joint } from '../../model/skeleton/skeleton.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
+import { eulerDofs, type RenamedAxes, renamedAxes, rigidEulerDofs } from '../rotations/euler-dofs.ts';
 
 const BONE_WEIGHT = 4;
 const MAX_SWEEPS = 24;

@@ -6,7 +6,7 @@
  * foot's joints and End Sites. The ground is the scene's on both sides: a take that its space puts too high stays so.
  */
 
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
 import type { RetargetFigure } from './figure.ts';

@@ -1,15 +1,15 @@
 /** Makes a plan (`plan.ts`) for each driver. */
 import { backMultiply3 } from '../../math/mat3.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Driver, shownClip } from '../../model/document.ts';
-import { filePose } from '../../model/dofs.ts';
-import { dofsOf, factorsOf } from '../../model/joint-types.ts';
-import type { JointPair } from '../../model/retarget.ts';
-import type { Motion, Skeleton } from '../../model/skeleton.ts';
+import { filePose } from '../../model/skeleton/dofs.ts';
+import { dofsOf, factorsOf } from '../../model/skeleton/joint-types.ts';
+import type { Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
-import { retargetCarrier } from '../carrier.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { JointPair } from '../../model/takes/retarget.ts';
 import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../kinematics.ts';
-import { metresPerUnit } from '../metres.ts';
+import { retargetCarrier } from '../space/carrier.ts';
+import { metresPerUnit } from '../space/metres.ts';
 import { alignment, type Bodies, bodiesOf, bodyFrame, driven, sourceFigure } from './align.ts';
 import { footTracks } from './contacts.ts';
 import { upRotation } from './figure.ts';

@@ -4,9 +4,9 @@
  * of one skeleton every joint drives itself.
  */
 
-import type { JointPair } from '../../model/retarget.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
+import type { JointPair } from '../../model/takes/retarget.ts';
 import { FINGERS } from './fingers.ts';
 import type { NameParts } from './names.ts';
 import { type Roles, rolesOf } from './roles.ts';

@@ -4,9 +4,9 @@
  */
 import type { Character, Driver } from '../../model/document.ts';
 import { perPair } from '../../model/per-object.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { retargetCarrier } from '../carrier.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
+import { retargetCarrier } from '../space/carrier.ts';
 
 const dofsMoved = perPair((driver: Driver, skeleton: Skeleton): ReadonlySet<number> => {
   const { firstDof, travel, slides } = compileSkeleton(skeleton);

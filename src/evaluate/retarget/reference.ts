@@ -10,7 +10,7 @@
  * joint by joint.
  */
 import { turnVector } from '../../math/mat3.ts';
-import type { RetargetOptions } from '../../model/retarget.ts';
+import type { RetargetOptions } from '../../model/takes/retarget.ts';
 import { aims, type Bodies, bodyFrame, bodyTurn, driven, type Reference, sourceFigure } from './align.ts';
 import { type Foot, looksFlat, withFlatFeet } from './feet.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';

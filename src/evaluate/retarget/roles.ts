@@ -6,8 +6,8 @@
  *           └─ thigh ─ shin ─ foot ─ toe                      (left and right)
  */
 
-import { perSkeleton } from '../../model/per-skeleton.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../../model/space.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { type NameParts, readName, type Word } from './names.ts';

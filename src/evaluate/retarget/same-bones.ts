@@ -2,7 +2,7 @@
  * Whether two skeletons have the same bones: in their file poses all bones point in the same directions. Then their
  * joints have the same axes too, and the file poses match, however little they look like a person's.
  */
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
 import type { RetargetFigure } from './figure.ts';

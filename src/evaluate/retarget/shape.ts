@@ -7,7 +7,7 @@
  *
  * Left is +x, since figures in files face +z, or −y if z is up.
  */
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { distance, type RetargetFigure } from './figure.ts';
 
 /** Joints, from the body outwards. */

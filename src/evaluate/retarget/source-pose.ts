@@ -6,8 +6,8 @@ import type { DriverSource } from '../../model/document.ts';
 import { type CompiledClip, compileClip } from '../compiled-clip.ts';
 import { evaluateClip } from '../curves.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
-import { type SampledJoints, sampledJoints } from '../sampled-joints.ts';
-import { samplePose } from '../sampled-pose.ts';
+import { type SampledJoints, sampledJoints } from '../samples/sampled-joints.ts';
+import { samplePose } from '../samples/sampled-pose.ts';
 
 export interface PlayedSource {
   readonly skeleton: CompiledSkeleton;

@@ -1,7 +1,7 @@
 /** Which way characters face, by what is left and right of them. */
 import { isBvh } from '../../model/document.ts';
-import { filePose } from '../../model/dofs.ts';
-import type { Joint, Skeleton } from '../../model/skeleton.ts';
+import { filePose } from '../../model/skeleton/dofs.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { worldOf } from './world-of.ts';
 
 /**

@@ -10,9 +10,9 @@
  *
  * Only boxes use the joint's whole matrix, including shear and mirroring; the others show where joints are.
  */
-import { boneEnds } from '../../model/bone-ends.ts';
-import { restExtent } from '../../model/rest-extent.ts';
-import type { Box, Joint, Skeleton } from '../../model/skeleton.ts';
+import { boneEnds } from '../../model/skeleton/bone-ends.ts';
+import { restExtent } from '../../model/skeleton/rest-extent.ts';
+import type { Box, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /** Sizes that suit a skeleton, from its rest offsets: small enough for finger bones, but always visible. */
 export interface JointSizes {

@@ -10,7 +10,7 @@
  */
 import { perObject } from '../../model/per-object.ts';
 import { type Skin, vertexCount } from '../../model/skin.ts';
-import { matrixCountOf } from '../deform.ts';
+import { matrixCountOf } from '../skin/deform.ts';
 
 /** Numbers per part: c (x y z), then the rows of L (xx, yx yy, zx zy zz). */
 export const PART_STRIDE = 9;

@@ -3,12 +3,12 @@
  * one. For thumbnails: only plain arrays, no GPU.
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
-import { boneEnds } from '../../model/bone-ends.ts';
-import { hasBox } from '../../model/boxes.ts';
 import type { Character } from '../../model/document.ts';
-import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { blendMorphs, compileSkin, deform } from '../deform.ts';
+import { boneEnds } from '../../model/skeleton/bone-ends.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
+import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { blendMorphs, compileSkin, deform } from '../skin/deform.ts';
 import { worldOf } from './world-of.ts';
 
 export interface Solid {

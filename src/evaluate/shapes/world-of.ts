@@ -1,5 +1,5 @@
 /** Where a skeleton's joints are in a pose. */
-import type { Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { applyConstraints, compileSkeleton, worldMatrices } from '../kinematics.ts';
 
 /**

@@ -5,9 +5,9 @@
  * are points here; the mesh determines their length (`last-bones.ts`).
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
-import { boneEnds } from '../../model/bone-ends.ts';
-import { hasBox } from '../../model/boxes.ts';
-import type { Box, Skeleton } from '../../model/skeleton.ts';
+import { boneEnds } from '../../model/skeleton/bone-ends.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
+import type { Box, Skeleton } from '../../model/skeleton/skeleton.ts';
 
 export interface BoneSegments {
   /** The joint of each bone. */

@@ -4,8 +4,9 @@
  *
  * A regular grid is simpler, but slow if a mesh is dense in one place (a face on a body).
  */
+
+import { type Hits, hitTriangle } from '../skin/triangle-hits.ts';
 import type { Steps } from '../steps.ts';
-import { type Hits, hitTriangle } from '../triangle-hits.ts';
 import { longestAxis, selectMiddle } from './select.ts';
 import type { WeldedMesh } from './weld.ts';
 

@@ -12,8 +12,9 @@
  * side of a leg is often closer to the other leg's bone. If none is visible through the inside, the nearest one not
  * hidden by anything counts: bones may run beside the mesh.
  */
+
+import { Hits } from '../skin/triangle-hits.ts';
 import type { Steps } from '../steps.ts';
-import { Hits } from '../triangle-hits.ts';
 import { type BoneSegments, endsAt, nearest, squareToBone } from './bones.ts';
 import type { SurfaceSides } from './surface-sides.ts';
 import { hitsBetween, type TriangleTree } from './triangle-tree.ts';

@@ -11,7 +11,7 @@ import {
   type Extrapolation,
   type Keys,
   restChannel,
-} from '../../model/clip.ts';
+} from '../../model/takes/clip.ts';
 import {
   blockHead,
   braceTooMany,

@@ -10,8 +10,8 @@ import {
   type RestChannel,
   TANGENT_KINDS,
   type Tangents,
-} from '../../model/clip.ts';
-import { columnOf, type Samples } from '../../model/samples.ts';
+} from '../../model/takes/clip.ts';
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text, UnwritableError } from '../write-text.ts';
 

@@ -1,5 +1,5 @@
 /** Names of a joint's DOFs in `.bvh`. */
-import type { BvhChannel } from '../../model/skeleton.ts';
+import type { BvhChannel } from '../../model/skeleton/skeleton.ts';
 
 export const CHANNEL_NAMES: Readonly<Record<BvhChannel, string>> = {
   tx: 'Xposition',

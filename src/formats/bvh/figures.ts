@@ -1,12 +1,12 @@
 /** Makes figures from the content of a `.bvh`: for each root its skeleton, and its columns of the rows. */
 
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../model/clip.ts';
-import { rootDofCount } from '../../model/dofs.ts';
 import type { CapturedFigure } from '../../model/files.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { rootDofCount } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../model/takes/clip.ts';
+import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import type { Root } from './hierarchy.ts';
 import type { MotionRows } from './motion.ts';
 

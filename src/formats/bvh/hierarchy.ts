@@ -20,7 +20,7 @@ import {
   type Joint,
   type Limit,
   UNLIMITED,
-} from '../../model/skeleton.ts';
+} from '../../model/skeleton/skeleton.ts';
 import { braceTooMany, type GrammarPart, looksNumeric, number, numbers, openBrace, skipStrange } from '../grammar.ts';
 import { OPEN_JOINT } from '../open-joint.ts';
 import { ParseError } from '../report.ts';

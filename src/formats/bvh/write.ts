@@ -13,11 +13,11 @@
 
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import { firstDofs } from '../../model/dofs.ts';
 import type { CapturedFigure } from '../../model/files.ts';
-import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
-import { columnOf } from '../../model/samples.ts';
-import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/skeleton/joint-types.ts';
+import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
+import { columnOf } from '../../model/takes/samples.ts';
 import type { WrittenPieces } from '../reader.ts';
 import { LONGEST_DECIMAL, putDecimal } from '../write-decimal.ts';
 import { Text } from '../write-text.ts';

@@ -10,8 +10,9 @@
  * after which the fewest problems are left is taken. These don't follow from the error; all others do, and are left
  * out. If no guess explains anything, the problems stay as they were told.
  */
-import { cutMessage } from '../../model/cut-text.ts';
+
 import { type Diagnostic, hasErrors, MOST_KEPT } from '../../model/diagnostic.ts';
+import { cutMessage } from '../../model/names/cut-text.ts';
 import { type Reader, readWhole } from '../reader.ts';
 import { edited } from './edit.ts';
 import { type Guess, guesses } from './guesses.ts';

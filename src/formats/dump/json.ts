@@ -9,7 +9,7 @@
  *     channels    a list per channel with `times` beside it; or items of { time, values }
  */
 import type { DumpKind, DumpLabel } from '../../model/dump.ts';
-import { lastDigitsIn } from '../../model/numbered-names.ts';
+import { lastDigitsIn } from '../../model/names/numbered-names.ts';
 import type { Blocks } from './blocks.ts';
 import { linesOf } from './numbers.ts';
 import { targetsOf } from './targets.ts';

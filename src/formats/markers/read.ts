@@ -3,7 +3,7 @@
  *
  *     [ { "time": 1.2, "label": "step" }, { "time": 2, "end": 3.5, "label": "stand" } ]
  */
-import { inOrder, type Marker } from '../../model/markers.ts';
+import { inOrder, type Marker } from '../../model/takes/markers.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { bytesReader, type Reader } from '../reader.ts';
 import type { Report } from '../report.ts';

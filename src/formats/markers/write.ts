@@ -1,5 +1,5 @@
 /** Writes `.markers.json`, a line for each marker. (`JSON.stringify` would write NaN as null, and −0 as 0.) */
-import type { Marker } from '../../model/markers.ts';
+import type { Marker } from '../../model/takes/markers.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 

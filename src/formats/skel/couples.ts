@@ -2,11 +2,12 @@
  * `couple NAME JOINT.DOF gain offset` in a `.skel`: JOINT is `#index` or a unique joint name, split from the DOF at the
  * last dot. Joints may refer to later ones, so names are resolved at the end of the tree.
  */
-import { couplesOf } from '../../model/couples.ts';
-import { firstDofs } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import type { Couple, Joint } from '../../model/skeleton.ts';
-import { oneToken } from '../../model/written-names.ts';
+
+import { oneToken } from '../../model/names/written-names.ts';
+import { couplesOf } from '../../model/skeleton/couples.ts';
+import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Couple, Joint } from '../../model/skeleton/skeleton.ts';
 import { type GrammarPart, number } from '../grammar.ts';
 import type { Keywords, Mark, Tokens } from '../tokens.ts';
 

@@ -12,8 +12,8 @@ import {
   parameterOf,
   parametersOf,
   withParameter,
-} from '../../model/joint-types.ts';
-import type { Motion } from '../../model/skeleton.ts';
+} from '../../model/skeleton/joint-types.ts';
+import type { Motion } from '../../model/skeleton/skeleton.ts';
 import type { GrammarPart } from '../grammar.ts';
 import type { Keywords, Tokens } from '../tokens.ts';
 import { listOfWords, numberToken, oneOfWords, vectorToken } from './own-tokens.ts';

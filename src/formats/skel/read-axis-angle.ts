@@ -12,7 +12,7 @@
  * explicit stack, since trees may have any depth, and no count allocates anything.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { DEFAULT_BOX, type Joint, type Limit, type Motion, UNLIMITED } from '../../model/skeleton.ts';
+import { DEFAULT_BOX, type Joint, type Limit, type Motion, UNLIMITED } from '../../model/skeleton/skeleton.ts';
 import { type GrammarPart, looksNumeric } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';

@@ -9,7 +9,14 @@
  * joints; the file is written in the hierarchy form.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import {
+  DEFAULT_BOX,
+  DEFAULT_MOTION,
+  type Joint,
+  type Limit,
+  type Skeleton,
+  UNLIMITED,
+} from '../../model/skeleton/skeleton.ts';
 import { stemOfName } from '../grammar.ts';
 import { type Place, WHOLE_FILE } from '../places.ts';
 import { bytesReader, type Reader } from '../reader.ts';

@@ -11,8 +11,8 @@
  * may be in any order, is checked at the joint's `}`; references to other joints at the end of the tree.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { dofsOf, takesLimits } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
+import { dofsOf, takesLimits } from '../../model/skeleton/joint-types.ts';
 import {
   type Box,
   DEFAULT_BOX,
@@ -23,7 +23,7 @@ import {
   type Motion,
   type Skeleton,
   UNLIMITED,
-} from '../../model/skeleton.ts';
+} from '../../model/skeleton/skeleton.ts';
 import { braceTooMany, type GrammarPart, namedHead, number, numberRun, skipStrange, stemOfName } from '../grammar.ts';
 import { OPEN_JOINT } from '../open-joint.ts';
 import { WHOLE_FILE } from '../places.ts';

@@ -2,8 +2,8 @@
  * Writes the axis-angle form of `.skel`, a joint per line: `length ax ay az angle children`, angles in degrees. For
  * skeletons without an obstacle (`model/axis-angle.ts`).
  */
-import { axisOf, jointTypeOf } from '../../model/joint-types.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { axisOf, jointTypeOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Text } from '../write-text.ts';
 import { degreesOf } from './degrees.ts';
 

@@ -3,10 +3,17 @@
  * omitted, except the offset; a skeleton of balljoints in xyz order uses only the classic tokens, so that other tools
  * can read it.
  */
-import { axisAngleObstacle, savesAsAxisAngle } from '../../model/axis-angle.ts';
-import { dofsOf } from '../../model/joint-types.ts';
-import { skelSkeleton } from '../../model/skel-motion.ts';
-import { type Box, DEFAULT_BOX, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import { axisAngleObstacle, savesAsAxisAngle } from '../../model/skeleton/axis-angle.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import { skelSkeleton } from '../../model/skeleton/skel-motion.ts';
+import {
+  type Box,
+  DEFAULT_BOX,
+  type Joint,
+  type Limit,
+  type Skeleton,
+  UNLIMITED,
+} from '../../model/skeleton/skeleton.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 import { coupleTargets } from './couples.ts';

@@ -3,7 +3,7 @@
  * rotation about `a` becomes one about −M·a, whereas sliding along `a` becomes sliding along M·a.
  */
 import { negated, reflected } from '../../math/vec3.ts';
-import type { Motion } from '../skeleton.ts';
+import type { Motion } from '../skeleton/skeleton.ts';
 import { dofList } from './dof.ts';
 import { AXIS, PITCH, X } from './parameters.ts';
 import type { JointType } from './type.ts';

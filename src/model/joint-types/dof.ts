@@ -1,5 +1,5 @@
 /** DOFs by the names that formats use. */
-import type { Dof } from '../skeleton.ts';
+import type { Dof } from '../skeleton/skeleton.ts';
 
 /** The names used by joint types, files and scripts. */
 export const DOF_NAMES = [

@@ -1,5 +1,5 @@
 /** Joints whose DOFs are a list: none, x y z, or those named in their file. */
-import type { BvhMotion, CompoundDof, EulerOrder, Motion } from '../skeleton.ts';
+import type { BvhMotion, CompoundDof, EulerOrder, Motion } from '../skeleton/skeleton.ts';
 import { dof, dofList } from './dof.ts';
 import { COMPOUND } from './parameters.ts';
 import type { JointType } from './type.ts';

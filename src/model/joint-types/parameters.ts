@@ -8,7 +8,7 @@ import {
   type EulerOrder,
   SCALE_MODES,
   type ScaleMode,
-} from '../skeleton.ts';
+} from '../skeleton/skeleton.ts';
 
 /** What a joint passes on to its new type. */
 export interface Inherited {

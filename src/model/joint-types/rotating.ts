@@ -1,5 +1,5 @@
 /** Joints that rotate about x, y and z, or freely. */
-import type { AxisPair, EulerOrder, Motion } from '../skeleton.ts';
+import type { AxisPair, EulerOrder, Motion } from '../skeleton/skeleton.ts';
 import { dofList } from './dof.ts';
 import { EULER_ORDER, PAIR_ORDER } from './parameters.ts';
 import type { JointType } from './type.ts';

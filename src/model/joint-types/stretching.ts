@@ -1,6 +1,6 @@
 /** Joints that scale or shear. */
 import { reflected } from '../../math/vec3.ts';
-import type { Motion } from '../skeleton.ts';
+import type { Motion } from '../skeleton/skeleton.ts';
 import { dofList } from './dof.ts';
 import { AXIS, MODE, X } from './parameters.ts';
 import type { JointType } from './type.ts';

@@ -2,7 +2,7 @@
  * A joint type: everything known about it except its matrix, which is in `evaluate/motions.ts`. Code that needs to know
  * something about a joint asks its type's record, never which type it is.
  */
-import type { CompoundDof, Dof, Motion } from '../skeleton.ts';
+import type { CompoundDof, Dof, Motion } from '../skeleton/skeleton.ts';
 import type { Parameter } from './parameters.ts';
 
 export interface JointType<M extends Motion = Motion> {

@@ -2,7 +2,7 @@
  * Bones: one that is longer or shorter than usual in this take by 5 % and 1 cm; and an arm or leg bone whose length
  * differs from that of the other side by 8 % and 2 cm, flagged at the first frame.
  */
-import { displaces } from '../../model/joint-types.ts';
+import { displaces } from '../../model/skeleton/joint-types.ts';
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
 import { between, type Survey } from '../survey.ts';

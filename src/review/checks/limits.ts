@@ -2,9 +2,9 @@
  * Joints beyond what they can do: a DOF more than 1° or 1 mm beyond the limits that its skeleton states; and an elbow or
  * a knee folded by more than 165°, so that its bones pass through each other.
  */
-import { characterDofs } from '../../model/dofs.ts';
-import { perSkeleton } from '../../model/per-skeleton.ts';
-import { type DofUnit, isUnlimited } from '../../model/skeleton.ts';
+import { characterDofs } from '../../model/skeleton/dofs.ts';
+import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
+import { type DofUnit, isUnlimited } from '../../model/skeleton/skeleton.ts';
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
 import type { Hinge, Survey } from '../survey.ts';

@@ -3,7 +3,7 @@
  * within a movement, and `frozen` from 0.3 s on. A take that holds still is `frozen` only where it moves before and
  * after, or for more than half of it: recordings begin and end with held poses.
  */
-import type { Samples } from '../../model/samples.ts';
+import type { Samples } from '../../model/takes/samples.ts';
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
 import { flagOf, largest } from './check.ts';

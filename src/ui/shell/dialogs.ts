@@ -3,12 +3,13 @@
  * scripts are loaded on first use, that of the search when the page is idle; until then the dialog counts as open, and
  * keys are kept for it.
  */
-import type { DialogContent } from '../kit/dialog.ts';
-import { button, element } from '../kit/dom.ts';
-import { icon } from '../kit/icons.ts';
+
 import { onDemand, whenIdle } from '../state/on-demand.ts';
 import type { DialogName, Workbench } from '../state/workbench.ts';
-import { keepKeys, replayKeys } from './early-keys.ts';
+import type { DialogContent } from '../widgets/dialog.ts';
+import { button, element } from '../widgets/dom.ts';
+import { icon } from '../widgets/icons.ts';
+import { keepKeys, replayKeys } from './start/early-keys.ts';
 
 type MakeDialog = (wb: Workbench, close: () => void) => DialogContent;
 
@@ -18,14 +19,14 @@ const sampleTools = () => import('../editors/curves/dialogs/sample-dialogs.ts');
 const takeTools = () => import('../editors/takes/edit-dialogs.ts');
 
 const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
-  shortcuts: async () => (await import('./shortcuts-page.ts')).shortcutsPage,
+  shortcuts: async () => (await import('./help/shortcuts-page.ts')).shortcutsPage,
   search: async () => (await import('./command-search.ts')).commandSearch,
   save: async () => (await import('./save-list.ts')).saveList,
-  picture: async () => (await import('./picture-dialogs.ts')).pictureDialog,
-  video: async () => (await import('./picture-dialogs.ts')).videoDialog,
-  glb: async () => (await import('./glb-dialog.ts')).glbDialog,
-  programs: async () => (await import('./programs-page.ts')).programsPage,
-  about: async () => (await import('./about.ts')).aboutDialog,
+  picture: async () => (await import('./dialogs/picture-dialogs.ts')).pictureDialog,
+  video: async () => (await import('./dialogs/picture-dialogs.ts')).videoDialog,
+  glb: async () => (await import('./dialogs/glb-dialog.ts')).glbDialog,
+  programs: async () => (await import('./help/programs-page.ts')).programsPage,
+  about: async () => (await import('./help/about.ts')).aboutDialog,
   simplify: async () => (await curveTools()).simplifyDialog,
   resample: async () => (await curveTools()).resampleDialog,
   bake: async () => (await curveTools()).bakeDialog,

@@ -7,9 +7,9 @@ import { setHidden } from '../../edit/commands/spaces.ts';
 import { DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
-import { currentCharacter } from '../state/action.ts';
+import { currentCharacter } from '../state/actions/action.ts';
+import { NO_CHARACTER, needs } from '../state/actions/needs.ts';
 import { addKeyed } from '../state/add-keys.ts';
-import { NO_CHARACTER, needs } from '../state/needs.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);

@@ -1,10 +1,10 @@
 /** Opening and saving. */
 
-import { KINDS, SAVED_KINDS, type Saving } from '../../project/kinds.ts';
-import { currentCharacter } from '../state/action.ts';
-import { needs } from '../state/needs.ts';
+import { KINDS, SAVED_KINDS, type Saving } from '../../files/kinds.ts';
+import { currentCharacter } from '../state/actions/action.ts';
+import { needs } from '../state/actions/needs.ts';
 import type { Action, Uses } from '../state/workbench.ts';
-import { contentText, whenText } from './kept-text.ts';
+import { contentText, whenText } from './start/kept-text.ts';
 
 const hasCharacters = needs(
   'There is no character to save. Open one first.',

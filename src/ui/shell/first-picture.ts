@@ -6,11 +6,11 @@ import type { Document } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import { NO_TINTS, type ThemeName, type Tints } from '../../view/theme.ts';
 import { startPlayer } from '../editors/transport/player.ts';
-import type { Observable } from '../kit/observable.ts';
 import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
 import type { Uses } from '../state/workbench.ts';
-import { dropTarget } from './drop-target.ts';
+import type { Observable } from '../widgets/observable.ts';
 import { sizePanels } from './panel-sizes.ts';
+import { dropTarget } from './start/drop-target.ts';
 import { followTheme } from './theme.ts';
 
 type Shown = Uses<

@@ -4,12 +4,12 @@
  */
 import { spreadOfHeights, tensBetween } from '../../edit/same-height.ts';
 import type { Character } from '../../model/document.ts';
-import { button, element, setText } from '../kit/dom.ts';
-import { atMostEvery } from '../kit/frame.ts';
-import { icon } from '../kit/icons.ts';
-import { shown } from '../kit/number-text.ts';
-import { findAction, tryAction } from '../state/action.ts';
+import { findAction, tryAction } from '../state/actions/action.ts';
 import type { Uses } from '../state/workbench.ts';
+import { button, element, setText } from '../widgets/dom.ts';
+import { atMostEvery } from '../widgets/frame.ts';
+import { icon } from '../widgets/icons.ts';
+import { shown } from '../widgets/numbers/number-text.ts';
 
 /** The largest is more than this many times as tall as the smallest. */
 const FAR_APART = 4;

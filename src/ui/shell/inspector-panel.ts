@@ -1,7 +1,8 @@
 /** The right panel, in place from the start; its content is loaded after the first frame. */
-import { element } from '../kit/dom.ts';
+
 import { onDemand, whenIdle } from '../state/on-demand.ts';
 import type { Workbench } from '../state/workbench.ts';
+import { element } from '../widgets/dom.ts';
 
 export function inspectorPanel(wb: Workbench): HTMLElement {
   const panel = element('section', { class: 'panel inspector', 'aria-label': 'Inspector', 'data-panel': 'inspector' });

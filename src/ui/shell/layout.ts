@@ -6,12 +6,13 @@
  *     transport
  *     timeline: curves, dope sheet and lists collapses; closed at first
  */
-import { element } from '../kit/dom.ts';
-import { REGION } from '../kit/focus.ts';
-import { returnFocus } from '../kit/focus-regions.ts';
-import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
-import { splitter } from '../state/splitter.ts';
+
+import { isPanelOpen, NARROW, openPanel } from '../state/panels/panels.ts';
+import { splitter } from '../state/panels/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
+import { element } from '../widgets/dom.ts';
+import { REGION } from '../widgets/focus/focus.ts';
+import { returnFocus } from '../widgets/focus/focus-regions.ts';
 import { sizePanels } from './panel-sizes.ts';
 
 export interface Parts {

@@ -2,17 +2,17 @@
 import { cutName } from '../../edit/cut-name.ts';
 import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
-import { icon } from '../kit/icons.ts';
-import { type Menu, menuButton, openMenu } from '../kit/menu.ts';
-import { bytes, plural } from '../kit/number-text.ts';
-import { setTooltip } from '../kit/tooltip.ts';
-import { tryById } from '../state/action.ts';
-import { menuEntries } from '../state/menu-entries.ts';
+import { tryById } from '../state/actions/action.ts';
+import { menuEntries } from '../state/actions/menu-entries.ts';
+import { setActionTooltip } from '../state/actions/tooltips.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
-import { isPanelOpen, NARROW } from '../state/panels.ts';
-import { setActionTooltip } from '../state/tooltips.ts';
+import { isPanelOpen, NARROW } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../widgets/dom.ts';
+import { icon } from '../widgets/icons.ts';
+import { type Menu, menuButton, openMenu } from '../widgets/menu.ts';
+import { bytes, plural } from '../widgets/numbers/number-text.ts';
+import { setTooltip } from '../widgets/tooltip.ts';
 import { undoButtons } from './undo-buttons.ts';
 
 export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 'files'>): HTMLElement {

@@ -3,14 +3,14 @@
  * next step (`stale-messages.ts`); only a confirmation disappears by itself.
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import { button, element } from '../kit/dom.ts';
-import { icon } from '../kit/icons.ts';
-import { plural } from '../kit/number-text.ts';
-import { PassingTime } from '../kit/passing-time.ts';
 import { type Message, mainProblem } from '../state/messages.ts';
 import { offerButton } from '../state/offer-button.ts';
-import { showInSource } from '../state/show-in-source.ts';
+import { showInSource } from '../state/panels/show-in-source.ts';
 import type { Uses } from '../state/workbench.ts';
+import { button, element } from '../widgets/dom.ts';
+import { icon } from '../widgets/icons.ts';
+import { plural } from '../widgets/numbers/number-text.ts';
+import { PassingTime } from '../widgets/passing-time.ts';
 
 const PASSING_MS = 10_000;
 

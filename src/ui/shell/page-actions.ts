@@ -1,16 +1,16 @@
 /** Actions for panels, theme, units and help. */
-import { jointName } from '../../model/joint-name.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
 import { VERSION } from '../../model/version.ts';
-import { enterRegion, focusNextRegion, focusSection } from '../kit/focus-regions.ts';
-import { currentCharacter } from '../state/action.ts';
-import { NO_CHARACTER, needs } from '../state/needs.ts';
+import { currentCharacter } from '../state/actions/action.ts';
+import { NO_CHARACTER, needs } from '../state/actions/needs.ts';
+import { selectedJoint } from '../state/joints/selected-joint.ts';
 import { onDemand } from '../state/on-demand.ts';
-import { isPanelOpen, openPanel } from '../state/panels.ts';
-import { selectedJoint } from '../state/selected-joint.ts';
+import { isPanelOpen, openPanel } from '../state/panels/panels.ts';
 import type { Settings } from '../state/settings.ts';
 import { TIMELINE_TABS, type TimelineTabName } from '../state/timeline.ts';
 import type { Action, Uses } from '../state/workbench.ts';
-import { TABS } from './timeline-tabs.ts';
+import { enterRegion, focusNextRegion, focusSection } from '../widgets/focus/focus-regions.ts';
+import { TABS } from './timeline/timeline-tabs.ts';
 
 const setting = (wb: Uses<'settings'>, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
 export const PAGE_ACTIONS: readonly Action[] = [
@@ -116,7 +116,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
     also: 'documentation guide reference tutorial',
     inDialogs: true,
     async run(wb, by) {
-      const manual = await onDemand(wb.messages, 'The manual', () => import('./manual.ts'));
+      const manual = await onDemand(wb.messages, 'The manual', () => import('./help/manual.ts'));
       manual?.openManual(wb, by === 'key');
     },
   },

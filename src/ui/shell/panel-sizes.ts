@@ -1,7 +1,7 @@
 /** Kept sizes of the panels and which are collapsed, as the stylesheet wants them. */
-import { isPanelOpen, type PanelName } from '../state/panels.ts';
+import { isPanelOpen, type PanelName } from '../state/panels/panels.ts';
+import { clampSize } from '../state/panels/splitter.ts';
 import type { Settings } from '../state/settings.ts';
-import { clampSize } from '../state/splitter.ts';
 
 const WIDTHS = [
   ['outlinerWidth', '--outliner-width'],

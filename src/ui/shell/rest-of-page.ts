@@ -3,7 +3,7 @@
  * Until then the frame of `index.html` is shown. Input meanwhile isn't lost: it is replayed once the page is built.
  */
 import { sentenceOf } from '../../model/failure.ts';
-import { element } from '../kit/dom.ts';
+import { element } from '../widgets/dom.ts';
 import type { MountedPage } from './mount.ts';
 
 type Rest = typeof import('./mount.ts');

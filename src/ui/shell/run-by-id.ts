@@ -2,10 +2,10 @@
 
 import type { AnyCommand } from '../../edit/command.ts';
 import type { CommandInfo } from '../../edit/commands/all.ts';
-import { COMMANDS_AT_HAND, mayBeFetched } from '../../edit/commands/at-hand.ts';
+import { COMMANDS_AT_HAND, mayBeFetched } from '../../edit/commands/first-commands.ts';
 import { argumentsFrom, finiteOnly } from '../../edit/schema/door.ts';
-import { runAction } from '../state/action.ts';
-import { resolveCharacter } from '../state/character-ref.ts';
+import { runAction } from '../state/actions/action.ts';
+import { resolveCharacter } from '../state/joints/character-ref.ts';
 import type { Uses } from '../state/workbench.ts';
 
 /**

@@ -1,14 +1,14 @@
 /** The save dialog: each character, with every file format it can be saved as. */
 
-import { KINDS, SAVED_KINDS } from '../../project/kinds.ts';
-import { unitNotKept } from '../../project/save/unit-not-kept.ts';
-import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../project/writers.ts';
-import type { DialogContent } from '../kit/dialog.ts';
-import { element } from '../kit/dom.ts';
-import { icon } from '../kit/icons.ts';
-import { plural, shown } from '../kit/number-text.ts';
-import { setTooltip } from '../kit/tooltip.ts';
+import { KINDS, SAVED_KINDS } from '../../files/kinds.ts';
+import { unitNotKept } from '../../files/save/unit-not-kept.ts';
+import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../files/writers.ts';
 import type { Uses } from '../state/workbench.ts';
+import type { DialogContent } from '../widgets/dialog.ts';
+import { element } from '../widgets/dom.ts';
+import { icon } from '../widgets/icons.ts';
+import { plural, shown } from '../widgets/numbers/number-text.ts';
+import { setTooltip } from '../widgets/tooltip.ts';
 
 export function saveList(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, close: () => void): DialogContent {
   const body = element('div', { class: 'save-list' });

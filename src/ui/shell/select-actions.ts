@@ -1,11 +1,11 @@
 /** Actions that select joints from those selected. */
 
-import { withJoints } from '../../model/selected-joints.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
-import type { Joint } from '../../model/skeleton.ts';
-import { currentCharacter } from '../state/action.ts';
-import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../state/needs.ts';
-import { selectedJoints, selectedJointsOf } from '../state/selected-joint.ts';
+import { withJoints } from '../../model/skeleton/selected-joints.ts';
+import type { Joint } from '../../model/skeleton/skeleton.ts';
+import { currentCharacter } from '../state/actions/action.ts';
+import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../state/actions/needs.ts';
+import { selectedJoints, selectedJointsOf } from '../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
 const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);

@@ -1,12 +1,12 @@
 /** The line at the foot of the page: what the mouse does where it is. */
 import { findCharacter } from '../../model/document.ts';
-import { jointName } from '../../model/joint-name.ts';
-import { element } from '../kit/dom.ts';
-import { oncePerFrame } from '../kit/frame.ts';
-import { isMac } from '../kit/keyboard.ts';
+import { jointName } from '../../model/skeleton/joint-name.ts';
 import type { Uses } from '../state/workbench.ts';
-import { macText } from './mouse-gestures.ts';
-import { MOUSE_AREAS, type MouseArea, type MousePlace, mouseHints } from './mouse-hints.ts';
+import { element } from '../widgets/dom.ts';
+import { isMac } from '../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../widgets/frame.ts';
+import { macText } from './help/mouse-gestures.ts';
+import { MOUSE_AREAS, type MouseArea, type MousePlace, mouseHints } from './help/mouse-hints.ts';
 
 const AREAS = Object.entries(MOUSE_AREAS).map(([area, selector]) => ({
   // The keys of `MOUSE_AREAS`.

@@ -1,7 +1,7 @@
 /** Dark or light: the system's theme unless the user has chosen one. */
 import type { ThemeName } from '../../view/theme.ts';
-import { type Observable, observable } from '../kit/observable.ts';
 import type { Uses } from '../state/workbench.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 
 /** Returns the current theme, which notifies when the page's colours change: for what is drawn rather than styled. */
 export function followTheme(

@@ -1,10 +1,11 @@
 /** Undo and redo, in the menu bar at all sizes: on a touch screen there are no keys for them. */
-import { button, element, keepsFocusElsewhere } from '../kit/dom.ts';
-import { icon } from '../kit/icons.ts';
-import { actionLabel, findAction, isEnabled, tryAction } from '../state/action.ts';
-import { reasonOf } from '../state/needs.ts';
-import { setActionTooltip } from '../state/tooltips.ts';
+
+import { actionLabel, findAction, isEnabled, tryAction } from '../state/actions/action.ts';
+import { reasonOf } from '../state/actions/needs.ts';
+import { setActionTooltip } from '../state/actions/tooltips.ts';
 import type { Action, Uses } from '../state/workbench.ts';
+import { button, element, keepsFocusElsewhere } from '../widgets/dom.ts';
+import { icon } from '../widgets/icons.ts';
 
 /** Two buttons. Their names and tooltips tell the step, or why there is none. */
 export function undoButtons(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {

@@ -1,7 +1,7 @@
 /** Limits the memory that undo keeps: the oldest steps are dropped, and a message says so. */
 import { stepsToForget } from '../../edit/history-budget.ts';
-import { bytes, plural } from '../kit/number-text.ts';
 import type { Action, Uses } from '../state/workbench.ts';
+import { bytes, plural } from '../widgets/numbers/number-text.ts';
 
 const MEGABYTE = 1e6;
 /** Without a choice: a quarter of what the browser gives, up to this. */

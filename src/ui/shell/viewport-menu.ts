@@ -5,19 +5,24 @@
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { transformPoint } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
-import { isOfBvh, JOINT_TYPES, MOTION_KINDS } from '../../model/joint-types.ts';
-import { jointsIn, withJointToggled } from '../../model/selected-joints.ts';
 import type { Selection } from '../../model/session.ts';
+import { isOfBvh, JOINT_TYPES, MOTION_KINDS } from '../../model/skeleton/joint-types.ts';
+import { jointsIn, withJointToggled } from '../../model/skeleton/selected-joints.ts';
 import { changePin, stiffen } from '../editors/ik/pin-edits.ts';
 import { selectedPin } from '../editors/ik/selected-pin.ts';
 import type { CanvasPointer } from '../editors/viewport/canvas-tools.ts';
-import { type MenuEntry, openMenu } from '../kit/menu.ts';
-import { shown } from '../kit/number-text.ts';
-import { currentCharacter } from '../state/action.ts';
-import { menuEntries, sectionsOf } from '../state/menu-entries.ts';
-import { activateJoint } from '../state/select-joints.ts';
-import { type ResolvedJoint, selectedJoint, selectedJointsOf, selectedJointsText } from '../state/selected-joint.ts';
+import { currentCharacter } from '../state/actions/action.ts';
+import { menuEntries, sectionsOf } from '../state/actions/menu-entries.ts';
+import { activateJoint } from '../state/joints/select-joints.ts';
+import {
+  type ResolvedJoint,
+  selectedJoint,
+  selectedJointsOf,
+  selectedJointsText,
+} from '../state/joints/selected-joint.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
+import { type MenuEntry, openMenu } from '../widgets/menu.ts';
+import { shown } from '../widgets/numbers/number-text.ts';
 
 /** What a menu is about. */
 export type MenuSubject = 'joint' | 'character' | 'background';

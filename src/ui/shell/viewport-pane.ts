@@ -4,28 +4,28 @@
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import type { Display, Selection } from '../../model/session.ts';
-import { Annotations } from '../../view/annotations.ts';
+import { Annotations } from '../../view/names/annotations.ts';
 import { stageBanner } from '../editors/compare/stage-banner.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import { withBoxSelect } from '../editors/viewport/box-select.ts';
 import { type CanvasPointer, listenToCanvas } from '../editors/viewport/canvas-tools.ts';
 import { displayBar } from '../editors/viewport/display-bar.ts';
-import { element, setAttribute, setText, uniqueId } from '../kit/dom.ts';
-import { HAS_KEYS } from '../kit/focus.ts';
-import { asksForMenu } from '../kit/menu.ts';
-import { setTooltip } from '../kit/tooltip.ts';
-import { currentCharacter, tryById } from '../state/action.ts';
+import { currentCharacter, tryById } from '../state/actions/action.ts';
+import { addsToSelection, selectHit } from '../state/joints/select-joints.ts';
 import { onDemand } from '../state/on-demand.ts';
-import { addsToSelection, selectHit } from '../state/select-joints.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
-import { emptyStage } from './empty-stage.ts';
-import { firstSteps } from './first-steps.ts';
+import { element, setAttribute, setText, uniqueId } from '../widgets/dom.ts';
+import { HAS_KEYS } from '../widgets/focus/focus.ts';
+import { asksForMenu } from '../widgets/menu.ts';
+import { setTooltip } from '../widgets/tooltip.ts';
 import { heightsNote } from './heights-note.ts';
-import { keptSession } from './kept-session.ts';
+import { firstSteps } from './help/first-steps.ts';
 import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
-import { newVersion } from './new-version.ts';
 import { pinsInFk } from './pins-in-fk.ts';
+import { emptyStage } from './start/empty-stage.ts';
+import { keptSession } from './start/kept-session.ts';
+import { newVersion } from './start/new-version.ts';
 
 /** For screen readers. */
 const VIEWPORT_KEYS =

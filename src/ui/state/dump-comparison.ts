@@ -24,14 +24,14 @@
 
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
-import type { Comparison, FrameComparison } from '../../lesson/compare.ts';
-import type { NamedDump } from '../../lesson/dump/fit-dump.ts';
-import { DEFAULT_TOLERANCE } from '../../lesson/errors.ts';
-import type { FrameTarget, Targets } from '../../lesson/targets.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { sentenceOf } from '../../model/failure.ts';
-import { type Observable, observable } from '../kit/observable.ts';
+import type { Comparison, FrameComparison } from '../../teaching/compare/compare.ts';
+import { DEFAULT_TOLERANCE } from '../../teaching/compare/errors.ts';
+import type { FrameTarget, Targets } from '../../teaching/compare/targets.ts';
+import type { NamedDump } from '../../teaching/dump/fit-dump.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 import { fits, isSameFor, lean } from './compared-character.ts';
 import { clipTimeShown, frameShown, statedTimes, statesTime, transportTimeOf } from './dump-times.ts';
 

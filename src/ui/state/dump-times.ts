@@ -1,9 +1,9 @@
 /** Times of dumps, and of a character's clip, beside those of the transport. */
 import type { Playback } from '../../edit/playback.ts';
-import type { NamedDump } from '../../lesson/dump/fit-dump.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { isUntimed } from '../../model/dump.ts';
-import type { Observable } from '../kit/observable.ts';
+import type { NamedDump } from '../../teaching/dump/fit-dump.ts';
+import type { Observable } from '../widgets/observable.ts';
 
 /** Of the workbench. */
 interface Clock {

@@ -1,6 +1,6 @@
 /** The legend of a heat map: the colours of `view/heat.ts`, with what their ends mean. */
-import { heatColour } from '../../view/heat.ts';
-import { element, setText } from '../kit/dom.ts';
+import { heatColour } from '../../view/skin/heat.ts';
+import { element, setText } from '../widgets/dom.ts';
 
 /** Between them, colours are blended; the map itself has more. */
 const STOPS = 16;

@@ -3,7 +3,7 @@
  * inspector, which are separate scripts.
  */
 import { HeldTargets } from '../../evaluate/ik/drag/held-targets.ts';
-import { type Observable, observable } from '../kit/observable.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 
 /** Where *Chain* ends: a joint of a character. */
 export interface ChainTop {

@@ -1,5 +1,5 @@
-/** Where the manual is, and links into it. Its pages are built from docs/ by `vite.manual.ts`. */
-import { element } from '../kit/dom.ts';
+/** Where the manual is, and links into it. Its pages are built from docs/ by `plugins/manual.ts`. */
+import { element } from '../widgets/dom.ts';
 
 /** An address below the manual: `guide/curves.html#clean-up`. A test looks each of them up. */
 export type ManualPage = `${string}.html` | `${string}.html#${string}`;

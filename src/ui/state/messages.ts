@@ -2,9 +2,10 @@
  * Messages: problems in files, and short notices. They stay until read; nothing here interrupts. A file's problems are
  * one message with all diagnostics, so that a hundred warnings are one line.
  */
-import { cutMessage } from '../../model/cut-text.ts';
+
 import type { Diagnostic, Severity } from '../../model/diagnostic.ts';
-import { type Observable, observable } from '../kit/observable.ts';
+import { cutMessage } from '../../model/names/cut-text.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 
 export interface Message {
   readonly id: number;

@@ -1,4 +1,4 @@
-import { button } from '../kit/dom.ts';
+import { button } from '../widgets/dom.ts';
 import type { Offer } from './messages.ts';
 
 /** What a message offers, as it is in the line and in the list. */

@@ -1,5 +1,5 @@
 /** Pictures and videos of the viewport. `app/pictures.ts` makes them; their dialogs and the console ask for them. */
-import type { ShotOptions } from '../../view/shots.ts';
+import type { ShotOptions } from '../../view/camera/shots.ts';
 
 /** Default: all that the viewport shows but its tools, at its size on screen. */
 export type PictureOptions = Partial<ShotOptions>;

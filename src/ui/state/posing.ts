@@ -3,9 +3,9 @@
  * locks are (`model/ik.ts`).
  */
 import type { Character } from '../../model/document.ts';
-import type { DofValue } from '../../model/dofs.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
-import { type Observable, observable } from '../kit/observable.ts';
+import type { DofValue } from '../../model/skeleton/dofs.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 import { IkHand } from './ik-hand.ts';
 import { RigHand } from './rig-hand.ts';
 

@@ -1,11 +1,11 @@
 /** Takes in review, beside the document: their files, how the list is filtered and sorted, and the one that is shown. */
 
 import type { Character } from '../../model/document.ts';
-import { NO_REVIEW, type Review, type ReviewedTake, type Verdict } from '../../model/review.ts';
+import { NO_REVIEW, type Review, type ReviewedTake, type Verdict } from '../../model/takes/review.ts';
 import type { TakeDigest } from '../../review/digest.ts';
 import type { FlagKind } from '../../review/flags.ts';
-import { type Observable, observable } from '../kit/observable.ts';
-import type { SortOrder } from '../kit/sort-heads.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
+import type { SortOrder } from '../widgets/sort-heads.ts';
 
 /** More takes than these given at once are reviewed; fewer are opened. */
 export const MOST_OPENED = 20;

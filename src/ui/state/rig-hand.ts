@@ -1,5 +1,5 @@
 /** State of rig mode outside the document, not remembered. */
-import { type Observable, observable } from '../kit/observable.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 
 export const RIG_CHILDREN = ['follow', 'stay'] as const;
 /** What the children of a dragged joint do. */

@@ -4,7 +4,7 @@
  * anyone out.
  */
 import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MAX_GHOSTS } from '../../model/session.ts';
-import { type Observable, observable } from '../kit/observable.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
 
 export const THEMES = ['system', 'light', 'dark'] as const;
 export const ANGLES = ['degrees', 'radians'] as const;

@@ -5,12 +5,12 @@
 
 import type { TakeRef } from '../../edit/commands/takes.ts';
 import { RETARGETED, withoutDriver } from '../../edit/drivers.ts';
-import type { Alignment } from '../../evaluate/posed-joints.ts';
+import type { Alignment } from '../../evaluate/compare/posed-joints.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { twinOf } from '../../model/drawn-id.ts';
 import { perObject } from '../../model/per-object.ts';
-import { type Observable, observable } from '../kit/observable.ts';
-import type { SortOrder } from '../kit/sort-heads.ts';
+import { type Observable, observable } from '../widgets/observable.ts';
+import type { SortOrder } from '../widgets/sort-heads.ts';
 
 const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
 export type TakeColumn = (typeof TAKE_COLUMNS)[number];

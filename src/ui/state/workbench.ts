@@ -4,14 +4,14 @@
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
-import type { GlbOptions } from '../../exchange/glb/options.ts';
-import type { GlbReport } from '../../exchange/glb/report.ts';
+import type { GlbOptions } from '../../export/glb/options.ts';
+import type { GlbReport } from '../../export/glb/report.ts';
+import type { SavedKind } from '../../files/kinds.ts';
+import type { UnsavedPart } from '../../files/save/saved-parts.ts';
 import type { Character } from '../../model/document.ts';
-import type { SavedKind } from '../../project/kinds.ts';
-import type { UnsavedPart } from '../../project/save/saved-parts.ts';
 import type { Viewport } from '../../view/viewport.ts';
-import type { IconName } from '../kit/icons.ts';
-import type { Observable } from '../kit/observable.ts';
+import type { IconName } from '../widgets/icons.ts';
+import type { Observable } from '../widgets/observable.ts';
 import type { DumpComparison } from './dump-comparison.ts';
 import type { KeptOffer } from './kept-offer.ts';
 import type { GroupName, MenuName } from './menus.ts';

@@ -4,10 +4,10 @@
  */
 import { Group } from 'three';
 import { setIdentity } from '../../math/mat4.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { type Nodes, nodesFor, sizesFor } from '../drawn-skeletons.ts';
-import { NODE_STRIDE } from '../node-buffer.ts';
-import { fillNodes, placementScale, placePositions } from '../node-matrices.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { type Nodes, nodesFor, sizesFor } from '../skeleton/drawn-skeletons.ts';
+import { NODE_STRIDE } from '../skeleton/node-buffer.ts';
+import { fillNodes, placementScale, placePositions } from '../skeleton/node-matrices.ts';
 import type { StageTheme } from '../theme.ts';
 import { AGREES, INHERITED, LIT, NO_LOOK, NodeLooks, OWN, THEIRS } from './node-looks.ts';
 

@@ -14,12 +14,12 @@ import {
   MeshBasicMaterial,
 } from 'three';
 import { type Skin, vertexCount } from '../../model/skin.ts';
-import { dots } from '../dots.ts';
-import { HoveredPart } from '../hovered-part.ts';
-import { SkinMaterials } from '../skin-materials.ts';
-import { SKIN_THEMES } from '../skin-theme.ts';
+import { dots } from '../scene/dots.ts';
+import { rawColor } from '../scene/thick-lines.ts';
+import { HoveredPart } from '../skin/hovered-part.ts';
+import { SkinMaterials } from '../skin/skin-materials.ts';
+import { SKIN_THEMES } from '../skin/skin-theme.ts';
 import { STAGE_THEMES, type StageTheme } from '../theme.ts';
-import { rawColor } from '../thick-lines.ts';
 import { compareColours } from './compare-colours.ts';
 import type { ComparedSide } from './compared-skeleton.ts';
 

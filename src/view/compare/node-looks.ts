@@ -19,9 +19,9 @@ import {
   SphereGeometry,
   type WebGLRenderer,
 } from 'three';
-import { drawnByNodes, NodeBuffer, NodeMesh, type NodeShape } from '../node-buffer.ts';
+import { rawColor } from '../scene/thick-lines.ts';
+import { drawnByNodes, NodeBuffer, NodeMesh, type NodeShape } from '../skeleton/node-buffer.ts';
 import type { StageTheme } from '../theme.ts';
-import { rawColor } from '../thick-lines.ts';
 import { compareColours } from './compare-colours.ts';
 
 export const NO_LOOK = 0;

@@ -12,7 +12,7 @@
  */
 import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { JointHandles } from '../../evaluate/handles/joint-handles.ts';
-import { CameraProjection } from '../camera-projection.ts';
+import { CameraProjection } from '../camera/camera-projection.ts';
 import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
 import type { GizmoState } from './gizmo-look.ts';

@@ -3,7 +3,7 @@
  * since the last position, counting whole turns, so that a drag can be slowed down or snapped.
  */
 import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
-import type { Eye } from '../eye.ts';
+import type { Eye } from '../camera/eye.ts';
 
 /** The camera functions needed. */
 export type Sight = Pick<Eye, 'toScreen' | 'rayAt' | 'inPlaneOf' | 'unitsPerPixel'>;

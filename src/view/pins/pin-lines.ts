@@ -5,7 +5,7 @@
  */
 import { DoubleSide, type Mesh, ShaderMaterial } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
-import { LINE_RESOLUTION } from '../thick-lines.ts';
+import { LINE_RESOLUTION } from '../scene/thick-lines.ts';
 import { InstancedQuads } from './instanced-quads.ts';
 import type { MarkColor } from './pin-marks.ts';
 

@@ -12,7 +12,7 @@
  */
 import { Group, type InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
-import { LINE_RESOLUTION, rawColor } from '../thick-lines.ts';
+import { LINE_RESOLUTION, rawColor } from '../scene/thick-lines.ts';
 import { InstancedQuads } from './instanced-quads.ts';
 
 const SHAPES = ['round', 'square', 'ring', 'dot', 'lock', 'stiff'] as const;

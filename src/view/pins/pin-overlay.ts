@@ -5,8 +5,8 @@
 import { type Color, Group } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Overlay } from '../overlay.ts';
+import { rawColor } from '../scene/thick-lines.ts';
 import type { StageTheme } from '../theme.ts';
-import { rawColor } from '../thick-lines.ts';
 import { PinLines } from './pin-lines.ts';
 import { type MarkShape, PinMarks } from './pin-marks.ts';
 

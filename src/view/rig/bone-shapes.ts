@@ -4,9 +4,9 @@
  */
 import { BufferAttribute, BufferGeometry, Color, type Group, MeshBasicMaterial } from 'three';
 import { boneMatrix } from '../../evaluate/shapes/joint-shapes.ts';
-import { InstancedKind } from '../instanced-kind.ts';
+import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
+import { InstancedKind } from '../skeleton/instanced-kind.ts';
 import type { StageTheme } from '../theme.ts';
-import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 
 /** Position along the bone where it is thickest. */
 const WAIST = 0.14;

@@ -1,11 +1,11 @@
 /** The box of the selected joint: its edges, and a handle on each face. */
 import { Group, Mesh } from 'three';
 import { boxMatrix } from '../../evaluate/shapes/joint-shapes.ts';
-import { hasBox } from '../../model/boxes.ts';
-import type { Box, Joint } from '../../model/skeleton.ts';
-import type { CameraProjection } from '../camera-projection.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
+import type { Box, Joint } from '../../model/skeleton/skeleton.ts';
+import type { CameraProjection } from '../camera/camera-projection.ts';
+import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
 import type { StageTheme } from '../theme.ts';
-import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { colorDots, type Dots, disposeDots, putDot, rigDots } from './rig-dots.ts';
 import { AXES } from './rig-screen.ts';
 

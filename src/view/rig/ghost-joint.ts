@@ -1,8 +1,8 @@
 /** Preview of the joint that a click would add, with its bone. */
 import { Group, Mesh } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
+import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
 import type { StageTheme } from '../theme.ts';
-import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { colorDots, disposeDots, putDot, rigDots } from './rig-dots.ts';
 
 export interface AddedJoint {

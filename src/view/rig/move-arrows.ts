@@ -3,9 +3,9 @@
  * move, and the page's own router gives them the pointer.
  */
 import { ConeGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from 'three';
-import type { CameraProjection } from '../camera-projection.ts';
+import type { CameraProjection } from '../camera/camera-projection.ts';
+import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
 import type { StageTheme } from '../theme.ts';
-import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { AXES, type Axis } from './rig-screen.ts';
 
 /** CSS pixels from the joint to an arrow's tip and start. */

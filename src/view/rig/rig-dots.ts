@@ -1,9 +1,9 @@
 /** Dots of rig mode: over everything, with new positions each frame. */
 import type { BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
 import { sphereMatrix } from '../../evaluate/shapes/joint-shapes.ts';
-import { dots } from '../dots.ts';
+import { dots } from '../scene/dots.ts';
+import { rawColor } from '../scene/thick-lines.ts';
 import type { StageTheme } from '../theme.ts';
-import { rawColor } from '../thick-lines.ts';
 
 export type Dots = InstancedMesh<BufferGeometry, ShaderMaterial>;
 

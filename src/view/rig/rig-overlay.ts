@@ -4,11 +4,11 @@
  * (`screen`); input is the tool's.
  */
 import { Group, InstancedBufferAttribute, type OrthographicCamera, type PerspectiveCamera } from 'three';
-import type { Skeleton } from '../../model/skeleton.ts';
-import { CameraProjection } from '../camera-projection.ts';
-import { haveSameJoints, type Nodes, nodesFor } from '../drawn-skeletons.ts';
-import { placeNodes } from '../node-matrices.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { CameraProjection } from '../camera/camera-projection.ts';
 import type { Overlay } from '../overlay.ts';
+import { haveSameJoints, type Nodes, nodesFor } from '../skeleton/drawn-skeletons.ts';
+import { placeNodes } from '../skeleton/node-matrices.ts';
 import type { StageTheme } from '../theme.ts';
 import { BoneShapes } from './bone-shapes.ts';
 import { BoxHandles } from './box-handles.ts';

@@ -5,9 +5,9 @@ import { LARGE_BYTES } from '../../../src/app/autosave/encode.ts';
 import type { Encoded, StorableNumbers } from '../../../src/app/autosave/encoded.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
-import { keysOf, NO_KEYS, restChannel } from '../../../src/model/clip.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { oneSurface } from '../../../src/model/skin.ts';
+import { keysOf, NO_KEYS, restChannel } from '../../../src/model/takes/clip.ts';
 import {
   animFile,
   character,

@@ -3,14 +3,14 @@ import { Keeper } from '../../../src/app/autosave/keeper.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { readSession } from '../../../src/app/autosave/restore.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
+import { openFiles } from '../../../src/files/open/open-files.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
-import { openFiles } from '../../../src/project/open/open-files.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import type { Runs } from '../../../src/worker/client.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
-import { GltfMaker } from '../../exchange/make-gltf.ts';
+import { GltfMaker } from '../../import/make-gltf.ts';
 import { memoryStore } from './memory-store.ts';
 
 const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));

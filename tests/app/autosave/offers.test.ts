@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { KeptOffers } from '../../../src/app/autosave/offers.ts';
 import { SESSION_VERSION } from '../../../src/app/autosave/session-state.ts';
-import { observable } from '../../../src/ui/kit/observable.ts';
 import type { KeptOffer } from '../../../src/ui/state/kept-offer.ts';
+import { observable } from '../../../src/ui/widgets/observable.ts';
 import { memoryLocks, memoryStore } from './memory-store.ts';
 
 /** Offers of left-behind sessions, oldest first, as a page finds them. */

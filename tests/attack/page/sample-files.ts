@@ -1,10 +1,10 @@
 /** Files of every kind that the page reads, made here. Each entry is one drop. */
 import { readFileSync } from 'node:fs';
 import { zipFiles } from '../../../src/io/zip-files.ts';
-import { walkingBones } from '../../exchange/fbx/walking-bones.ts';
-import { fbxBytes, fbxText } from '../../exchange/fbx/write-fbx.ts';
-import { GltfMaker, glbOf } from '../../exchange/make-gltf.ts';
 import type { DroppedFile } from '../../helpers/page.ts';
+import { walkingBones } from '../../import/fbx/walking-bones.ts';
+import { fbxBytes, fbxText } from '../../import/fbx/write-fbx.ts';
+import { GltfMaker, glbOf } from '../../import/make-gltf.ts';
 
 const SAMPLES = new URL('../../../public/samples/', import.meta.url);
 const sample = (name: string): DroppedFile => ({ name, bytes: new Uint8Array(readFileSync(new URL(name, SAMPLES))) });

@@ -12,14 +12,14 @@
  */
 import { isDeepStrictEqual } from 'node:util';
 import { recordsIn } from '../../../src/cli/export/records.ts';
-import { mostNumbers } from '../../../src/exchange/budget.ts';
+import { type Format, formatOf } from '../../../src/files/readers.ts';
+import { writeFile } from '../../../src/files/writers.ts';
 import { isWorthDiagnosing } from '../../../src/formats/diagnose/diagnose.ts';
 import type { ReadResult } from '../../../src/formats/reader.ts';
 import { unzip } from '../../../src/formats/unzip.ts';
+import { mostNumbers } from '../../../src/import/budget.ts';
 import type { Diagnostic } from '../../../src/model/diagnostic.ts';
 import type { FileContent, WholeCharacter } from '../../../src/model/files.ts';
-import { type Format, formatOf } from '../../../src/project/readers.ts';
-import { writeFile } from '../../../src/project/writers.ts';
 import type { ListedTake } from '../../../src/review/list.ts';
 import { isTakeList, readList } from '../../../src/review/read-list.ts';
 import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';

@@ -6,11 +6,11 @@ import { zipSync } from 'fflate';
 import { lineOf } from '../../../src/cli/export/records.ts';
 import type { ListedTake } from '../../../src/review/list.ts';
 import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
-import { randomFbx } from '../../exchange/fbx/random-fbx.ts';
-import { fbxBytes, fbxText } from '../../exchange/fbx/write-fbx.ts';
-import { glbOf } from '../../exchange/make-gltf.ts';
-import { randomGltf } from '../../exchange/random-gltf.ts';
 import { hasShared, sharedBytes, sharedPath } from '../../helpers/shared.ts';
+import { randomFbx } from '../../import/fbx/random-fbx.ts';
+import { fbxBytes, fbxText } from '../../import/fbx/write-fbx.ts';
+import { glbOf } from '../../import/make-gltf.ts';
+import { randomGltf } from '../../import/random-gltf.ts';
 import { MADE_TEXTS } from './made-texts.ts';
 import { isSubject, type Subject } from './subjects.ts';
 

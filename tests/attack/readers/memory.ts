@@ -12,7 +12,7 @@
 import { GCProfiler, getHeapStatistics, setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import type { FileContent } from '../../../src/model/files.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 
 /** For `maxYoungGenerationSizeMb`: three times what new objects may fill. */
 export const NEW_SPACE_MB = 3;

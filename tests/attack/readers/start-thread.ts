@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { setFlagsFromString } from 'node:v8';
 import { Worker } from 'node:worker_threads';
 import { build } from 'vite';
-import { draco } from '../../../vite.draco.ts';
+import { draco } from '../../../plugins/draco.ts';
 import { NEW_SPACE_MB } from './memory.ts';
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));

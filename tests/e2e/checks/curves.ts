@@ -4,7 +4,7 @@ import { expect } from 'vitest';
 import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { readAnim } from '../../../src/formats/anim/read.ts';
-import { type ChannelClip, keysOf } from '../../../src/model/clip.ts';
+import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
 import { TIME_RULER_HEIGHT } from '../../../src/ui/editors/timeline/time-ruler.ts';
 import type { Check } from '../../helpers/check.ts';
 import { dropFiles, type Pixels, readPixels } from '../../helpers/page.ts';

@@ -24,7 +24,7 @@ import {
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
+import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/skin/deform.ts';
 import { readMorph } from '../../../src/formats/morph/read.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';
@@ -32,7 +32,7 @@ import { type Character, DEFAULT_PLACEMENT } from '../../../src/model/document.t
 import type { Morph } from '../../../src/model/morph.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
-import { type MarrowSkinnedMesh, withExactSkinning } from '../../../src/view/skinning.ts';
+import { type MarrowSkinnedMesh, withExactSkinning } from '../../../src/view/skin/skinning.ts';
 
 /** Files as text, with what to do with them. */
 export interface Case {

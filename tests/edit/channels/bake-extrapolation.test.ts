@@ -10,7 +10,7 @@ import {
   type Extrapolation,
   type KeyedChannel,
   keysOf,
-} from '../../../src/model/clip.ts';
+} from '../../../src/model/takes/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, valueAt } from '../keys/channels.ts';
 

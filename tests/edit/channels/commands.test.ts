@@ -13,8 +13,8 @@ import {
 } from '../../../src/edit/commands/channels.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
-import { type Channel, keysOf, restChannel } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
+import { type Channel, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
 import { character, documentOf, joint, skeleton } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { channelOf } from '../keys/channels.ts';

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { simplifyChannel } from '../../../src/edit/channels/simplify.ts';
 import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf } from '../../../src/model/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf } from '../../../src/model/takes/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { referenceClip } from '../../helpers/reference.ts';
 import { describeShared } from '../../helpers/shared.ts';

@@ -1,7 +1,7 @@
 /** Figures of BVH of any shape, for fast-check. */
 import fc from 'fast-check';
 import type { CapturedFigure } from '../../../src/model/files.ts';
-import type { BvhChannel, Skeleton } from '../../../src/model/skeleton.ts';
+import type { BvhChannel, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 
 const CHANNELS: readonly BvhChannel[] = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz'];

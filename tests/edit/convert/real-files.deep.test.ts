@@ -1,10 +1,10 @@
 /** Every real file of motion capture through `.skel` and `.anim` and back, by the evaluators of both sides. */
 import { expect, it } from 'vitest';
+import { formatOf } from '../../../src/files/readers.ts';
+import { animOf, bvhOf, skelOf } from '../../../src/files/save/character-files.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
-import { filePose } from '../../../src/model/dofs.ts';
 import type { CapturedFigure, FileContent } from '../../../src/model/files.ts';
-import { formatOf } from '../../../src/project/readers.ts';
-import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { writeFile } from '../../helpers/write-file.ts';

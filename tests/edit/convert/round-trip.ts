@@ -2,8 +2,8 @@
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character } from '../../../src/model/document.ts';
-import { filePose } from '../../../src/model/dofs.ts';
 import type { CapturedFigure } from '../../../src/model/files.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { character } from '../../helpers/builders.ts';
 
 /** A character that plays the figure's clip. */

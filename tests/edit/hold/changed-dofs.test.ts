@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { changedDofs } from '../../../src/edit/hold/changed-dofs.ts';
 import type { HeldFrames } from '../../../src/edit/hold/frames.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 
 /** A hip, a shoulder that turns by a quaternion, and an elbow whose x follows its y. 3 + 3 + 4 + 3 DOFs. */

@@ -1,7 +1,7 @@
 /** A figure on two legs whose feet slide on the ground. */
 import type { Character } from '../../../src/model/document.ts';
-import type { BvhChannel, Joint, Skeleton } from '../../../src/model/skeleton.ts';
-import { DEFAULT_BOX, UNLIMITED } from '../../../src/model/skeleton.ts';
+import type { BvhChannel, Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
+import { DEFAULT_BOX, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { captured, take } from '../../helpers/mocap.ts';
 
 const ROTATIONS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];

@@ -1,5 +1,6 @@
 /** Feet of real takes, held: measured at frames, halfway between them and at times that are neither. */
 import { describe, expect, it } from 'vitest';
+import { walkerSample } from '../../../examples/characters/walker/walker.ts';
 import { loadFiles } from '../../../src/cli/load.ts';
 import { holdSteps } from '../../../src/edit/commands/hold.ts';
 import { pinPoint } from '../../../src/edit/commands/ik.ts';
@@ -7,9 +8,8 @@ import { Store } from '../../../src/edit/store.ts';
 import { defaultPinPoint } from '../../../src/evaluate/ik/pin-points.ts';
 import { reachOfSkeleton } from '../../../src/evaluate/ik/set-up.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
+import { openFiles } from '../../../src/files/open/open-files.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../../src/model/document.ts';
-import { openFiles } from '../../../src/project/open/open-files.ts';
-import { walkerSample } from '../../../src/samples/walker/walker.ts';
 import { character, documentOf } from '../../helpers/builders.ts';
 import { describeShared, sharedPath } from '../../helpers/shared.ts';
 

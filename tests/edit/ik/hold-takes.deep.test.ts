@@ -9,7 +9,7 @@ import {
   keysOf,
   restChannel,
   SAMPLED,
-} from '../../../src/model/clip.ts';
+} from '../../../src/model/takes/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { evenly } from '../dice.ts';
 import { channelOf, channels } from '../keys/channels.ts';

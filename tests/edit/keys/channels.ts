@@ -14,7 +14,7 @@ import {
   restChannel,
   TANGENT_KINDS,
   type Tangents,
-} from '../../../src/model/clip.ts';
+} from '../../../src/model/takes/clip.ts';
 import { evenly } from '../dice.ts';
 
 export type Tangent = 'flat' | 'linear' | 'smooth' | number;

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { copyKeys, type PasteMode, withKeysPasted } from '../../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../../src/edit/keys/selection.ts';
-import { type Channel, type ChannelClip, keysOf, restChannel } from '../../../src/model/clip.ts';
+import { type Channel, type ChannelClip, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, channelsOrRest, expectNoCrowd, pointsOf, rowsOf } from './channels.ts';
 

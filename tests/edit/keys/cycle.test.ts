@@ -8,6 +8,7 @@ import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { changedCycles, type OutsideCycle, period, placeOf, withRepeatsBaked } from '../../../src/edit/keys/cycle.ts';
 import { putKeyAt } from '../../../src/edit/keys/put-key.ts';
+import { type Document, shownClip } from '../../../src/model/document.ts';
 import {
   type Channel,
   EXTRAPOLATIONS,
@@ -16,8 +17,7 @@ import {
   keysOf,
   repeats,
   SMOOTH,
-} from '../../../src/model/clip.ts';
-import { type Document, shownClip } from '../../../src/model/document.ts';
+} from '../../../src/model/takes/clip.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { checkChannel } from '../../helpers/invariants.ts';

@@ -3,11 +3,11 @@ import { CommandError } from '../../../src/edit/command-error.ts';
 import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { setLimit } from '../../../src/edit/commands/limits.ts';
 import { resetPose, setDofs } from '../../../src/edit/commands/pose.ts';
-import { keysOf } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
 import { shownClip } from '../../../src/model/document.ts';
-import { filePose } from '../../../src/model/dofs.ts';
-import { UNLIMITED } from '../../../src/model/skeleton.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
+import { UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 
 const turning = joint(-1, {

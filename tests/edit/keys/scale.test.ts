@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type Scaling, withKeysScaled } from '../../../src/edit/keys/scale.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { FIXED_TANGENT } from '../../../src/model/clip.ts';
+import { FIXED_TANGENT } from '../../../src/model/takes/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, expectNoCrowd, pointsOf, rowsOf, withSome } from './channels.ts';
 

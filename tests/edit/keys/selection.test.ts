@@ -9,9 +9,9 @@ import {
   unionKeys,
   withoutKeys,
 } from '../../../src/edit/keys/selection.ts';
-import type { ChannelClip } from '../../../src/model/clip.ts';
-import { restChannel } from '../../../src/model/clip.ts';
 import type { ChannelKeys } from '../../../src/model/session.ts';
+import type { ChannelClip } from '../../../src/model/takes/clip.ts';
+import { restChannel } from '../../../src/model/takes/clip.ts';
 import { channelOf } from './channels.ts';
 
 const clip: ChannelClip = {

@@ -2,10 +2,10 @@ import { describe, expect, it } from 'vitest';
 import { withSkeleton } from '../../../src/edit/new-character.ts';
 import { poseByNames, takePose } from '../../../src/edit/pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName } from '../../../src/edit/pose/library.ts';
-import { characterDofs } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import type { Joint, Motion } from '../../../src/model/skeleton.ts';
-import { openFiles } from '../../../src/project/open/open-files.ts';
+import { openFiles } from '../../../src/files/open/open-files.ts';
+import { characterDofs } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import type { Joint, Motion } from '../../../src/model/skeleton/skeleton.ts';
 import { character, documentOf, file, joint, morph } from '../../helpers/builders.ts';
 
 const named = (parent: number, name: string, motion?: Motion): Joint => {

@@ -16,9 +16,9 @@ import { poseByNames } from '../../../src/edit/pose/by-names.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
-import { keysOf } from '../../../src/model/clip.ts';
 import { type Document, findCharacter } from '../../../src/model/document.ts';
-import { EULER_ORDERS, type Joint } from '../../../src/model/skeleton.ts';
+import { EULER_ORDERS, type Joint } from '../../../src/model/skeleton/skeleton.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../../helpers/builders.ts';
 
 /** Blended angles have passed through a quaternion. */

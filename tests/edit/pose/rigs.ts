@@ -1,7 +1,7 @@
 /** Symmetric skeletons, of any kinds of joints, for tests of mirroring. */
 import fc from 'fast-check';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import {
   AXIS_PAIRS,
   COMPOUND_DOFS,
@@ -10,7 +10,7 @@ import {
   type Motion,
   SCALE_MODES,
   type Skeleton,
-} from '../../../src/model/skeleton.ts';
+} from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 import { evenly } from '../../helpers/evenly.ts';
 

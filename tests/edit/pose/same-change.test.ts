@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { matchingDofs, sameChange } from '../../../src/edit/pose/same-change.ts';
 import { Store } from '../../../src/edit/store.ts';
-import type { Limit, Motion, Skeleton } from '../../../src/model/skeleton.ts';
+import type { Limit, Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { character, documentOf, joint } from '../../ui/builders.ts';
 
 const hinge: Motion = { kind: 'hinge', axis: [0, 1, 0] };

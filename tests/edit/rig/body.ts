@@ -4,7 +4,7 @@ import type { Command } from '../../../src/edit/command.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
-import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
+import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 
 export const NEAR = 1e-9;

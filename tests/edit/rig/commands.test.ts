@@ -5,13 +5,13 @@ import { addJoint, createRig, removeJoint, reparentJoint } from '../../../src/ed
 import { setMotion, setOffset } from '../../../src/edit/commands/rig-joint.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
+import { saveCharacter } from '../../../src/files/save/saving.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import { type Character, isBvh } from '../../../src/model/document.ts';
-import { DEFAULT_BOX, type Motion, NO_BOX, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
-import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { DEFAULT_BOX, type Motion, NO_BOX, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
+import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
 import { character, clip, documentOf, skeleton, skin } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { BODY, body, done, jointsOf, NEAR, named, namesIn, of, worldOf } from './body.ts';

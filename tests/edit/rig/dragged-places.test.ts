@@ -10,7 +10,7 @@ import {
 } from '../../../src/edit/rig/dragged-places.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { add, scaled, subtract, transformPoint, type Vec3 } from '../../../src/math/vec3.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { skeleton } from '../../ui/builders.ts';
 
 /** Of lengths around 1. */

@@ -5,13 +5,13 @@ import { documentIn } from '../../../src/edit/change.ts';
 import { CommandError } from '../../../src/edit/command-error.ts';
 import { addJoint, createRig } from '../../../src/edit/commands/rig.ts';
 import { setOffset } from '../../../src/edit/commands/rig-joint.ts';
-import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/skin/deform.ts';
 import { determinant3 } from '../../../src/math/mat4.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
-import { rootDofCount } from '../../../src/model/dofs.ts';
-import { type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { rootDofCount } from '../../../src/model/skeleton/dofs.ts';
+import { type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { character, documentOf, joint, skin } from '../../helpers/builders.ts';
 import {
   diceOf,

@@ -10,9 +10,9 @@ import {
   setMotion,
   setOffset,
 } from '../../../src/edit/commands/rig-joint.ts';
-import { keysOf } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
-import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import { character, clip, documentOf } from '../../helpers/builders.ts';
 import { BODY, body, done, jointsOf, NEAR, named, namesIn, of, worldOf } from './body.ts';
 

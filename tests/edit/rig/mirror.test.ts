@@ -8,9 +8,9 @@ import { mirroredName } from '../../../src/edit/rig/names.ts';
 import { AXIS_LETTERS } from '../../../src/edit/rig/rigging.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
-import { firstDofs, restPose } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import type { Joint, Motion, Skeleton } from '../../../src/model/skeleton.ts';
+import { firstDofs, restPose } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import type { Joint, Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { diceOf, randomBvhMotion, randomMotion, randomValue, seeds } from './random-rig.ts';
 

@@ -5,11 +5,9 @@ import type { Command } from '../../../src/edit/command.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Channel, type ChannelClip, followingSamples, restChannel } from '../../../src/model/clip.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
-import { filePose, rootDofCount } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import type { Samples } from '../../../src/model/samples.ts';
+import { filePose, rootDofCount } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import {
   AXIS_PAIRS,
   type BvhChannel,
@@ -23,8 +21,10 @@ import {
   SCALE_MODES,
   type Skeleton,
   UNLIMITED,
-} from '../../../src/model/skeleton.ts';
+} from '../../../src/model/skeleton/skeleton.ts';
 import { oneSurface, type Skin } from '../../../src/model/skin.ts';
+import { type Channel, type ChannelClip, followingSamples, restChannel } from '../../../src/model/takes/clip.ts';
+import type { Samples } from '../../../src/model/takes/samples.ts';
 import { character, documentOf, morph } from '../../helpers/builders.ts';
 import { Dice } from '../dice.ts';
 import { channelOf } from '../keys/channels.ts';

@@ -6,9 +6,9 @@ import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Channel, FIXED_TANGENT, followingSamples, keysOf, restChannel } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
-import type { Motion, Skeleton } from '../../../src/model/skeleton.ts';
+import type { Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
+import { type Channel, FIXED_TANGENT, followingSamples, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { channelOf } from '../keys/channels.ts';
 

@@ -5,14 +5,14 @@ import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { addJoint, mirrorJoint, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
 import { renameJoint } from '../../../src/edit/commands/rig-joint.ts';
 import { Store } from '../../../src/edit/store.ts';
-import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/skin/deform.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
-import { SAMPLED } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
-import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
+import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
+import { SAMPLED } from '../../../src/model/takes/clip.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../../helpers/builders.ts';
 
 const NEAR = 1e-12;

@@ -4,8 +4,8 @@ import { convertSteps, convertToKeys } from '../../../src/edit/commands/samples.
 import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
-import { keysOf } from '../../../src/model/clip.ts';
 import { shownClip } from '../../../src/model/document.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import { CHAIN, documentWith, swing, swinging, take, WIDTH } from './made.ts';
 
 const tolerance = { position: 0.02, angle: 0.02 };

@@ -11,9 +11,9 @@ import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import type { ChannelClip } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
-import type { Samples } from '../../../src/model/samples.ts';
+import type { ChannelClip } from '../../../src/model/takes/clip.ts';
+import type { Samples } from '../../../src/model/takes/samples.ts';
 import { CHAIN, documentWith, swing, take, WIDTH } from './made.ts';
 
 const c1 = { characterId: 'c1' };

@@ -8,8 +8,8 @@ import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { convertToKeys } from '../../../src/edit/commands/samples.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { rangeOfKeys } from '../../../src/edit/takes.ts';
-import { keysOf } from '../../../src/model/clip.ts';
 import { shownClip } from '../../../src/model/document.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import { documentWith, swing } from './made.ts';
 
 const c1 = { characterId: 'c1' };

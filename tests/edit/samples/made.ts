@@ -1,10 +1,10 @@
 /** Made takes: a chain of BVH joints that swings, for the tools for samples. */
 
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import { type ChannelClip, SAMPLED } from '../../../src/model/clip.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
-import type { Samples } from '../../../src/model/samples.ts';
-import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
+import { type ChannelClip, SAMPLED } from '../../../src/model/takes/clip.ts';
+import type { Samples } from '../../../src/model/takes/samples.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 
 const ROOT: readonly BvhChannel[] = ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'];

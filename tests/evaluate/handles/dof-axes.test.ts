@@ -4,9 +4,9 @@ import { type DofAxis, dofAxes } from '../../../src/evaluate/handles/dof-axes.ts
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
 import { cross, scaled, transformPoint, transformVector } from '../../../src/math/vec3.ts';
-import { characterDofs } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import { type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { characterDofs } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import { type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { bvhMotion, motion } from '../../formats/arbitraries.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';

@@ -6,9 +6,15 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { multiplyAffine } from '../../../src/math/mat4.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { add, cross, dot, scaled, unit } from '../../../src/math/vec3.ts';
-import { characterDofs } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import { type CompoundDof, EULER_ORDERS, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { characterDofs } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import {
+  type CompoundDof,
+  EULER_ORDERS,
+  type Motion,
+  type Skeleton,
+  UNLIMITED,
+} from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 

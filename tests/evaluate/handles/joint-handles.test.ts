@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { jointHandles } from '../../../src/evaluate/handles/joint-handles.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
-import { characterDofs } from '../../../src/model/dofs.ts';
-import type { Joint } from '../../../src/model/skeleton.ts';
+import { characterDofs } from '../../../src/model/skeleton/dofs.ts';
+import type { Joint } from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 
 /** Twice as large, and away from the origin. */

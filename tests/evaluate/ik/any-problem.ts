@@ -2,8 +2,8 @@
 import fc from 'fast-check';
 import type { IkPin } from '../../../src/evaluate/ik/pins.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import type { Couple, Joint, Motion, Skeleton } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import type { Couple, Joint, Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { bvhMotion, motion } from '../../formats/arbitraries.ts';
 import { joint } from '../../helpers/builders.ts';
 

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { ikProblem, movePin } from '../../../src/evaluate/ik/problem.ts';
 import { solve } from '../../../src/evaluate/ik/solve.ts';
 import type { IkProblem } from '../../../src/evaluate/ik/state.ts';
-import { filePose } from '../../../src/model/dofs.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { caseSkeleton, type IkDrag, ikCases, type Target, tipPin } from '../../helpers/ik-cases.ts';
 import { describeShared } from '../../helpers/shared.ts';
 

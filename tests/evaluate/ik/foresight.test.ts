@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { ikProblem, movePin } from '../../../src/evaluate/ik/problem.ts';
 import { solve } from '../../../src/evaluate/ik/solve.ts';
-import { filePose } from '../../../src/model/dofs.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 
 /** Five bones of length 1 that turn about z and y by turns, bent. */

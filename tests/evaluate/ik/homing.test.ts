@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { evaluatePose } from '../../../src/evaluate/ik/forward.ts';
 import { stepHome, writeWayHome } from '../../../src/evaluate/ik/homing.ts';
 import { ikProblem } from '../../../src/evaluate/ik/problem.ts';
-import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 
 /** Three units of chain, each joint a ball; its tip is the last one's pivot. */
 const CHAIN: Skeleton = {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { limbEnds } from '../../../src/evaluate/ik/limb-ends.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { skeleton } from '../../ui/builders.ts';
 
 const endsOf = (of: Skeleton) =>

@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { makeSamples } from '../../../examples/characters/examples.ts';
 import { defaultPinPoint, pinPoints, skinPinPoint } from '../../../src/evaluate/ik/pin-points.ts';
 import { pointAt } from '../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
-import { makeSamples } from '../../../src/samples/samples.ts';
+import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { character, joint, skeleton, skin } from '../../helpers/builders.ts';
 
 const alone = (more: Partial<Joint>): Skeleton => ({ name: 'one', joints: [joint(-1, more)] });

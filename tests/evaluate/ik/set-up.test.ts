@@ -12,9 +12,9 @@ import {
 } from '../../../src/evaluate/ik/set-up.ts';
 import { solve } from '../../../src/evaluate/ik/solve.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
-import { filePose } from '../../../src/model/dofs.ts';
 import type { Pin } from '../../../src/model/ik.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { joint, skeleton } from '../../helpers/builders.ts';
 
 const CHAIN = skeleton(3);

@@ -9,8 +9,8 @@ import { ikProblem, movePin, turnPin } from '../../../src/evaluate/ik/problem.ts
 import { aimPins } from '../../../src/evaluate/ik/reach.ts';
 import { solve } from '../../../src/evaluate/ik/solve.ts';
 import { applyConstraints, clampDofs, compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
-import { characterDofs, filePose } from '../../../src/model/dofs.ts';
-import { type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { characterDofs, filePose } from '../../../src/model/skeleton/dofs.ts';
+import { type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { type AnyProblem, anyProblem } from './any-problem.ts';

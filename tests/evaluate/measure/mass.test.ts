@@ -1,7 +1,7 @@
 /** Where the centre of mass of a body is, by the published masses of its segments. */
 import { describe, expect, it } from 'vitest';
 import { jointMasses } from '../../../src/evaluate/measure/mass.ts';
-import { DEFAULT_MOTION, type Joint, type Skeleton } from '../../../src/model/skeleton.ts';
+import { DEFAULT_MOTION, type Joint, type Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 
 type Point = readonly [number, number, number];

@@ -2,12 +2,12 @@
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { type PoseSource, poseFrom, poseSource } from '../../../src/evaluate/pose.ts';
-import { applySpace } from '../../../src/evaluate/space.ts';
-import { guessSpace } from '../../../src/evaluate/space-guess.ts';
+import { applySpace } from '../../../src/evaluate/space/space.ts';
+import { guessSpace } from '../../../src/evaluate/space/space-guess.ts';
 import { type Character, findCharacter, shownClip } from '../../../src/model/document.ts';
-import { filePose } from '../../../src/model/dofs.ts';
-import { positionsMeant, withPositions } from '../../../src/model/position-channels.ts';
-import type { RetargetOptions } from '../../../src/model/retarget.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
+import { positionsMeant, withPositions } from '../../../src/model/skeleton/position-channels.ts';
+import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
 import { character, documentOf } from '../../helpers/builders.ts';
 import { sharedFigures } from '../../helpers/bvh-files.ts';
 

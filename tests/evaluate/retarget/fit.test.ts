@@ -3,8 +3,14 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, localMatrices } from '../../../src/evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../../src/evaluate/retarget/fit.ts';
 import { writeRotationPart } from '../../../src/math/mat3.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import { EULER_ORDERS, type Limit, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import {
+  EULER_ORDERS,
+  type Limit,
+  type Motion,
+  type Skeleton,
+  UNLIMITED,
+} from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 
 const NO_BONE = new Float64Array(3);

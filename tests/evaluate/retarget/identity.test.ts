@@ -1,6 +1,6 @@
 /** A real take retargeted to a copy of its own skeleton comes out as itself, to the digit, whatever its file pose and its dialect. */
 import { expect, it } from 'vitest';
-import type { RetargetOptions } from '../../../src/model/retarget.ts';
+import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
 import { BVH_FILES } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { captured, departure, frameTimes, retargeted } from './captures.ts';

@@ -1,11 +1,11 @@
 import { readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { WALKER_SKELETON } from '../../../examples/characters/walker/skeleton.ts';
 import { automaticPairs } from '../../../src/evaluate/retarget/match.ts';
 import { readName } from '../../../src/evaluate/retarget/names.ts';
-import { guessSpace } from '../../../src/evaluate/space-guess.ts';
+import { guessSpace } from '../../../src/evaluate/space/space-guess.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
-import { WALKER_SKELETON } from '../../../src/samples/walker/skeleton.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { describeShared, hasShared, sharedBytes, sharedPath } from '../../helpers/shared.ts';
 import { PARTS, person } from './people.ts';
 

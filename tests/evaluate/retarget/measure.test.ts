@@ -1,8 +1,8 @@
 /** What retargeted real takes come to, as displayed: how limbs point, what slides, and how much the takes slide themselves. */
 import { expect, it } from 'vitest';
+import { WALKER_SKELETON } from '../../../examples/characters/walker/skeleton.ts';
 import { measureRetarget } from '../../../src/evaluate/retarget/measure.ts';
-import { filePose } from '../../../src/model/dofs.ts';
-import { WALKER_SKELETON } from '../../../src/samples/walker/skeleton.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { character } from '../../helpers/builders.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { captured, departure, retargeted } from './captures.ts';

@@ -1,14 +1,14 @@
 /** Small people to put takes onto each other: the same body under other names, in other poses, units and axes. */
 import '../../../src/evaluate/retarget/driving.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import type { Driver } from '../../../src/model/document.ts';
-import { filePose, jointDofCount, rootDofCount } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../../src/model/retarget.ts';
-import type { Samples } from '../../../src/model/samples.ts';
-import { type BvhMotion, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { filePose, jointDofCount, rootDofCount } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import { type BvhMotion, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../../src/model/space.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
+import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../../src/model/takes/retarget.ts';
+import type { Samples } from '../../../src/model/takes/samples.ts';
 
 export const PARTS = [
   'hips',

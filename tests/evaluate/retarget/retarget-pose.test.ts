@@ -5,10 +5,10 @@ import { figureOf } from '../../../src/evaluate/retarget/figure.ts';
 import { planRetarget } from '../../../src/evaluate/retarget/make-plan.ts';
 import { automaticPairs } from '../../../src/evaluate/retarget/match.ts';
 import { retargetPose } from '../../../src/evaluate/retarget/retarget-pose.ts';
-import { jointDofCount } from '../../../src/model/dofs.ts';
-import type { RetargetOptions } from '../../../src/model/retarget.ts';
-import { EULER_ORDERS, type Skeleton } from '../../../src/model/skeleton.ts';
+import { jointDofCount } from '../../../src/model/skeleton/dofs.ts';
+import { EULER_ORDERS, type Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../../src/model/space.ts';
+import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
 import { BVH_ROOT, driverOf, PARTS, type Part, person, take } from './people.ts';
 
 const CENTIMETRES_Z_UP: Space = { up: 'z', unit: 'centimetres', lift: 0 };

@@ -7,9 +7,9 @@
 import { compileSkeleton } from '../../../src/evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../../src/evaluate/retarget/fit.ts';
 import type { Character } from '../../../src/model/document.ts';
-import { filePose } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/joint-types.ts';
-import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
+import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
+import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import type { LengthUnit, Space } from '../../../src/model/space.ts';
 import { character } from '../../helpers/builders.ts';
 import { degreesBetween, direction, frameTimes, median, Points, pointNames } from './captures.ts';

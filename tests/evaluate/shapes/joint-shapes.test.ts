@@ -8,7 +8,7 @@ import {
   jointSizes,
   sphereMatrix,
 } from '../../../src/evaluate/shapes/joint-shapes.ts';
-import type { Box } from '../../../src/model/skeleton.ts';
+import type { Box } from '../../../src/model/skeleton/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 
 const IDENTITY = Float64Array.from(new Matrix4().elements);

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { makeSamples } from '../../../examples/characters/examples.ts';
 import { type BoneSegments, boneSegments, isPoint } from '../../../src/evaluate/weights/bones.ts';
 import { heatWeights } from '../../../src/evaluate/weights/heat-weights.ts';
 import { lastBones } from '../../../src/evaluate/weights/last-bones.ts';
@@ -12,7 +13,6 @@ import { readSkel } from '../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Attachments } from '../../../src/model/skin.ts';
-import { makeSamples } from '../../../src/samples/samples.ts';
 import { describeShared, sharedPath } from '../../helpers/shared.ts';
 import { bonesFrom, finish, type Mesh, together, tube, weightOf } from './meshes.ts';
 

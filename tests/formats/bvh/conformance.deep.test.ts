@@ -4,8 +4,8 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import type { CapturedFigure } from '../../../src/model/files.ts';
-import { withPositions } from '../../../src/model/position-channels.ts';
-import type { BvhChannel } from '../../../src/model/skeleton.ts';
+import { withPositions } from '../../../src/model/skeleton/position-channels.ts';
+import type { BvhChannel } from '../../../src/model/skeleton/skeleton.ts';
 import { character } from '../../helpers/builders.ts';
 import { conformance, describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { read, readInPieces, told } from '../read-in-pieces.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { fitOneBvh, writeBvh as writeBvhPieces } from '../../../src/formats/bvh/write.ts';
-import { restChannel } from '../../../src/model/clip.ts';
-import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
+import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
+import { restChannel } from '../../../src/model/takes/clip.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 

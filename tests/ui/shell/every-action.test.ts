@@ -2,11 +2,11 @@
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
-import { restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
-import { actionsOf, isChecked, isEnabled, tryAction } from '../../../src/ui/state/action.ts';
+import { restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
+import { actionsOf, isChecked, isEnabled, tryAction } from '../../../src/ui/state/actions/action.ts';
+import { watchEffect } from '../../../src/ui/state/actions/effect.ts';
 import { DumpComparison } from '../../../src/ui/state/dump-comparison.ts';
-import { watchEffect } from '../../../src/ui/state/effect.ts';
 import type { Action, Workbench } from '../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 

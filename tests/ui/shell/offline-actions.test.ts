@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { runAction } from '../../../src/ui/state/action.ts';
-import { menuEntries } from '../../../src/ui/state/menu-entries.ts';
+import { runAction } from '../../../src/ui/state/actions/action.ts';
+import { menuEntries } from '../../../src/ui/state/actions/menu-entries.ts';
 import { workbench } from '../builders.ts';
 
 function helpMenu() {

@@ -1,9 +1,9 @@
 /** Selecting joints from those selected, by actions and keys. */
 import { expect, it } from 'vitest';
-import { jointsIn, withJoints } from '../../../src/model/selected-joints.ts';
+import { jointsIn, withJoints } from '../../../src/model/skeleton/selected-joints.ts';
 import { listedChannels } from '../../../src/ui/editors/timeline/channels.ts';
-import { actionsOf, tryAction } from '../../../src/ui/state/action.ts';
-import { addsToSelection, selectHit } from '../../../src/ui/state/select-joints.ts';
+import { actionsOf, tryAction } from '../../../src/ui/state/actions/action.ts';
+import { addsToSelection, selectHit } from '../../../src/ui/state/joints/select-joints.ts';
 import { character, documentOf, joint, workbench } from '../builders.ts';
 
 const at = (name: string, parent: number, x: number) => ({ ...joint(name, parent), offset: [x, 1, 0] as const });

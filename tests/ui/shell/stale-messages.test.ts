@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { CommandError } from '../../../src/edit/command-error.ts';
 import { removeCharacter, renameCharacter } from '../../../src/edit/commands/characters.ts';
 import { leaveRefusalsBehind } from '../../../src/ui/shell/stale-messages.ts';
-import { findAction, tryAction } from '../../../src/ui/state/action.ts';
+import { findAction, tryAction } from '../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../src/ui/state/workbench.ts';
 import { character, documentOf, skeleton, workbench } from '../builders.ts';
 

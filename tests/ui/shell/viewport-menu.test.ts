@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { pinPoint } from '../../../src/edit/commands/ik.ts';
-import type { MenuEntry, MenuItem } from '../../../src/ui/kit/menu.ts';
 import { selectForMenu, subjectOf, viewportEntries } from '../../../src/ui/shell/viewport-menu.ts';
 import type { PosingMode } from '../../../src/ui/state/posing.ts';
+import type { MenuEntry, MenuItem } from '../../../src/ui/widgets/menu.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 
 const bones = skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]);

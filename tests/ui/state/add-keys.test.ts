@@ -3,14 +3,14 @@ import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { period } from '../../../src/edit/keys/cycle.ts';
-import { keysOf } from '../../../src/model/clip.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import { keyNow } from '../../../src/ui/editors/posing/pose-edits.ts';
 import { type CycleText, cycleText } from '../../../src/ui/editors/timeline/cycle-text.ts';
 import { insertAtPlayhead, paste } from '../../../src/ui/editors/timeline/key-edits.ts';
 import { askAboutCycles } from '../../../src/ui/shell/cycle-questions.ts';
-import { runAction } from '../../../src/ui/state/action.ts';
+import { runAction } from '../../../src/ui/state/actions/action.ts';
+import { HandEdit } from '../../../src/ui/state/actions/hand-edit.ts';
 import { addKeyed } from '../../../src/ui/state/add-keys.ts';
-import { HandEdit } from '../../../src/ui/state/hand-edit.ts';
 import type { Workbench } from '../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 

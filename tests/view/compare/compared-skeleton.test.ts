@@ -1,11 +1,11 @@
 import { Matrix4, type Object3D, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
-import { filePose } from '../../../src/model/dofs.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { type ComparedSide, ComparedSkeleton, type JointVerdict } from '../../../src/view/compare/compared-skeleton.ts';
 import { AGREES, INHERITED, LIT, NO_LOOK, OWN, THEIRS } from '../../../src/view/compare/node-looks.ts';
-import { nodesFor, sizesFor } from '../../../src/view/drawn-skeletons.ts';
-import { NodeMesh } from '../../../src/view/node-buffer.ts';
+import { nodesFor, sizesFor } from '../../../src/view/skeleton/drawn-skeletons.ts';
+import { NodeMesh } from '../../../src/view/skeleton/node-buffer.ts';
 import { figure } from '../../helpers/mocap.ts';
 
 /** Floats, for a figure some 170 units high. */

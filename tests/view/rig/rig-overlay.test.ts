@@ -1,6 +1,6 @@
 import { InstancedMesh, PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
-import type { Skeleton } from '../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { RigOverlay, type RigPicture } from '../../../src/view/rig/rig-overlay.ts';
 import { skeleton } from '../../ui/builders.ts';
 

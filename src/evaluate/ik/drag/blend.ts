@@ -4,9 +4,9 @@
  * then follows in bounded steps, with the pins held and the hand left for as long. Nothing may move under a hand that is
  * still, so that the rest takes two frames.
  */
-import { characterDofs } from '../../../model/dofs.ts';
-import { pitchOf, quaternionDofs } from '../../../model/joint-types.ts';
-import { isUnlimited } from '../../../model/skeleton.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { pitchOf, quaternionDofs } from '../../../model/skeleton/joint-types.ts';
+import { isUnlimited } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import type { HandProblem } from './hand-problem.ts';
 

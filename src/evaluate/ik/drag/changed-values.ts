@@ -1,6 +1,6 @@
-import { coupleOf } from '../../../model/couples.ts';
-import type { DofValue } from '../../../model/dofs.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { coupleOf } from '../../../model/skeleton/couples.ts';
+import type { DofValue } from '../../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 
 /** The DOFs that a solve has changed, without morphs and linked DOFs, whose values follow from others. */

@@ -2,7 +2,7 @@
 import { ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { type Bending, bendingOf, type IkReach, limbOf, union } from '../limb.ts';
 import { ikOf } from '../set-up.ts';

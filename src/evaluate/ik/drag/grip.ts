@@ -4,9 +4,9 @@
  */
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
 import { add, dot, subtract, transformVector, type Vec3, ZERO } from '../../../math/vec3.ts';
-import { boneEnds } from '../../../model/bone-ends.ts';
-import { hasBox } from '../../../model/boxes.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { boneEnds } from '../../../model/skeleton/bone-ends.ts';
+import { hasBox } from '../../../model/skeleton/boxes.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { pointAt } from '../set-up.ts';
 
 /** The ray under the pointer, in the space of the world matrices. */

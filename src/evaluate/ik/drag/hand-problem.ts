@@ -9,7 +9,7 @@
  */
 import type { Character } from '../../../model/document.ts';
 import type { IkSetup } from '../../../model/ik.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
 import { evaluatePose } from '../forward.ts';

@@ -8,10 +8,11 @@
  * This is the moment of inertia of everything below a joint, at rest, with bones as heavy as they are long. A joint's
  * DOFs are stiffer in proportion to its I relative to the largest.
  */
-import { boneEnds } from '../../../model/bone-ends.ts';
-import { restPose } from '../../../model/dofs.ts';
+
 import { perObject } from '../../../model/per-object.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { boneEnds } from '../../../model/skeleton/bone-ends.ts';
+import { restPose } from '../../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton, worldMatrices } from '../../kinematics.ts';
 import { pointAt } from '../set-up.ts';
 

@@ -6,9 +6,9 @@
 import { invertAffine, setIdentity } from '../../../math/mat4.ts';
 import { subtract, type Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
-import type { DofValue } from '../../../model/dofs.ts';
 import type { Pin } from '../../../model/ik.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { DofValue } from '../../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { type DragTarget, ikOf, type PinTarget, pinTargets, pointAt } from '../set-up.ts';
 import { Blend } from './blend.ts';

@@ -1,6 +1,6 @@
 import type { Character } from '../../../model/document.ts';
-import type { DofValue } from '../../../model/dofs.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { DofValue } from '../../../model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { ikProblem } from '../problem.ts';
 import { ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
 import { solve } from '../solve.ts';

@@ -3,11 +3,11 @@
  * Feet are those of legs that are recognised, as for *Lock feet*; else all ends of limbs, such as an insect's.
  */
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
-import { hasOwnBox } from '../../../model/axis-angle.ts';
-import { tipOf } from '../../../model/bone-ends.ts';
 import type { Character } from '../../../model/document.ts';
-import { filePose } from '../../../model/dofs.ts';
-import type { Joint, Skeleton } from '../../../model/skeleton.ts';
+import { hasOwnBox } from '../../../model/skeleton/axis-angle.ts';
+import { tipOf } from '../../../model/skeleton/bone-ends.ts';
+import { filePose } from '../../../model/skeleton/dofs.ts';
+import type { Joint, Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton, worldMatrices } from '../../kinematics.ts';
 import { LIMB_SIDES, partsOf } from '../../retarget/roles.ts';
 import { limbOf } from '../limb.ts';

@@ -1,6 +1,6 @@
 /** Actions on a comparison with dumps. */
-import { needs } from '../../state/needs.ts';
-import { openPanel } from '../../state/panels.ts';
+import { needs } from '../../state/actions/needs.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { Action } from '../../state/workbench.ts';
 

@@ -1,13 +1,19 @@
 /** What the banner says: whether all agrees, what is wrong first, and which mistake explains it. */
-import type { Comparison, FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
-import { comparedText, explainedNoun, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
-import { firstWrongOf, type PlacedFirst } from '../../../lesson/first-wrong.ts';
-import type { Cause } from '../../../lesson/search/found-causes.ts';
+
 import { type Diagnostic, hasErrors } from '../../../model/diagnostic.ts';
 import type { Character } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Comparison, FirstWrong, FrameComparison } from '../../../teaching/compare/compare.ts';
+import {
+  comparedText,
+  explainedNoun,
+  subjectText,
+  unexplainedSentences,
+} from '../../../teaching/compare/compared-text.ts';
+import { firstWrongOf, type PlacedFirst } from '../../../teaching/compare/first-wrong.ts';
+import type { Cause } from '../../../teaching/search/found-causes.ts';
 import type { ComparedResult, CompareState } from '../../state/dump-comparison.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 
 export interface BannerText {
   readonly tone: 'agrees' | 'differs' | 'trouble' | 'working';

@@ -1,14 +1,15 @@
 /** The banner over the viewport: what a comparison found, in sentences, and where to look at it. */
-import { button, element, setText } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { icon } from '../../kit/icons.ts';
-import { shown } from '../../kit/number-text.ts';
+
 import type { DumpComparison } from '../../state/dump-comparison.ts';
 import { clipTimeShown } from '../../state/dump-times.ts';
-import { isPanelOpen, openPanel } from '../../state/panels.ts';
-import { showInSource } from '../../state/show-in-source.ts';
+import { isPanelOpen, openPanel } from '../../state/panels/panels.ts';
+import { showInSource } from '../../state/panels/show-in-source.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, setText } from '../../widgets/dom.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { icon } from '../../widgets/icons.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import { type BannerText, bannerText } from './banner-text.ts';
 
 type Parts = Uses<'comparing' | 'store' | 'transport' | 'timeline' | 'settings'>;

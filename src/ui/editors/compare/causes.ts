@@ -1,8 +1,8 @@
 /** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
-import type { Comparison } from '../../../lesson/compare.ts';
-import { areEqual, beginText, subjectText, unexplainedSentences } from '../../../lesson/compared-text.ts';
-import type { Cause } from '../../../lesson/search/found-causes.ts';
-import { element } from '../../kit/dom.ts';
+import type { Comparison } from '../../../teaching/compare/compare.ts';
+import { areEqual, beginText, subjectText, unexplainedSentences } from '../../../teaching/compare/compared-text.ts';
+import type { Cause } from '../../../teaching/search/found-causes.ts';
+import { element } from '../../widgets/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
 
 /**

@@ -1,12 +1,12 @@
 /** Rows of the tables: what was compared, with its errors. */
 
-import type { FrameComparison } from '../../../lesson/compare.ts';
-import { type JointMark, jointMarks } from '../../../lesson/joint-marks.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { SortOrder } from '../../kit/sort-heads.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { FrameComparison } from '../../../teaching/compare/compare.ts';
+import { type JointMark, jointMarks } from '../../../teaching/compare/joint-marks.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
+import type { SortOrder } from '../../widgets/sort-heads.ts';
 
 export const ROW_KINDS = ['joints', 'vertices', 'normals', 'channels'] as const;
 export type RowKind = (typeof ROW_KINDS)[number];

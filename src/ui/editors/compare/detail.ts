@@ -1,12 +1,13 @@
 /** Yours and Marrow’s side by side, and the difference: of a joint, a vertex, a normal or a channel. */
-import { relativeMatrices } from '../../../lesson/relative.ts';
-import type { FrameTarget } from '../../../lesson/targets.ts';
+
 import { perObject } from '../../../model/per-object.ts';
-import type { Joint } from '../../../model/skeleton.ts';
-import { button, element, setAttribute, setText } from '../../kit/dom.ts';
-import { NumberGrid } from '../../kit/number-grid.ts';
-import { aligned, decimalsWithin } from '../../kit/number-text.ts';
+import type { Joint } from '../../../model/skeleton/skeleton.ts';
+import { relativeMatrices } from '../../../teaching/compare/relative.ts';
+import type { FrameTarget } from '../../../teaching/compare/targets.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
+import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { NumberGrid } from '../../widgets/numbers/number-grid.ts';
+import { aligned, decimalsWithin } from '../../widgets/numbers/number-text.ts';
 import { numberText, powerText } from './banner-text.ts';
 import type { RowKind } from './compared-rows.ts';
 

@@ -3,17 +3,18 @@
  * how they compare, theirs as a ghost, vertices coloured by their errors, with a legend. Loaded with the first
  * comparison.
  */
-import { jointMarks } from '../../../lesson/joint-marks.ts';
+
 import { type Character, shownSkin } from '../../../model/document.ts';
+import { jointMarks } from '../../../teaching/compare/joint-marks.ts';
 import { type ComparedDrawing, CompareOverlay } from '../../../view/compare/compare-overlay.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
 import type { Look } from '../../../view/look.ts';
-import { isOpaque } from '../../../view/skeleton-drawing.ts';
-import { errorSize } from '../../kit/number-text.ts';
+import { isOpaque } from '../../../view/skeleton/skeleton-drawing.ts';
 import type { ComparedResult, ShownComparison } from '../../state/dump-comparison.ts';
-import { lengthUnit } from '../../state/length-unit.ts';
+import { lengthUnit } from '../../state/joints/length-unit.ts';
 import { onShown } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { errorSize } from '../../widgets/numbers/number-text.ts';
 import { scaleText as partText } from '../skin/four-text.ts';
 import { type ComparedPart, comparedParts, errorsOfSkin, fillHeat, heatTop, tellsOwn, theirJoints } from './drawn.ts';
 import { type Places, sphereAround, viewOf } from './frame-both.ts';

@@ -1,7 +1,7 @@
 /** What is drawn of a comparison: verdicts of joints, theirs in world space, errors as colours. */
 import { multiplyAffine } from '../../../math/mat4.ts';
 import { perObject } from '../../../model/per-object.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { ComparedResult, ShownComparison } from '../../state/dump-comparison.ts';
 import { heatScale } from '../skin/four-text.ts';
 

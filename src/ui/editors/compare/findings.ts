@@ -1,14 +1,14 @@
 /** The left part of the panel: the causes, and the facts of the comparison. */
-import type { Comparison } from '../../../lesson/compare.ts';
-import { comparedText } from '../../../lesson/compared-text.ts';
-import type { NamedDump } from '../../../lesson/dump/fit-dump.ts';
-import { button, element, setAttribute } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { NumberField } from '../../kit/number-field.ts';
-import { exact, shown } from '../../kit/number-text.ts';
+import type { Comparison } from '../../../teaching/compare/compare.ts';
+import { comparedText } from '../../../teaching/compare/compared-text.ts';
+import type { NamedDump } from '../../../teaching/dump/fit-dump.ts';
 import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
 import { clipTimeShown, statesTime } from '../../state/dump-times.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, setAttribute } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { NumberField } from '../../widgets/numbers/number-field.ts';
+import { exact, shown } from '../../widgets/numbers/number-text.ts';
 import { causesList } from './causes.ts';
 import { isOfChannels } from './dump-kinds.ts';
 import { largestText } from './largest-text.ts';

@@ -1,6 +1,6 @@
 /** The view that shows both programs' numbers: what is wrong may be far away. */
 import type { Vec3 } from '../../../math/vec3.ts';
-import type { CameraView } from '../../../view/camera.ts';
+import type { CameraView } from '../../../view/camera/camera.ts';
 
 /** Room around it. */
 const MARGIN = 1.1;

@@ -1,7 +1,8 @@
 /** Where the error is largest, of which kind it is, and in which unit. */
-import type { FirstWrong } from '../../../lesson/compare.ts';
+
 import { shownSkin } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import type { FirstWrong } from '../../../teaching/compare/compare.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
 import { numberText, placeText } from './banner-text.ts';
 

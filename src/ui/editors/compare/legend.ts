@@ -3,12 +3,12 @@
  * vertices mean, and which of both programs is drawn.
  */
 
-import { MARK_TEXTS } from '../../../lesson/joint-marks.ts';
+import { MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
 import { heatLegend } from '../../state/heat-legend.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import type { ComparedPart } from './drawn.ts';
 
 const SIDES: Readonly<Record<ComparedSide, string>> = { ours: 'Marrow’s', both: 'Both', theirs: 'Yours' };

@@ -2,18 +2,18 @@
  * *Compare*: where another program's numbers differ from ours, and which mistakes explain it. Follows the comparison at
  * the time shown; where none was compared near it, the first that differs is told. Escape ends the comparison.
  */
-import type { FirstWrong, FrameComparison } from '../../../lesson/compare.ts';
-import { firstWrongOf } from '../../../lesson/first-wrong.ts';
-import { button, element, setAttribute, setText } from '../../kit/dom.ts';
-import { isTextField } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { shown } from '../../kit/number-text.ts';
-import { toolbar } from '../../kit/roving.ts';
+import type { FirstWrong, FrameComparison } from '../../../teaching/compare/compare.ts';
+import { firstWrongOf } from '../../../teaching/compare/first-wrong.ts';
 import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
 import { clipTimeShown } from '../../state/dump-times.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { isTextField } from '../../widgets/focus/focus.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import {
   type ComparedRow,
   countsOf,

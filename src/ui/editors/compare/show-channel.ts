@@ -1,8 +1,8 @@
 /** Shows a channel in the curve editor, with the reasons of its values beside it. */
 import { type Character, shownSkin } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { fitWindow } from '../../kit/time-window.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { fitWindow } from '../../widgets/time/time-window.ts';
 import { chooseDof } from '../posing/active-dof.ts';
 
 /** The current time is in view then: the first wrong one may be far outside the playback range. */

@@ -1,7 +1,8 @@
 /** The place of the banner over the viewport; its script is loaded with the first comparison. */
-import { element } from '../../kit/dom.ts';
+
 import { onDemand } from '../../state/on-demand.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
 
 export function stageBanner(wb: Workbench): HTMLElement {
   const banner = element('section', { class: 'offer compare-banner', 'aria-label': 'Comparison', hidden: true });

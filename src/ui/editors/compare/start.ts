@@ -1,9 +1,10 @@
 /** What the panel shows before there is a dump: what to print, how, and a field for it. */
-import { BLOCKED, copyText } from '../../kit/clipboard.ts';
-import { button, element, uniqueId } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
+
 import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
+import { button, element, uniqueId } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
 import { SNIPPETS } from './snippets.ts';
 
 /** The name of numbers that were pasted: those of the next paste take their place. */

@@ -3,12 +3,12 @@
  *
  *     ↑ ↓ Home End Page Up Page Down     to another row, which is selected
  */
-import { type JointMark, MARK_TEXTS } from '../../../lesson/joint-marks.ts';
-import { element, setAttribute, setText } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
+import { type JointMark, MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
+import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { type SortColumn, SortHeads } from '../../widgets/sort-heads.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
+import { rowAfterKey, WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
 import { numberText } from './banner-text.ts';
 import { type ComparedRow, inOrder, type RowColumn, type RowOrder } from './compared-rows.ts';
 

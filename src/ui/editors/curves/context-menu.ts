@@ -4,11 +4,11 @@
  */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
-import { EXTRAPOLATIONS } from '../../../model/clip.ts';
-import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { actionsOf } from '../../state/action.ts';
-import { itemOf } from '../../state/menu-entries.ts';
+import { EXTRAPOLATIONS } from '../../../model/takes/clip.ts';
+import { actionsOf } from '../../state/actions/action.ts';
+import { itemOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { currentTake, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import { extrapolate } from '../timeline/key-edits.ts';

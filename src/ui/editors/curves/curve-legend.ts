@@ -1,5 +1,5 @@
 /** The legend of the plot while another program's channels are drawn over ours. */
-import { element } from '../../kit/dom.ts';
+import { element } from '../../widgets/dom.ts';
 import type { CurveScene } from './scene/scene.ts';
 
 const LABELS = { ours: 'Marrow’s', theirs: 'yours', differs: 'differs' } as const;

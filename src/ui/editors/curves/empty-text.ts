@@ -1,9 +1,9 @@
 /** Text of an empty plot: how to get curves. */
-import { spanOfChannel } from '../../../model/clip.ts';
-import { shown } from '../../kit/number-text.ts';
-import { touchWords } from '../../kit/touch-words.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { spanOfChannel } from '../../../model/takes/clip.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
+import { touchWords } from '../../widgets/touch-words.ts';
 import { currentTake } from '../timeline/current-take.ts';
 
 export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number): string {

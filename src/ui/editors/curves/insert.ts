@@ -1,7 +1,7 @@
 /** Inserts a key on a curve where it was clicked. */
 import { insertKeys } from '../../../edit/commands/keys.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import { addKeys } from '../../state/add-keys.ts';
-import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, keyPlacing } from '../timeline/current-take.ts';
 

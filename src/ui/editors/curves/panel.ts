@@ -1,8 +1,9 @@
 /** The curve editor: channels on the left, the plot beside them, its buttons in the row of tabs. */
-import { element } from '../../kit/dom.ts';
+
 import { onDemand } from '../../state/on-demand.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
 import { ChannelList } from './channel-list.ts';
 import { CurvePlot } from './plot.ts';
 import { curveToolbar } from './toolbar.ts';

@@ -1,11 +1,11 @@
 /** Pointer and held keys in the plot. Their meaning is in `tools/intent.ts`, what they do in the other tools. */
 import { hasKey } from '../../../edit/keys/selection.ts';
-import { followPointer } from '../../kit/drag.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { buttonMeant, isMac, waitOutDrag } from '../../kit/keyboard.ts';
-import { asksForMenu } from '../../kit/menu.ts';
-import { snapTime } from '../../kit/time-window.ts';
-import { wheelTurn } from '../../kit/wheel.ts';
+import { followPointer } from '../../widgets/drag.ts';
+import { buttonMeant, isMac, waitOutDrag } from '../../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { asksForMenu } from '../../widgets/menu.ts';
+import { snapTime } from '../../widgets/time/time-window.ts';
+import { wheelTurn } from '../../widgets/time/wheel.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
 import { openPlotMenu } from './context-menu.ts';

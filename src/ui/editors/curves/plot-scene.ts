@@ -4,9 +4,9 @@
  */
 
 import { compileClip } from '../../../evaluate/compiled-clip.ts';
-import type { ChannelClip } from '../../../model/clip.ts';
 import type { Character } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/action.ts';
+import type { ChannelClip } from '../../../model/takes/clip.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } from '../timeline/channels.ts';

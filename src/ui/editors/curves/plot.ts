@@ -1,11 +1,11 @@
 /** The plot: the picture of the curves with its overlays, kept up to date with document, settings and time. */
 
-import { keysOf } from '../../../model/clip.ts';
-import { element, setText, uniqueId } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
+import { keysOf } from '../../../model/takes/clip.ts';
 import { onResult } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, setText, uniqueId } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { selectedText } from '../timeline/key-edits.ts';

@@ -1,7 +1,7 @@
 /** The corner readout: values under the pointer, and the result of a drag. */
-import { keysOf } from '../../../model/clip.ts';
-import { element, setText } from '../../kit/dom.ts';
+import { keysOf } from '../../../model/takes/clip.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, setText } from '../../widgets/dom.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';

@@ -2,11 +2,11 @@
  * The transform box around the selected keys: its edges and corners scale them about the opposite edge, with Alt about
  * the centre.
  */
-import { keysOf } from '../../../model/clip.ts';
-import { button, element } from '../../kit/dom.ts';
-import { followPointer } from '../../kit/drag.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { waitOutDrag } from '../../kit/keyboard.ts';
+import { keysOf } from '../../../model/takes/clip.ts';
+import { button, element } from '../../widgets/dom.ts';
+import { followPointer } from '../../widgets/drag.ts';
+import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 import type { CurveScene } from './scene/scene.ts';
 import { PLOT_TOP, timeAt, xOf, yOf } from './scene/space.ts';
 import { scaler } from './tools/scale.ts';

@@ -1,16 +1,16 @@
 /** The curve editor's buttons, in the row of tabs. All of them run actions. */
 
-import type { TangentKind } from '../../../model/clip.ts';
-import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { type IconName, icon } from '../../kit/icons.ts';
-import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { setTooltip, type TooltipText } from '../../kit/tooltip.ts';
-import { findAction, isChecked, isEnabled, tryAction } from '../../state/action.ts';
+import type { TangentKind } from '../../../model/takes/clip.ts';
+import { findAction, isChecked, isEnabled, tryAction } from '../../state/actions/action.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { type IconName, icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
+import { setTooltip, type TooltipText } from '../../widgets/tooltip.ts';
 import { HANDLE_LABELS } from '../timeline/actions.ts';
 import { hasTangents, sideWithTangents } from '../timeline/tangent-state.ts';
 import { CURVE_TOOLS, entriesOf, SAMPLE_TOOLS } from './context-menu.ts';

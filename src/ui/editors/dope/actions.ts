@@ -1,7 +1,7 @@
 /** Actions of the dope sheet beyond those on keys: ripple, collapsing rows, showing curves. */
 
 import { rippleKeys } from '../../../edit/commands/keys.ts';
-import { needs } from '../../state/needs.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { Action } from '../../state/workbench.ts';
 import { aboutKeysInHand, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { allFolds } from '../timeline/dope-rows.ts';

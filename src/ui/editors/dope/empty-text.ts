@@ -1,9 +1,9 @@
 /** Text of an empty dope sheet: how to get keys. */
 
-import { spanOfChannel } from '../../../model/clip.ts';
-import { touchWords } from '../../kit/touch-words.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { spanOfChannel } from '../../../model/takes/clip.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { touchWords } from '../../widgets/touch-words.ts';
 import type { Take } from '../timeline/current-take.ts';
 
 export function emptyText(wb: Uses<'store' | 'timeline'>, take: Take | undefined): string {

@@ -1,7 +1,7 @@
 /** Hit testing in the sheet, for points and boxes. Pure: the sheet's geometry and the clip's keys, no canvas. */
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
-import type { Channel } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
+import type { Channel } from '../../../model/takes/clip.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, secondsPerPixel, sheetTime, sheetX } from './sheet.ts';

@@ -9,10 +9,10 @@ import { pasteKeys } from '../../../edit/commands/paste.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeys } from '../../state/add-keys.ts';
-import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import {
   aboutKeysInHand,
   currentTake,

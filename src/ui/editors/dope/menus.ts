@@ -1,10 +1,10 @@
 /** Context menus of the dope sheet, for keys and rows. */
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
-import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { plural } from '../../kit/number-text.ts';
-import { sectionsOf } from '../../state/menu-entries.ts';
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';

@@ -2,14 +2,14 @@
  * The names beside the sheet: a windowed list of all rows except the summary, which stays on top. It scrolls for both:
  * the sheet is drawn at its scroll position.
  */
-import { jointName } from '../../../model/joint-name.ts';
-import { element, setAttribute, setText } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import type { MenuPlace } from '../../kit/menu.ts';
-import { middleCut } from '../../kit/middle-cut.ts';
-import { plural } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import type { MenuPlace } from '../../widgets/menu.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
+import { rowAfterKey, WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 
 export interface NameEvents {

@@ -8,13 +8,13 @@ import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts'
 import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
 import { compileChannels, compileClip } from '../../../evaluate/compiled-clip.ts';
-import { jointsIn } from '../../../model/selected-joints.ts';
-import { element, setAttribute, setText } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { fitWindow, isMostly, panWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { fitWindow, isMostly, panWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';

@@ -4,7 +4,7 @@
  */
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
-import { rangeOfSamples } from '../../../model/samples.ts';
+import { rangeOfSamples } from '../../../model/takes/samples.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawOutsideRange,
@@ -25,7 +25,7 @@ import {
   drawStrip,
   PAD,
   readColours,
-} from './parts.ts';
+} from './draw-parts.ts';
 import type { DopeOverlay, DopeScene } from './scene.ts';
 import { HEAD, rowsInView, rowsTop, rowTop, secondsPerPixel } from './sheet.ts';
 

@@ -1,10 +1,10 @@
 /** Mouse, wheel and Escape over the sheet: scrubbing, panning, zooming, and the gestures of `gestures.ts`. */
-import { followPointer } from '../../kit/drag.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { asksForMenu, type MenuPlace } from '../../kit/menu.ts';
-import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { wheelTurn } from '../../kit/wheel.ts';
+import { followPointer } from '../../widgets/drag.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { asksForMenu, type MenuPlace } from '../../widgets/menu.ts';
+import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
+import { wheelTurn } from '../../widgets/time/wheel.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { cursorFor, gestureAt } from './gestures.ts';

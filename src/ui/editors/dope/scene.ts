@@ -1,7 +1,7 @@
 /** What the dope sheet shows: everything that drawing needs, read-only. */
 import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { ShownMarker } from '../../kit/markers-picture.ts';
+import type { ShownMarker } from '../../widgets/time/markers-picture.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';

@@ -10,7 +10,7 @@
  *
  * Times are the transport's unless stated otherwise.
  */
-import type { TimeWindow } from '../../kit/time-window.ts';
+import type { TimeWindow } from '../../widgets/time/time-window.ts';
 import { TIME_RULER_HEIGHT } from '../timeline/time-ruler.ts';
 
 export const STRIP_TOP: number = TIME_RULER_HEIGHT;

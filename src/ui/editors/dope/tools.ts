@@ -1,11 +1,11 @@
 /** Controls of the dope sheet: a name filter, and switches in the row of tabs. */
 
-import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { findAction, isChecked, tryAction } from '../../state/action.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
+import { findAction, isChecked, tryAction } from '../../state/actions/action.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { icon } from '../../widgets/icons.ts';
 
 /** Switches and their tooltips. */
 const SWITCHES: Readonly<Record<string, string>> = {

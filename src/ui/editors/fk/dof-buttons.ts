@@ -2,14 +2,14 @@
  * Buttons for the selected joint's DOFs, beside the mode switch. The active one is pressed; linked ones show what they
  * follow.
  */
-import { coupleOf } from '../../../model/couples.ts';
-import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
-import { limitValueText } from '../../state/dof-text.ts';
-import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { coupleOf } from '../../../model/skeleton/couples.ts';
+import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { limitValueText } from '../../state/joints/dof-text.ts';
+import { type ResolvedJoint, selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, keepsFocusElsewhere } from '../../widgets/dom.ts';
 import { coupleText } from '../inspector/dof-rows.ts';
 import { activeDof, chooseDof, dofsByHand, dofsOfJoint, freeDofs, isLockedDof } from '../posing/active-dof.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';

@@ -10,9 +10,9 @@
 import type { HandleId } from '../../../evaluate/handles/joint-handles.ts';
 import { findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
-import type { Hit } from '../../../view/picking.ts';
-import { activateJoint, addsToSelection, reselect, selectHit } from '../../state/select-joints.ts';
-import { type ResolvedJoint, resolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import type { Hit } from '../../../view/picking/picking.ts';
+import { activateJoint, addsToSelection, reselect, selectHit } from '../../state/joints/select-joints.ts';
+import { type ResolvedJoint, resolvedJoint, selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseDof } from '../posing/active-dof.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';

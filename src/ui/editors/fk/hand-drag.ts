@@ -5,12 +5,12 @@
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { jointIn } from '../../../edit/step-names.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeyed } from '../../state/add-keys.ts';
-import { HandEdit } from '../../state/hand-edit.ts';
+import { jointsText } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
-import { jointsText } from '../../state/selected-joint.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';

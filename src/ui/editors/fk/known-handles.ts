@@ -5,7 +5,7 @@
 
 import { type JointHandles, jointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import { sameNumbers } from '../../../math/same-numbers.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 
 export class KnownHandles {
   private known: JointHandles | undefined;

@@ -12,7 +12,7 @@ import {
   sameHandle,
 } from '../../../evaluate/handles/joint-handles.ts';
 import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
-import { type CharacterDof, characterDofs, type DofValue } from '../../../model/dofs.ts';
+import { type CharacterDof, characterDofs, type DofValue } from '../../../model/skeleton/dofs.ts';
 import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
 import {
   diagonalMeasure,
@@ -26,7 +26,7 @@ import {
   viewTurnMeasure,
 } from '../../../view/gizmo/pointer-measures.ts';
 import { BALL_PART, shearPart } from '../../../view/gizmo/shapes.ts';
-import type { ResolvedJoint } from '../../state/selected-joint.ts';
+import type { ResolvedJoint } from '../../state/joints/selected-joint.ts';
 import { SNAP_ANGLE, snapStep } from '../posing/active-dof.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 

@@ -1,10 +1,10 @@
 /** Actions of inverse kinematics: pins, joint locks, root motion. Their scripts are loaded on first use. */
 
 import { defaultIk } from '../../../model/ik.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { NO_SKELETON, needs } from '../../state/needs.ts';
-import { selectedJoint, selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { NO_SKELETON, needs } from '../../state/actions/needs.ts';
+import { selectedJoint, selectedJoints, selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { type ChosenReach, REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
 

@@ -1,9 +1,9 @@
 /** Explains why a pin can't reach its target. */
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import type { Character } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 
 /** Maximum number of limits listed; the rest is counted. */
 const MAX_NAMED = 3;

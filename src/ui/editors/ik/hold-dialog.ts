@@ -2,15 +2,15 @@
 import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
 import type { HeldTake } from '../../../edit/hold/hold.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
-import { keysOf, repeats } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { element } from '../../kit/dom.ts';
-import { errorSize, plural } from '../../kit/number-text.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { keysOf, repeats } from '../../../model/takes/clip.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element } from '../../widgets/dom.ts';
+import { errorSize, plural } from '../../widgets/numbers/number-text.ts';
 import { toolDialog } from '../timeline/tool-dialog.ts';
 import { selectedPin } from './selected-pin.ts';
 

@@ -5,16 +5,16 @@
 
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { defaultIk } from '../../../model/ik.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { icon } from '../../kit/icons.ts';
-import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { touchWords } from '../../kit/touch-words.ts';
-import { currentCharacter, findAction, tryById } from '../../state/action.ts';
-import { itemOf } from '../../state/menu-entries.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
+import { currentCharacter, findAction, tryById } from '../../state/actions/action.ts';
+import { itemOf } from '../../state/actions/menu-entries.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
+import { touchWords } from '../../widgets/touch-words.ts';
 import { whileShown } from '../posing/while-shown.ts';
 import { REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
 

@@ -1,6 +1,7 @@
 /** A few labels beside points in the viewport: names of pins, and why one can't reach its target. */
-import { element, setText } from '../../kit/dom.ts';
+
 import type { Uses } from '../../state/workbench.ts';
+import { element, setText } from '../../widgets/dom.ts';
 import type { PlaceOnScreen } from './nearest-on-screen.ts';
 
 export type LabelKind = 'name' | 'gap';

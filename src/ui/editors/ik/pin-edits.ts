@@ -5,9 +5,9 @@ import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
-import { attempt } from '../../state/attempt.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
-import { jointsText } from '../../state/selected-joint.ts';
+import { jointsText } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**

@@ -4,7 +4,7 @@ import { BesidePins } from '../../../evaluate/ik/drag/beside-pins.ts';
 import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
+import { jointDofCount, rootDofCount } from '../../../model/skeleton/dofs.ts';
 import type { BesideDofs } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { standStillToPose } from '../posing/pose-edits.ts';

@@ -6,7 +6,7 @@ import { invertAffine, isSingular } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { Skin } from '../../../model/skin.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';

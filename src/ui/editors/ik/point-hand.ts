@@ -4,8 +4,8 @@
  */
 import { findCharacter } from '../../../model/document.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
-import { Readout } from '../../kit/readout.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { Readout } from '../../widgets/numbers/readout.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { depthText } from './depth-text.ts';
 import type { IkGrip, PullState } from './hand-pull.ts';

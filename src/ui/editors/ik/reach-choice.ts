@@ -1,8 +1,8 @@
 /** Which reach of IK is chosen, in words: shared by the bar, the menu and the search. */
 import type { Character } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 export const CHOSEN_REACHES = ['limb', 'body', 'chain'] as const;

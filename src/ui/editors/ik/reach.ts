@@ -6,10 +6,10 @@
 import { type DragReach, dragReach, WHOLE } from '../../../evaluate/ik/drag/drag-reach.ts';
 import type { IkReach } from '../../../evaluate/ik/limb.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
-import { plural } from '../../kit/number-text.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import { chainTopOf, isWholeChain, reachShown } from './reach-choice.ts';
 
 /** @param placement from the character's space to the scene's */

@@ -1,8 +1,8 @@
 /** Chooses the reach of IK: by menu, or by a script with the arguments of `ik.setReach`. No undo step. */
 import { CommandError } from '../../../edit/command-error.ts';
 import { index, oneOf, optional, record } from '../../../edit/schema/shape.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { selectedJoint } from '../../state/selected-joint.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { CHOSEN_REACHES, chainText, REACH_NAMES, reachShown } from './reach-choice.ts';
 

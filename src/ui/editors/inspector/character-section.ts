@@ -10,16 +10,16 @@ import {
   shownClip,
   startSeconds,
 } from '../../../model/document.ts';
-import { lengthStep } from '../../../model/reach.ts';
-import type { Units } from '../../kit/arithmetic.ts';
-import { button, element, setText } from '../../kit/dom.ts';
-import { exact } from '../../kit/number-text.ts';
-import { removeControllers, Slider } from '../../kit/slider.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { tryById } from '../../state/action.ts';
-import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
-import type { HandEdit } from '../../state/hand-edit.ts';
+import { lengthStep } from '../../../model/skeleton/reach.ts';
+import { tryById } from '../../state/actions/action.ts';
+import type { HandEdit } from '../../state/actions/hand-edit.ts';
+import { shownPerUnit, typedUnits, withoutNoise } from '../../state/joints/angles.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { button, element, setText } from '../../widgets/dom.ts';
+import type { Units } from '../../widgets/numbers/arithmetic.ts';
+import { exact } from '../../widgets/numbers/number-text.ts';
+import { removeControllers, Slider } from '../../widgets/numbers/slider.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { movedButtons } from '../retarget/moved.ts';
 import { followsText } from '../retarget/moved-text.ts';
 import { addSpaceRows } from './space-rows.ts';

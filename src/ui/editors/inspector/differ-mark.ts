@@ -1,11 +1,11 @@
 /** The mark after the name of a DOF of several joints whose values differ: the slider shows only the active one's. */
-import type { CharacterDof } from '../../../model/dofs.ts';
-import { element, setAttribute } from '../../kit/dom.ts';
-import { shown } from '../../kit/number-text.ts';
-import type { Slider } from '../../kit/slider.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { shownPerUnit, unitText } from '../../state/angles.ts';
+import type { CharacterDof } from '../../../model/skeleton/dofs.ts';
+import { shownPerUnit, unitText } from '../../state/joints/angles.ts';
 import type { Settings } from '../../state/settings.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
+import type { Slider } from '../../widgets/numbers/slider.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 /** Differences that a number with three decimals wouldn't show. */
 const SAME = 1e-6;

@@ -9,10 +9,10 @@
  */
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { button, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { attempt } from '../../state/attempt.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { deleteKeysNow, isKeyedNow, isSampled, keyNow } from '../posing/pose-edits.ts';
 
 export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';

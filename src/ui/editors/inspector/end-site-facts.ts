@@ -1,6 +1,6 @@
 /** Positions of a joint's End Sites among its details: in the joint's space as in the file, and as posed. */
 import { endSitePosition } from '../../../evaluate/end-sites.ts';
-import type { Joint } from '../../../model/skeleton.ts';
+import type { Joint } from '../../../model/skeleton/skeleton.ts';
 import type { FactList } from './fact-list.ts';
 
 /**

@@ -1,8 +1,8 @@
 /** Facts in two columns, with tables of numbers between them; used by `joint-facts` and `vertex-facts`. */
-import { announce } from '../../kit/announce.ts';
-import { BLOCKED, copyText } from '../../kit/clipboard.ts';
-import { button, element, setText } from '../../kit/dom.ts';
-import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
+import { announce } from '../../widgets/announce.ts';
+import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
+import { button, element, setText } from '../../widgets/dom.ts';
+import { type GridOptions, NumberGrid } from '../../widgets/numbers/number-grid.ts';
 
 /** A view with its update function. */
 export interface FactView {

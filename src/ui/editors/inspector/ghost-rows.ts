@@ -1,8 +1,8 @@
 /** Onion skin rows in the display section: number of ghosts before and after, and their spacing. */
 import type { GUI } from 'lil-gui';
 import { type Display, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
-import { Slider } from '../../kit/slider.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { Slider } from '../../widgets/numbers/slider.ts';
 import { setDisplay } from '../viewport/actions.ts';
 
 /** Default step in each unit, set when the unit changes. */

@@ -4,17 +4,17 @@
  */
 import { GUI } from 'lil-gui';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
-import { jointsIn } from '../../../model/selected-joints.ts';
-import { element } from '../../kit/dom.ts';
-import { isTextField, leaveField } from '../../kit/focus.ts';
-import { SECTION } from '../../kit/focus-regions.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { HandEdit } from '../../state/hand-edit.ts';
-import { handleKey } from '../../state/keys.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { HandEdit } from '../../state/actions/hand-edit.ts';
+import { handleKey } from '../../state/actions/keys.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { PosingMode } from '../../state/posing.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { isTextField, leaveField } from '../../widgets/focus/focus.ts';
+import { SECTION } from '../../widgets/focus/focus-regions.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 import { IkSection } from '../ik/ik-section.ts';
 import type { RigSection } from '../rig/rig-section.ts';
 import { CharacterSection } from './character-section.ts';

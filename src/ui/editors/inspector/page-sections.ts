@@ -2,9 +2,9 @@
 import type { GUI } from 'lil-gui';
 import { LOOP_MODES } from '../../../edit/playback.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../model/session.ts';
-import { Slider, type SliderOptions } from '../../kit/slider.ts';
 import { ANGLES, TIME_DISPLAYS } from '../../state/settings.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { Slider, type SliderOptions } from '../../widgets/numbers/slider.ts';
 import { LOOP_LABELS } from '../transport/actions.ts';
 import { BOX_STYLES, isSkinVisible, NO_SKIN, SKIN_STYLES, setDisplay } from '../viewport/actions.ts';
 import { addGhostRows } from './ghost-rows.ts';
@@ -117,4 +117,4 @@ export function playbackSection(wb: Uses<'transport' | 'settings' | 'messages'>,
   });
 }
 
-import { setTooltip } from '../../kit/tooltip.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';

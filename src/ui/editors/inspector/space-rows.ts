@@ -6,17 +6,17 @@
  */
 import type { GUI } from 'lil-gui';
 import { alike, setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';
-import { liftOntoGround } from '../../../evaluate/space.ts';
-import { guessSpace, metresForPerson } from '../../../evaluate/space-guess.ts';
+import { liftOntoGround } from '../../../evaluate/space/space.ts';
+import { guessSpace, metresForPerson } from '../../../evaluate/space/space-guess.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
-import { type Positions, positionsTaken } from '../../../model/position-channels.ts';
+import { type Positions, positionsTaken } from '../../../model/skeleton/position-channels.ts';
 import { DEFAULT_SPACE, type LengthUnit, type Space } from '../../../model/space.ts';
-import { Slider } from '../../kit/slider.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { withoutNoise } from '../../state/angles.ts';
-import { attempt } from '../../state/attempt.ts';
-import type { HandEdit } from '../../state/hand-edit.ts';
+import { attempt } from '../../state/actions/attempt.ts';
+import type { HandEdit } from '../../state/actions/hand-edit.ts';
+import { withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { Slider } from '../../widgets/numbers/slider.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
   ['Automatic', 'automatic'],

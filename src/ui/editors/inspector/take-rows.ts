@@ -1,16 +1,16 @@
 /** The shown take, in the character's section: its name and playback range. */
 import type { GUI } from 'lil-gui';
 import { renameClip, setClipRange, setInterpolation } from '../../../edit/commands/clips.ts';
-import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
-import type { Interpolation } from '../../../model/samples.ts';
-import { element } from '../../kit/dom.ts';
-import { NumberField } from '../../kit/number-field.ts';
-import { shown } from '../../kit/number-text.ts';
-import { withoutNoise } from '../../state/angles.ts';
-import { attempt } from '../../state/attempt.ts';
-import { openPanel } from '../../state/panels.ts';
+import type { ChannelClip } from '../../../model/takes/clip.ts';
+import type { Interpolation } from '../../../model/takes/samples.ts';
+import { attempt } from '../../state/actions/attempt.ts';
+import { withoutNoise } from '../../state/joints/angles.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { NumberField } from '../../widgets/numbers/number-field.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 
 const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
   'Nearest frame': 'nearest',

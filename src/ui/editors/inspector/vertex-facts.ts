@@ -1,9 +1,9 @@
 /** Details of one vertex of a skin: its position in the file and now, and its attachments. */
-import { vertexDeformer } from '../../../evaluate/one-vertex.ts';
+import { vertexDeformer } from '../../../evaluate/skin/one-vertex.ts';
 import type { Character } from '../../../model/document.ts';
 import { type Material, type Skin, vertexCount } from '../../../model/skin.ts';
-import { count, errorSize, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { count, errorSize, shown } from '../../widgets/numbers/number-text.ts';
 import { FactList, type FactView } from './fact-list.ts';
 
 const AXES = ['x', 'y', 'z'];

@@ -4,8 +4,8 @@
  */
 import { trackJoints } from '../../../evaluate/measure/tracks.ts';
 import { runInSlices } from '../../../view/slices.ts';
-import { type Observable, observable } from '../../kit/observable.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { type Observable, observable } from '../../widgets/observable.ts';
 import { isTooLong, type Measured, MOST_OVERLAID, type Source, sourcesOf } from './series.ts';
 
 export interface MeasuredAll {

@@ -3,18 +3,18 @@
  * take, as displayed. Nothing in the document changes.
  */
 import { QUANTITIES, type Quantity } from '../../../evaluate/measure/quantities.ts';
-import { BLOCKED, copyText } from '../../kit/clipboard.ts';
-import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { focusPanel, HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { icon } from '../../kit/icons.ts';
-import { menuButton } from '../../kit/menu.ts';
-import { middleCut } from '../../kit/middle-cut.ts';
-import { plural, shown } from '../../kit/number-text.ts';
-import { fitWindow, isMostly, snapTime } from '../../kit/time-window.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { focusPanel, HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { icon } from '../../widgets/icons.ts';
+import { menuButton } from '../../widgets/menu.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
+import { fitWindow, isMostly, snapTime } from '../../widgets/time/time-window.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { type ChartPoint, type TimeChart, TimeInput, timeAt } from '../timeline/time-input.ts';
 import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';

@@ -3,7 +3,7 @@
  * that playback redraws little. Contacts are bars, a row each.
  */
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
-import { shown } from '../../kit/number-text.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawDot,

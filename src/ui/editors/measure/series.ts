@@ -3,12 +3,12 @@ import { type Frames, MAX_FRAMES } from '../../../evaluate/bake.ts';
 import { type Quantity, quantityOf } from '../../../evaluate/measure/quantities.ts';
 import { measuredFrames, type Tracks } from '../../../evaluate/measure/tracks.ts';
 import type { Character } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { jointsIn } from '../../../model/selected-joints.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import { harmless, quoted } from '../../../review/formula-cells.ts';
-import { count, exact } from '../../kit/number-text.ts';
 import { comparedIn, drawnDocument, playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { count, exact } from '../../widgets/numbers/number-text.ts';
 
 export const SUBJECTS = ['joints', 'feet', 'mass'] as const;
 export type Subject = (typeof SUBJECTS)[number];

@@ -3,13 +3,13 @@
  * a caret.
  */
 import type { Diagnostic } from '../../../model/diagnostic.ts';
-import { button, element } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { count, plural } from '../../kit/number-text.ts';
 import { caretPad, counts, groupByFile, type Message } from '../../state/messages.ts';
 import { offerButton } from '../../state/offer-button.ts';
-import { showInSource } from '../../state/show-in-source.ts';
+import { showInSource } from '../../state/panels/show-in-source.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { count, plural } from '../../widgets/numbers/number-text.ts';
 
 /** The rest is counted; Copy includes all. */
 const MAX_SHOWN = 200;

@@ -1,6 +1,6 @@
 /** Where a drop on the tree puts a joint. */
 import { branchEnd, canHangOn } from '../../../edit/rig/parents.ts';
-import type { Joint } from '../../../model/skeleton.ts';
+import type { Joint } from '../../../model/skeleton/skeleton.ts';
 
 /** Why a joint can't be dropped on a row; undefined if nothing has to be said. */
 export function whyNoDrop(

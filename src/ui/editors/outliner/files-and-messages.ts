@@ -1,10 +1,11 @@
 /** Below the tree: open files, files that belong to nothing, and problems. */
-import { BLOCKED, copyText } from '../../kit/clipboard.ts';
-import { button, element, setText, uniqueId } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
+
 import { messagesText } from '../../state/messages.ts';
-import { openPanel } from '../../state/panels.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
+import { button, element, setText, uniqueId } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
 import { diagnosticsList } from './diagnostics-list.ts';
 import { filesList } from './files-list.ts';
 

@@ -1,11 +1,11 @@
 /** The open files and those that belong to nothing. A drop of thousands is listed as it is scrolled. */
 import type { Document } from '../../../model/document.ts';
 import type { SourceFile } from '../../../model/files.ts';
-import { element } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { cutLabel } from '../../kit/middle-cut.ts';
-import { bytes } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { cutLabel } from '../../widgets/middle-cut.ts';
+import { bytes } from '../../widgets/numbers/number-text.ts';
 
 export interface ListedFile {
   readonly source: SourceFile;

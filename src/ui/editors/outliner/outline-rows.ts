@@ -3,10 +3,10 @@
  * are in depth-first pre-order, so one pass makes the rows, for any depth and number.
  */
 import type { Character, Document } from '../../../model/document.ts';
-import { shortJointName } from '../../../model/joint-name.ts';
-import type { Joint } from '../../../model/skeleton.ts';
+import { shortJointName } from '../../../model/skeleton/joint-name.ts';
+import type { Joint } from '../../../model/skeleton/skeleton.ts';
 import { vertexCount } from '../../../model/skin.ts';
-import { duration, plural } from '../../kit/number-text.ts';
+import { duration, plural } from '../../widgets/numbers/number-text.ts';
 import { followsText } from '../retarget/moved-text.ts';
 
 export type RowKind = 'character' | 'group' | 'joint' | 'skin' | 'clip' | 'morph';

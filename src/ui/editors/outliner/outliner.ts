@@ -1,14 +1,14 @@
 /** The left panel: characters and their parts, and below them files and messages. */
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
-import { jointsIn } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
-import { element } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { currentCharacter, tryById } from '../../state/action.ts';
-import { attempt } from '../../state/attempt.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { currentCharacter, tryById } from '../../state/actions/action.ts';
+import { attempt } from '../../state/actions/attempt.ts';
+import { splitter } from '../../state/panels/splitter.ts';
 import { onShown } from '../../state/shown-comparison.ts';
-import { splitter } from '../../state/splitter.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import { characterKey, isFew, jointKey, keysAbove, type OutlineRow, outlineRows, sameOutline } from './outline-rows.ts';
 import { activate, canRename, isSelected, rename, select, selectRange, toggleSelected } from './row-actions.ts';

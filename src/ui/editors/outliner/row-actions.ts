@@ -1,8 +1,8 @@
 /** What is done to rows of the outliner: selecting, activating, renaming. */
 import { renameCharacter, showClip, showSkin } from '../../../edit/commands/characters.ts';
 import { renameClip } from '../../../edit/commands/clips.ts';
-import { withJoints, withJointToggled } from '../../../model/selected-joints.ts';
-import { selectedJointsOf } from '../../state/selected-joint.ts';
+import { withJoints, withJointToggled } from '../../../model/skeleton/selected-joints.ts';
+import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { OutlineRow } from './outline-rows.ts';
 

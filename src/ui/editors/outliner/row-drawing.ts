@@ -1,12 +1,12 @@
 /** What a row of the outliner shows. */
 
 import { setHidden } from '../../../edit/commands/spaces.ts';
-import { cutText } from '../../../model/cut-text.ts';
 import type { PartKind } from '../../../model/files.ts';
-import { element } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { cutText } from '../../../model/names/cut-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { groupKey, type OutlineRow } from './outline-rows.ts';
 import { markElement, type RowMark } from './row-marks.ts';
 

@@ -1,9 +1,10 @@
 /** How joints compare with those of another program: a mark per row, and one for the rows that are collapsed below it. */
-import { type JointMark, jointMarks, MARK_TEXTS } from '../../../lesson/joint-marks.ts';
-import type { Joint } from '../../../model/skeleton.ts';
-import { element } from '../../kit/dom.ts';
-import { plural } from '../../kit/number-text.ts';
+
+import type { Joint } from '../../../model/skeleton/skeleton.ts';
+import { type JointMark, jointMarks, MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
 import type { DumpComparison, ShownComparison } from '../../state/dump-comparison.ts';
+import { element } from '../../widgets/dom.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import type { OutlineRow } from './outline-rows.ts';
 
 /** Of the joints of a character. */

@@ -2,11 +2,11 @@
 import { removeCopy, showClip, showSkin } from '../../../edit/commands/characters.ts';
 import { duplicateClip, removeClip } from '../../../edit/commands/clips.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { actionsOf, currentCharacter, tryAction } from '../../state/action.ts';
-import { itemOf, sectionsOf } from '../../state/menu-entries.ts';
+import { actionsOf, currentCharacter, tryAction } from '../../state/actions/action.ts';
+import { itemOf, sectionsOf } from '../../state/actions/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
 import { movedEntries } from '../retarget/moved.ts';
 import type { OutlineRow } from './outline-rows.ts';
 

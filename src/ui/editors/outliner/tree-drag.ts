@@ -3,9 +3,9 @@
  * keyboard: "Move under" in the row's menu.
  */
 import { findCharacter } from '../../../model/document.ts';
-import { element } from '../../kit/dom.ts';
-import { waitOutDrag } from '../../kit/keyboard.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
 import { dropPlace, type NewPlace, rowPart, whyNoDrop } from './drop-place.ts';
 import type { OutlineRow } from './outline-rows.ts';
 import { indentOf, type Tree } from './tree.ts';

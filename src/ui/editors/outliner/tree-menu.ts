@@ -1,14 +1,14 @@
 /** Entries of a joint's context menu that change the skeleton. */
 import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Character } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { withJointToggled } from '../../../model/selected-joints.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import type { MenuEntry } from '../../kit/menu.ts';
-import { findAction, tryById } from '../../state/action.ts';
-import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { withJointToggled } from '../../../model/skeleton/selected-joints.ts';
+import { findAction, tryById } from '../../state/actions/action.ts';
+import { jointsText, selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import type { MenuEntry } from '../../widgets/menu.ts';
 
 const ADD = 'Add to selection';
 const REMOVE = 'Remove from selection';

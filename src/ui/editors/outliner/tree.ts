@@ -1,11 +1,11 @@
 /** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
-import { element, setAttribute } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { icon } from '../../kit/icons.ts';
-import type { MenuPlace } from '../../kit/menu.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { continuesTyping, isCharacter, noteTyped } from '../../kit/typing.ts';
-import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { continuesTyping, isCharacter, noteTyped } from '../../widgets/focus/typing.ts';
+import { icon } from '../../widgets/icons.ts';
+import type { MenuPlace } from '../../widgets/menu.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
+import { rowAfterKey, WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
 import type { OutlineRow } from './outline-rows.ts';
 
 export interface TreeEvents {

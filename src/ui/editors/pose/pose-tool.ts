@@ -14,8 +14,8 @@ import type { HandleId, JointHandles } from '../../../evaluate/handles/joint-han
 import { ZERO } from '../../../math/vec3.ts';
 import { perObject } from '../../../model/per-object.ts';
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
-import { addsToSelection, selectHit } from '../../state/select-joints.ts';
-import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { addsToSelection, selectHit } from '../../state/joints/select-joints.ts';
+import { type ResolvedJoint, selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { SelectedGizmo } from '../fk/selected-gizmo.ts';
 import { ikControls } from '../ik/ik-controls.ts';

@@ -1,9 +1,9 @@
 /** Actions on whole poses: copy, paste, mirror, save. Their scripts are loaded on first use. */
 
 import type { NamedPose } from '../../../model/poses.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../../state/needs.ts';
-import { selectedJoints, selectedJointsText } from '../../state/selected-joint.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../../state/actions/needs.ts';
+import { selectedJoints, selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pose';

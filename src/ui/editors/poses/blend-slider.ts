@@ -2,9 +2,10 @@
  * Blends the displayed pose towards the focused pose of the library while it is dragged, or moved by keys until Enter or
  * until the focus leaves. One undo step; Escape restores the pose. Then it is at 0 again, as nothing is blended.
  */
-import { element, setAttribute, setText } from '../../kit/dom.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+
 import type { Uses } from '../../state/workbench.ts';
+import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { type Blended, PoseBlend } from './pose-blend.ts';
 
 export interface BlendTarget extends Blended {

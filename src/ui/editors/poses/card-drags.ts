@@ -1,6 +1,7 @@
 /** Dragging on a card of the library blends to its pose. */
-import { followPointer } from '../../kit/drag.ts';
+
 import type { Uses } from '../../state/workbench.ts';
+import { followPointer } from '../../widgets/drag.ts';
 import { type Blended, PoseBlend } from './pose-blend.ts';
 
 /** Pixels to the right that apply the whole pose. */

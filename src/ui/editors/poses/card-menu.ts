@@ -1,5 +1,5 @@
 /** A card's context menu. */
-import type { MenuEntry } from '../../kit/menu.ts';
+import type { MenuEntry } from '../../widgets/menu.ts';
 
 export interface CardActions {
   /** @param isBranch from the selected joints down only */

@@ -1,6 +1,6 @@
 /** One pose of the library: thumbnail, and name, edited in place. */
-import { element, setAttribute, setText } from '../../kit/dom.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 /** CSS pixels. */
 const PICTURE = { width: 112, height: 112 };

@@ -1,5 +1,5 @@
 import type { Character } from '../../../model/document.ts';
-import { selectedJointsOf } from '../../state/selected-joint.ts';
+import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**

@@ -8,16 +8,16 @@
  */
 import { type Character, findCharacter } from '../../../model/document.ts';
 import type { NamedPose } from '../../../model/poses.ts';
-import { element, setAttribute, uniqueId } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { openMenu } from '../../kit/menu.ts';
-import { observable } from '../../kit/observable.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { sectionsOf } from '../../state/menu-entries.ts';
-import { jointsText } from '../../state/selected-joint.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
+import { jointsText } from '../../state/joints/selected-joint.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { element, setAttribute, uniqueId } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { openMenu } from '../../widgets/menu.ts';
+import { observable } from '../../widgets/observable.ts';
 import { PoseCard } from './card.ts';
 import { blendByDrag } from './card-drags.ts';
 import { cardEntries } from './card-menu.ts';

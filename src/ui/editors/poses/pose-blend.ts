@@ -1,7 +1,7 @@
 /** One blend by hand from the displayed pose towards a pose of the library, in one undo step. Escape restores it. */
 import { applyPose } from '../../../edit/commands/poses.ts';
+import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeyed } from '../../state/add-keys.ts';
-import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { moment } from './pose-edits.ts';
 

@@ -6,7 +6,7 @@ import type { Steps } from '../../../evaluate/steps.ts';
 import type { Character } from '../../../model/document.ts';
 import type { NamedPose } from '../../../model/poses.ts';
 import { drawPose, type ThumbnailColours } from '../../../view/pose-thumbnail.ts';
-import { inSlices } from '../../kit/in-slices.ts';
+import { inSlices } from '../../widgets/in-slices.ts';
 
 interface Kept {
   readonly of: readonly unknown[];

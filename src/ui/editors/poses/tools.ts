@@ -1,12 +1,12 @@
 /** Controls of the poses tab, beside the tabs: saving a pose, and how poses are applied. */
 
-import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import type { Observable } from '../../kit/observable.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { currentCharacter, findAction, isEnabled, tryAction } from '../../state/action.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
+import { currentCharacter, findAction, isEnabled, tryAction } from '../../state/actions/action.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere } from '../../widgets/dom.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import type { Observable } from '../../widgets/observable.ts';
 import { focusedPose } from './actions.ts';
 import { blendSlider } from './blend-slider.ts';
 import { hierarchiesMeant } from './hierarchies.ts';

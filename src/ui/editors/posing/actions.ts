@@ -1,6 +1,6 @@
 /** Actions of the posing modes, and keys that only the viewport has. */
 import { NOTHING_SELECTED } from '../../../model/session.ts';
-import { needs } from '../../state/needs.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { PosingMode } from '../../state/posing.ts';
 import { GIZMO_SCALES } from '../../state/settings.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';

@@ -5,17 +5,17 @@
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { matchingDofs, sameChange } from '../../../edit/pose/same-change.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
-import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
-import { type CharacterDof, characterDofs, firstDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { quaternionDofs } from '../../../model/joint-types.ts';
-import { lengthStep } from '../../../model/reach.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { coupleOf } from '../../../model/skeleton/couples.ts';
+import { type CharacterDof, characterDofs, firstDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { quaternionDofs } from '../../../model/skeleton/joint-types.ts';
+import { lengthStep } from '../../../model/skeleton/reach.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { addKeyed } from '../../state/add-keys.ts';
-import { dofValueText, limitNote } from '../../state/dof-text.ts';
+import { dofValueText, limitNote } from '../../state/joints/dof-text.ts';
+import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
-import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, jointDofs } from './pose-edits.ts';
 

@@ -6,13 +6,13 @@ import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
-import { shown } from '../../kit/number-text.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { NO_JOINT, NO_SKELETON, needs } from '../../state/needs.ts';
-import { selectedJointsOf, selectedJointsText } from '../../state/selected-joint.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { NO_JOINT, NO_SKELETON, needs } from '../../state/actions/needs.ts';
+import { keyNameOf } from '../../state/actions/tooltips.ts';
+import { selectedJointsOf, selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
-import { keyNameOf } from '../../state/tooltips.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import { hasTake } from '../timeline/key-actions.ts';
 import { deleteKeysNow, dofsOfJoints, keyNow, keysNow } from './pose-edits.ts';
 

@@ -2,12 +2,13 @@
  * The bar over the viewport: the mode switch, enforcing limits, and a place for the controls of the mode's tool
  * (`wb.posing.controls`).
  */
-import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { currentCharacter, tryById } from '../../state/action.ts';
+
+import { currentCharacter, tryById } from '../../state/actions/action.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { select: 'Select', pose: 'Pose', fk: 'FK', ik: 'IK', rig: 'Rig' };
 /** Actions whose shortcuts lead to the modes. */

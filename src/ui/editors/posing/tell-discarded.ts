@@ -1,6 +1,6 @@
 /** The message that unkeyed changes were discarded, with the ways to have them back. */
-import { findAction, tryAction } from '../../state/action.ts';
-import { keyNameOf } from '../../state/tooltips.ts';
+import { findAction, tryAction } from '../../state/actions/action.ts';
+import { keyNameOf } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**

@@ -1,7 +1,7 @@
 /** Actions of retargeting. */
 
-import { currentCharacter } from '../../state/action.ts';
-import { needs } from '../../state/needs.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { Action } from '../../state/workbench.ts';
 import { possibleTargets } from './targets.ts';
 

@@ -1,12 +1,12 @@
 /** Actions on a retargeted character: as menu entries, as buttons, and as a notice. */
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
-import type { MenuEntry } from '../../kit/menu.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { attempt } from '../../state/attempt.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import type { MenuEntry } from '../../widgets/menu.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 export interface MovedChoice {
   readonly label: string;

@@ -3,11 +3,11 @@
  * are filled in when a list is opened: a hundred joints with a hundred options each would be ten thousand elements.
  */
 import type { MatchedPair } from '../../../evaluate/retarget/match.ts';
-import { jointName, shortJointName } from '../../../model/joint-name.ts';
-import type { JointPair } from '../../../model/retarget.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
-import { element, setText, uniqueId } from '../../kit/dom.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { jointName, shortJointName } from '../../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
+import type { JointPair } from '../../../model/takes/retarget.ts';
+import { element, setText, uniqueId } from '../../widgets/dom.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 const AT_REST = 'keeps its pose';
 /** Matches below this confidence are guesses. */

@@ -1,8 +1,8 @@
 /** Summary of a retargeting. */
 import type { Measured } from '../../../evaluate/retarget/measure.ts';
 import type { Driver } from '../../../model/document.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 
 export function retargetText(driver: Driver, skeleton: Skeleton, measured: Measured): string {
   const following = `${driver.pairs.length} of ${plural(skeleton.joints.length, 'joint')} follow.`;

@@ -1,7 +1,7 @@
 /** Possible targets of retargeting. */
 import { isPossibleSource } from '../../../edit/drivers.ts';
 import type { Character, Document } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** Characters with a skeleton, for which another one shows a take. */

@@ -1,8 +1,8 @@
 /** Actions on takes in review. Their keys are those of the panel *Review*. */
-import { needs } from '../../state/needs.ts';
-import { openPanel } from '../../state/panels.ts';
+import { needs } from '../../state/actions/needs.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';
-import { chosenPaths, hasChosenTake, hasReview } from './at-hand.ts';
+import { chosenPaths, hasChosenTake, hasReview } from './meant-takes.ts';
 
 const MENU = 'Play/Review';
 const edits = () => import('./edits.ts');

@@ -1,10 +1,10 @@
 /** Beside the list: the flags of the take with the focus, each of which leads to its moment, and its tags and notes. */
-import type { Review } from '../../../model/review.ts';
+import type { Review } from '../../../model/takes/review.ts';
 import type { Flag } from '../../../review/flags.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { middleCut } from '../../kit/middle-cut.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
 import { manualLink } from '../../state/manual-link.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { flagItem } from './flag-item.ts';
 import type { ReviewRow } from './rows.ts';
 

@@ -1,13 +1,13 @@
 /** What is done with takes in review. */
 import { removeFromReview, setReview } from '../../../edit/commands/review.ts';
 import { baseName } from '../../../model/files.ts';
-import { NO_REVIEW, type Review } from '../../../model/review.ts';
+import { NO_REVIEW, type Review } from '../../../model/takes/review.ts';
 import { listedTake } from '../../../review/list.ts';
 import { listAsCsv, listAsJson } from '../../../review/write-list.ts';
-import { plural } from '../../kit/number-text.ts';
-import { attempt } from '../../state/attempt.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { chosenPaths, listOfReview } from './at-hand.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { chosenPaths, listOfReview } from './meant-takes.ts';
 
 type Parts = Uses<'store' | 'timeline' | 'messages'>;
 

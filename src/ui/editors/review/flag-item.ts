@@ -1,6 +1,6 @@
 /** A flag in a list of flags, which leads to its moment. */
 import type { Flag } from '../../../review/flags.ts';
-import { element } from '../../kit/dom.ts';
+import { element } from '../../widgets/dom.ts';
 import { amountText, FLAG_NAMES, momentText } from './texts.ts';
 
 export function flagItem(flag: Flag, seek: (flag: Flag) => void): HTMLElement {

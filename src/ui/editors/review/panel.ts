@@ -2,16 +2,17 @@
  * *Review*: takes by the hundred, of which the one with the focus plays in the viewport. What is said about them is part
  * of the document; their files are not.
  */
-import { element, setText } from '../../kit/dom.ts';
-import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
-import { type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { sectionsOf } from '../../state/menu-entries.ts';
+
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import type { ReviewView } from '../../state/review.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { listOfReview } from './at-hand.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { atMostEvery, oncePerFrame } from '../../widgets/frame.ts';
+import { type MenuPlace, openMenu } from '../../widgets/menu.ts';
 import { ReviewDetail } from './detail.ts';
 import { judge } from './edits.ts';
+import { listOfReview } from './meant-takes.ts';
 import { isFiltered, isSameFilter, type ReviewRow } from './rows.ts';
 import { ShownTake } from './shown-take.ts';
 import { ReviewTable } from './table.ts';

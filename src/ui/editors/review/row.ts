@@ -1,9 +1,9 @@
 /** One row of the list: cells created once, and updated for another take. */
 import type { Flag } from '../../../review/flags.ts';
-import { element, setAttribute, setText } from '../../kit/dom.ts';
-import { middleCut } from '../../kit/middle-cut.ts';
-import { count, duration, shown } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { count, duration, shown } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import type { ReviewRow } from './rows.ts';
 import { amountText, flagsText, starsText, worstText } from './texts.ts';
 import { Thumbnail } from './thumbnail.ts';

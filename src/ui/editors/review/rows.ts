@@ -1,7 +1,7 @@
 /** The list of takes in review: what each row says, which are listed, and in which order. */
 import { baseName } from '../../../model/files.ts';
 import { perObject } from '../../../model/per-object.ts';
-import type { ReviewedTake } from '../../../model/review.ts';
+import type { ReviewedTake } from '../../../model/takes/review.ts';
 import type { TakeDigest } from '../../../review/digest.ts';
 import { badness, FLAG_KINDS, type Flag, type FlagKind, worstOf } from '../../../review/flags.ts';
 import { isReviewable } from '../../../review/reviewable.ts';

@@ -1,6 +1,6 @@
 /** The take with the focus plays in the viewport, in place of the document's characters, without being opened. */
 import { countedAt, DEFAULT_PLAYBACK, pause, play } from '../../../edit/playback.ts';
-import { frameRateOf } from '../../../evaluate/frame-rate.ts';
+import { frameRateOf } from '../../../evaluate/samples/frame-rate.ts';
 import { rangeOfClips, shownClip } from '../../../model/document.ts';
 import type { Workbench } from '../../state/workbench.ts';
 

@@ -5,13 +5,14 @@
  *     Ctrl+Space                     toggles it in the selection
  *     G B 0…5 J Delete               are actions of the panel (`actions.ts`)
  */
-import { element } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { asksForMenu, type MenuPlace } from '../../kit/menu.ts';
-import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
-import { rowAfterKey, WindowedList } from '../../kit/windowed-list.ts';
+
 import type { ReviewColumn, ReviewView } from '../../state/review.ts';
+import { element } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { asksForMenu, type MenuPlace } from '../../widgets/menu.ts';
+import { type SortColumn, SortHeads } from '../../widgets/sort-heads.ts';
+import { rowAfterKey, WindowedList } from '../../widgets/windowed-list.ts';
 import { ReviewRowView } from './row.ts';
 import { isSameFilter, type ReviewRow, worstListed } from './rows.ts';
 

@@ -1,7 +1,7 @@
 /** What the panel says about verdicts and flags. */
 import { amountOfBadness, FLAG_KINDS, type Flag, type FlagKind } from '../../../review/flags.ts';
-import { plural, shown } from '../../kit/number-text.ts';
 import type { ReviewView } from '../../state/review.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 
 export const FLAG_NAMES: Readonly<Record<FlagKind, string>> = {
   spike: 'Spike',

@@ -1,7 +1,7 @@
 /** A take's stick figure in a row: it moves under the pointer, and plays in the row with the keyboard focus. */
 import type { StickFigure } from '../../../review/stick-figure.ts';
-import { element } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
+import { element } from '../../widgets/dom.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 
 /** CSS pixels. */
 const WIDTH = 40;

@@ -1,18 +1,18 @@
 /** Controls of the review, beside the tabs: filters, verdicts and stars for the selected takes, opening and saving. */
-import { MOST_STARS } from '../../../model/review.ts';
+import { MOST_STARS } from '../../../model/takes/review.ts';
 import { FLAG_KINDS } from '../../../review/flags.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { focusPanel } from '../../kit/focus.ts';
-import { icon } from '../../kit/icons.ts';
-import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { count } from '../../kit/number-text.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { findAction, isEnabled, tryAction } from '../../state/action.ts';
-import { itemOf } from '../../state/menu-entries.ts';
+import { findAction, isEnabled, tryAction } from '../../state/actions/action.ts';
+import { itemOf } from '../../state/actions/menu-entries.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { ReviewView } from '../../state/review.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { focusPanel } from '../../widgets/focus/focus.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
+import { count } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { isFiltered, kindListed, tagsIn } from './rows.ts';
 import { atLeastText, FLAG_NAMES, starsText } from './texts.ts';
 

@@ -1,10 +1,10 @@
 /** Actions that build and edit skeletons. Loaded on first use; their shortcuts work in rig mode only. */
 
 import type { NamedAxis } from '../../../edit/rig/rigging.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { NO_JOINT, NO_SKELETON, needs, reasonOf } from '../../state/needs.ts';
-import { isPanelOpen, openPanel } from '../../state/panels.ts';
-import { selectedJoint, selectedJointsText } from '../../state/selected-joint.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { NO_JOINT, NO_SKELETON, needs, reasonOf } from '../../state/actions/needs.ts';
+import { selectedJoint, selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { isPanelOpen, openPanel } from '../../state/panels/panels.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const edits = () => import('./rig-edits.ts');

@@ -1,12 +1,13 @@
 /** Rig mode's controls beside the mode switch, and the hint below. */
-import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
-import { type IconName, icon } from '../../kit/icons.ts';
-import type { Observable } from '../../kit/observable.ts';
-import { tryById } from '../../state/action.ts';
+
+import { tryById } from '../../state/actions/action.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import { type IconName, icon } from '../../widgets/icons.ts';
+import type { Observable } from '../../widgets/observable.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
 const SKIN_TEXT: Readonly<Record<RigSkin, readonly [text: string, tip: string]>> = {

@@ -7,8 +7,8 @@ import { alongLine, type BoxSide, boxWithFace, parentToScene, withoutDust } from
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
-import { shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap, SNAP_PIXELS } from './grid-snap.ts';
 import { editOfRig, type Rigged } from './rigged.ts';

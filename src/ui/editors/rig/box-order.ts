@@ -1,7 +1,7 @@
 /** A typed box must have its lower corner below its upper one, as for limits. */
 import type { Vec3 } from '../../../math/vec3.ts';
-import type { Box } from '../../../model/skeleton.ts';
-import { shown } from '../../kit/number-text.ts';
+import type { Box } from '../../../model/skeleton/skeleton.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 
 /**
  * Why a corner is invalid; undefined if valid. Files may have the corners swapped: along such an axis anything may be

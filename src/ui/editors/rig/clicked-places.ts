@@ -12,7 +12,7 @@ import { setIdentity } from '../../../math/mat4.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
-import { insideSkin } from '../../../view/inside-skin.ts';
+import { insideSkin } from '../../../view/picking/inside-skin.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap, SNAP_PIXELS } from './grid-snap.ts';

@@ -2,17 +2,17 @@
 import type { ArgsOf } from '../../../edit/command.ts';
 import { setCouple } from '../../../edit/commands/couples.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { dofsOf } from '../../../model/joint-types.ts';
-import type { Couple, Dof, DofUnit, Skeleton } from '../../../model/skeleton.ts';
-import { button, element } from '../../kit/dom.ts';
-import { NumberField } from '../../kit/number-field.ts';
-import { shown } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
-import { attempt } from '../../state/attempt.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { dofsOf } from '../../../model/skeleton/joint-types.ts';
+import type { Couple, Dof, DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
+import { attempt } from '../../state/actions/attempt.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/joints/angles.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element } from '../../widgets/dom.ts';
+import { NumberField } from '../../widgets/numbers/number-field.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { rigging } from './rigging-args.ts';
 import type { SectionRow } from './section-rows.ts';
 

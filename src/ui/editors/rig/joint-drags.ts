@@ -19,12 +19,12 @@ import {
 } from '../../../edit/rig/dragged-places.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { add, scaled, subtract, transformPoint, transformVector, type Vec3, ZERO } from '../../../math/vec3.ts';
-import { jointName } from '../../../model/joint-name.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
-import { shown } from '../../kit/number-text.ts';
+import { jointsText, selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import type { RigChildren } from '../../state/rig-hand.ts';
-import { jointsText, selectedJointsOf } from '../../state/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import type { BegunDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { gridSnap, SNAP_PIXELS } from './grid-snap.ts';
 import { outermostJoints } from './outermost.ts';

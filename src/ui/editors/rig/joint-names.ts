@@ -1,7 +1,8 @@
 /** A note about a joint's name while it can still be changed. */
-import { savesAsAxisAngle } from '../../../model/axis-angle.ts';
+
 import { type Character, isBvh } from '../../../model/document.ts';
-import { oneToken, restOfLine } from '../../../model/written-names.ts';
+import { oneToken, restOfLine } from '../../../model/names/written-names.ts';
+import { savesAsAxisAngle } from '../../../model/skeleton/axis-angle.ts';
 
 /** The name it gets in the file if that can't hold it as it is, and whether it is a duplicate; else empty. */
 export function nameNote(character: Pick<Character, 'skeleton'>, joint: number): string {

@@ -5,14 +5,14 @@
 import { setLimit } from '../../../edit/commands/limits.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { type Limit, UNLIMITED } from '../../../model/skeleton.ts';
-import type { Units } from '../../kit/arithmetic.ts';
-import { element } from '../../kit/dom.ts';
-import { exact, parseNumber } from '../../kit/number-text.ts';
-import type { Slider } from '../../kit/slider.ts';
-import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { type Limit, UNLIMITED } from '../../../model/skeleton/skeleton.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import type { Units } from '../../widgets/numbers/arithmetic.ts';
+import { exact, parseNumber } from '../../widgets/numbers/number-text.ts';
+import type { Slider } from '../../widgets/numbers/slider.ts';
 
 /** @param dofs that get the limits; the fields show the first one's */
 export function editLimits(

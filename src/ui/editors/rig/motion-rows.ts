@@ -11,9 +11,9 @@ import {
   parameterOf,
   parametersOf,
   withParameter,
-} from '../../../model/joint-types.ts';
-import type { Motion } from '../../../model/skeleton.ts';
-import { button, element } from '../../kit/dom.ts';
+} from '../../../model/skeleton/joint-types.ts';
+import type { Motion } from '../../../model/skeleton/skeleton.ts';
+import { button, element } from '../../widgets/dom.ts';
 import { choiceRow, numberRow, type SectionContext, type SectionRow, textRow, vectorRow } from './section-rows.ts';
 import { typedList } from './typed-list.ts';
 

@@ -1,4 +1,4 @@
-import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 
 /** Those of the joints that aren't within the hierarchy of another one of them. */
 export function outermostJoints({ joints: all }: Skeleton, joints: readonly number[]): readonly number[] {

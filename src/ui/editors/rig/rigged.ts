@@ -2,9 +2,9 @@
 import { parentToScene } from '../../../edit/rig/dragged-places.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { HandEdit } from '../../state/hand-edit.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { HandEdit } from '../../state/actions/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 export interface Rigged {

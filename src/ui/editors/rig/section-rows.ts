@@ -1,13 +1,13 @@
 /** Rows of the rig section: three numbers side by side, and lines of small controls. */
 import type { GUI } from 'lil-gui';
 import type { Vec3 } from '../../../math/vec3.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { leaveField } from '../../kit/focus.ts';
-import { Slider } from '../../kit/slider.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { withoutNoise } from '../../state/angles.ts';
-import type { HandEdit } from '../../state/hand-edit.ts';
+import type { HandEdit } from '../../state/actions/hand-edit.ts';
+import { withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { leaveField } from '../../widgets/focus/focus.ts';
+import { Slider } from '../../widgets/numbers/slider.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 export interface SectionContext {
   readonly wb: Uses<'messages'>;

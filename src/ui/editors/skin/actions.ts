@@ -1,8 +1,8 @@
 /** Actions on the shown skin. */
 
 import { shownSkin } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { needs } from '../../state/needs.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const skinOf = (wb: Uses<'store'>) => {

@@ -3,20 +3,25 @@
  * attachments of each. The skin as a heat map, and a card with its legend and the numbers of the current character.
  */
 
-import { FourAttachments, type FourFacts, KEPT_FOUR, type KeptFour } from '../../../lesson/program/four-attachments.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import { type Skin, vertexCount } from '../../../model/skin.ts';
-import { element, setText, uniqueId } from '../../kit/dom.ts';
-import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
-import { icon } from '../../kit/icons.ts';
-import { inSlices } from '../../kit/in-slices.ts';
-import { NumberGrid } from '../../kit/number-grid.ts';
-import { aligned, count } from '../../kit/number-text.ts';
-import { currentCharacter } from '../../state/action.ts';
+import {
+  FourAttachments,
+  type FourFacts,
+  KEPT_FOUR,
+  type KeptFour,
+} from '../../../teaching/program/four-attachments.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import { heatLegend } from '../../state/heat-legend.ts';
-import { lengthUnit } from '../../state/length-unit.ts';
+import { lengthUnit } from '../../state/joints/length-unit.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, setText, uniqueId } from '../../widgets/dom.ts';
+import { atMostEvery, oncePerFrame } from '../../widgets/frame.ts';
+import { icon } from '../../widgets/icons.ts';
+import { inSlices } from '../../widgets/in-slices.ts';
+import { NumberGrid } from '../../widgets/numbers/number-grid.ts';
+import { aligned, count } from '../../widgets/numbers/number-text.ts';
 import { attachmentsText, heatScale, KEPT_LABELS, scaleText } from './four-text.ts';
 
 /** While playing: the eye can't read faster. */

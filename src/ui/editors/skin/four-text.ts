@@ -1,8 +1,9 @@
 /** What is said about four attachments, and the scale of the heat map. */
-import type { FourAttachments, KeptFour } from '../../../lesson/program/four-attachments.ts';
+
 import type { Skin } from '../../../model/skin.ts';
 import { vertexCount } from '../../../model/skin.ts';
-import { count, plural, shown } from '../../kit/number-text.ts';
+import type { FourAttachments, KeptFour } from '../../../teaching/program/four-attachments.ts';
+import { count, plural, shown } from '../../widgets/numbers/number-text.ts';
 
 export const KEPT_LABELS: Readonly<Record<KeptFour, string>> = {
   'largest four normalised': 'Largest four, normalised',

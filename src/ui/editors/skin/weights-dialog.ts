@@ -10,14 +10,14 @@ import {
   USUAL_INFLUENCES,
 } from '../../../edit/commands/skin-weights.ts';
 import { shownSkin } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { vertexCount } from '../../../model/skin.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { element } from '../../kit/dom.ts';
-import { plural, shown } from '../../kit/number-text.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element } from '../../widgets/dom.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { type Asked, toolDialog } from '../timeline/tool-dialog.ts';
 
 const TITLE = 'Automatic skin weights';

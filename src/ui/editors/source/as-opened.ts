@@ -6,15 +6,16 @@
  * Joints correspond by their name and their parent's, DOFs by their joint and name, keys by time and value, vertices by
  * index as long as the mesh has the same size.
  */
-import { keysOf } from '../../../model/clip.ts';
+
 import { type Character, type Document, shownClip, shownSkin } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
 import type { SourceFile } from '../../../model/files.ts';
 import type { PartMark } from '../../../model/part.ts';
-import { jointsIn, withJoints } from '../../../model/selected-joints.ts';
 import type { ChannelKeys, Selection } from '../../../model/session.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointsIn, withJoints } from '../../../model/skeleton/selected-joints.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { SourceTarget } from '../../../model/source-map.ts';
+import { keysOf } from '../../../model/takes/clip.ts';
 import type { AsOpened } from '../../state/source.ts';
 import { type ChosenDof, type FileParts, frameAt, type Picked, partsFrom, pickOf, targetsOf } from './places.ts';
 

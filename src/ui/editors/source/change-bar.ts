@@ -1,9 +1,9 @@
 /** The row above the text of an edited file: what has changed, the way from change to change, and a switch for them. */
 import { countsOf, type LineHunk } from '../../../model/text-changes.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { plural } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 export interface ChangeBar {
   readonly element: HTMLElement;

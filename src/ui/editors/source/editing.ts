@@ -1,11 +1,11 @@
 /** Editing the text of the file that is shown: when it can be, its field, and what was left unapplied of other files. */
 import { sentenceOf } from '../../../model/failure.ts';
 import { baseName } from '../../../model/files.ts';
-import { element } from '../../kit/dom.ts';
-import { bytes, count } from '../../kit/number-text.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { TextEdits } from '../../state/source.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { bytes, count } from '../../widgets/numbers/number-text.ts';
 import { contentKey, type TextState } from './as-opened.ts';
 import type { OpenedSource } from './opened-source.ts';
 import type { Draft, TextEditor } from './text-editor.ts';

@@ -9,12 +9,12 @@
 import type { Severity } from '../../../model/diagnostic.ts';
 import type { LineRange } from '../../../model/source-map.ts';
 import type { HunkKind } from '../../../model/text-changes.ts';
-import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { plural } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { rowAfterKey } from '../../kit/windowed-list.ts';
+import { element, setAttribute, setText, uniqueId } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
+import { rowAfterKey } from '../../widgets/windowed-list.ts';
 import type { ShownLine } from './line-text.ts';
 import { clampTop, MAX_HEIGHT, scrollHeight, scrollTopOf, type TallList, topAt, topToReveal } from './tall-scroll.ts';
 

@@ -4,7 +4,7 @@
  */
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { type LineRange, lastUpTo, linesOf, type SourceTarget } from '../../../model/source-map.ts';
-import { plural } from '../../kit/number-text.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import { ChangedRows } from './changed-rows.ts';
 import { LineView, type ShownRow } from './line-view.ts';
 import type { TextInView } from './text-in-view.ts';

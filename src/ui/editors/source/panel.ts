@@ -11,12 +11,12 @@
  */
 import { baseName } from '../../../model/files.ts';
 import { lineNow } from '../../../model/text-changes.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { focusPanel } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { count, plural } from '../../kit/number-text.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { focusPanel } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { count, plural } from '../../widgets/numbers/number-text.ts';
 import { changeBar } from './change-bar.ts';
 import { Editing } from './editing.ts';
 import { findLine } from './find-text.ts';

@@ -2,16 +2,17 @@
  * From what is selected to the parts that a file's text may hold, and back: what a click on a line selects. Indices are
  * those of the file as it was opened.
  */
-import { keysOf } from '../../../model/clip.ts';
+
 import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
 import type { SourceFile } from '../../../model/files.ts';
-import { jointName } from '../../../model/joint-name.ts';
 import type { PartMark, PartMarks } from '../../../model/part.ts';
-import { jointsIn } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { Skin } from '../../../model/skin.ts';
 import type { SourceTarget } from '../../../model/source-map.ts';
+import { keysOf } from '../../../model/takes/clip.ts';
 
 /** What a character has from a file. */
 export interface FileParts {

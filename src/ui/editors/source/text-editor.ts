@@ -8,13 +8,13 @@
 
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { sentenceOf } from '../../../model/failure.ts';
-import { button, element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { plural } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
 import type { CheckedText } from '../../state/source.ts';
+import { button, element, setAttribute, setText, uniqueId } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { worstFirst } from './problems.ts';
 
 /** As in the styles. */

@@ -1,8 +1,8 @@
 /** Controls of the tab *Source*, beside the tabs: the file, a search in it, and the number of a line. */
 import { baseName } from '../../../model/files.ts';
-import { element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 export interface SourceTools {
   readonly element: HTMLElement;

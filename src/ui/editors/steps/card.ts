@@ -1,10 +1,11 @@
 /** One step: a formula, what it does in words, and its numbers. */
-import { orthonormalityError } from '../../../lesson/steps/matrix-facts.ts';
+
 import { determinant3 } from '../../../math/mat4.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
-import { errorSize } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { orthonormalityError } from '../../../teaching/steps/matrix-facts.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { type GridOptions, NumberGrid } from '../../widgets/numbers/number-grid.ts';
+import { errorSize } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 
 /** Characters that fit into a card. */
 const LONG_LAW = 42;

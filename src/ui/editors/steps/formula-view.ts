@@ -1,10 +1,11 @@
 /** Formulas on the page: a symbol under the pointer or with the focus lights up what it stands for; a click selects it. */
-import type { Formula, FormulaSymbol, Meaning } from '../../../lesson/steps/formula.ts';
+
 import type { Character } from '../../../model/document.ts';
-import { characterDofs } from '../../../model/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import { element } from '../../kit/dom.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Formula, FormulaSymbol, Meaning } from '../../../teaching/steps/formula.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
 import { chooseDof } from '../posing/active-dof.ts';
 
 export class FormulaView {

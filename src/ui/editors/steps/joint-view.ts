@@ -1,11 +1,12 @@
 /** The steps of a joint: its DOFs, the factors of its local matrix, and the way to its world matrix. */
-import { type DofStep, stepsOfPose } from '../../../lesson/steps/dof-steps.ts';
-import { dofSymbol, type Formula, formulaText, jointSymbol } from '../../../lesson/steps/formula.ts';
-import { type JointSteps, stepsOfJoint } from '../../../lesson/steps/joint-steps.ts';
+
 import type { Character } from '../../../model/document.ts';
-import { UNLIMITED } from '../../../model/skeleton.ts';
-import { element } from '../../kit/dom.ts';
-import { shown } from '../../kit/number-text.ts';
+import { UNLIMITED } from '../../../model/skeleton/skeleton.ts';
+import { type DofStep, stepsOfPose } from '../../../teaching/steps/dof-steps.ts';
+import { dofSymbol, type Formula, formulaText, jointSymbol } from '../../../teaching/steps/formula.ts';
+import { type JointSteps, stepsOfJoint } from '../../../teaching/steps/joint-steps.ts';
+import { element } from '../../widgets/dom.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { Card, matrixCard, operator } from './card.ts';
 import type { FormulaView } from './formula-view.ts';

@@ -2,18 +2,19 @@
  * *Steps*: how the numbers of the selected joint or vertex come about, from the file to where it is drawn. The slider
  * beside the tabs applies the steps one after another in the viewport; nothing in the document changes.
  */
-import { inFilePose } from '../../../lesson/program/file-pose.ts';
-import { stepsOfPose } from '../../../lesson/steps/dof-steps.ts';
+
 import type { Character } from '../../../model/document.ts';
 import { shownSkin } from '../../../model/document.ts';
 import { vertexCount } from '../../../model/skin.ts';
+import { inFilePose } from '../../../teaching/program/file-pose.ts';
+import { stepsOfPose } from '../../../teaching/steps/dof-steps.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
-import { button, element, setAttribute, setText } from '../../kit/dom.ts';
-import { atMostEvery, oncePerFrame } from '../../kit/frame.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import { clipTimeShown } from '../../state/dump-times.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { atMostEvery, oncePerFrame } from '../../widgets/frame.ts';
 import { FormulaView } from './formula-view.ts';
 import { jointView } from './joint-view.ts';
 import { paintStage } from './paint-stage.ts';

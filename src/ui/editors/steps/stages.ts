@@ -1,8 +1,9 @@
 /** What the slider of *Steps* goes through, in the character's own space: frames of a joint, or places of a vertex. */
-import { formulaText, subscript } from '../../../lesson/steps/formula.ts';
-import { framesOf, type JointSteps } from '../../../lesson/steps/joint-steps.ts';
-import type { VertexSteps } from '../../../lesson/steps/vertex-steps.ts';
+
 import type { Vec3 } from '../../../math/vec3.ts';
+import { formulaText, subscript } from '../../../teaching/steps/formula.ts';
+import { framesOf, type JointSteps } from '../../../teaching/steps/joint-steps.ts';
+import type { VertexSteps } from '../../../teaching/steps/vertex-steps.ts';
 
 export type Stages =
   /** One frame per label, column-major; the last is the joint's. */

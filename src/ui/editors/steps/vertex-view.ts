@@ -1,20 +1,20 @@
 /** The steps of a vertex: morphs, then a row for each attachment, and the same for its normal. */
 
 import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
-import { type PoseSteps, stepsOfPose } from '../../../lesson/steps/dof-steps.ts';
-import { dofSymbol, jointSymbol } from '../../../lesson/steps/formula.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import type { Character } from '../../../model/document.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import type { Skin } from '../../../model/skin.ts';
+import { type PoseSteps, stepsOfPose } from '../../../teaching/steps/dof-steps.ts';
+import { dofSymbol, jointSymbol } from '../../../teaching/steps/formula.ts';
 import {
   type AttachmentStep,
   type MorphTerm,
   type VertexSteps,
   vertexStepper,
-} from '../../../lesson/steps/vertex-steps.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
-import type { Character } from '../../../model/document.ts';
-import { jointName } from '../../../model/joint-name.ts';
-import type { Skin } from '../../../model/skin.ts';
-import { element } from '../../kit/dom.ts';
-import type { NumberGrid } from '../../kit/number-grid.ts';
+} from '../../../teaching/steps/vertex-steps.ts';
+import { element } from '../../widgets/dom.ts';
+import type { NumberGrid } from '../../widgets/numbers/number-grid.ts';
 import { Card, operator } from './card.ts';
 import type { FormulaView } from './formula-view.ts';
 import { vertexStages } from './stages.ts';

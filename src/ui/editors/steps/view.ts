@@ -1,5 +1,5 @@
 /** What the panel shows of one joint or vertex. */
-import type { PoseSteps } from '../../../lesson/steps/dof-steps.ts';
+import type { PoseSteps } from '../../../teaching/steps/dof-steps.ts';
 import type { Stages } from './stages.ts';
 
 export interface StepsView {

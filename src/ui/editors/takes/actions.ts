@@ -1,12 +1,12 @@
 /** Actions on takes: playing one or several, when and where. */
 
 import type { Arrangement } from '../../../edit/commands/takes.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { needs } from '../../state/needs.ts';
+import { needs } from '../../state/actions/needs.ts';
 import { onDemand } from '../../state/on-demand.ts';
-import { openPanel } from '../../state/panels.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import type { Action, TakeToolName, Uses, Workbench } from '../../state/workbench.ts';
-import { endComparison } from './compare.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { endComparison } from './compared-takes.ts';
 import { editsFrames, editsTakes, joinsTakes, playsTake } from './edited.ts';
 import {
   align,

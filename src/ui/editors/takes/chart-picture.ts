@@ -2,7 +2,7 @@
  * Draws distances over time on two canvases: edits and navigation below; playhead and hover above, so that playback
  * redraws only a line.
  */
-import type { Distances } from '../../../evaluate/distance.ts';
+import type { Distances } from '../../../evaluate/compare/distance.ts';
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
 import {

@@ -2,11 +2,12 @@
  * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A drag scrubs, the wheel
  * and two fingers zoom in time, the wheel with Shift pans. Uses the timeline's time window, like curves and dope sheet.
  */
-import { element, setAttribute } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { fitWindow, type TimeWindow } from '../../kit/time-window.ts';
+
 import type { Uses } from '../../state/workbench.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { fitWindow, type TimeWindow } from '../../widgets/time/time-window.ts';
 import { type ChartPoint, TimeInput, timeAt } from '../timeline/time-input.ts';
 import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';

@@ -3,12 +3,12 @@ import { playedClip } from '../../../evaluate/bake.ts';
 import { checkDisplayed } from '../../../review/check-take.ts';
 import type { Flag } from '../../../review/flags.ts';
 import { runInSlices } from '../../../view/slices.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { plural } from '../../kit/number-text.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { openPanel } from '../../state/panels.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import { flagItem } from '../review/flag-item.ts';
 import { flagsText } from '../review/texts.ts';
 

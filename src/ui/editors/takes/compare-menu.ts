@@ -1,10 +1,10 @@
 /** The takes that one can be compared with, as a menu. */
-import { type ComparedJoints, comparedJoints } from '../../../evaluate/compared-joints.ts';
+import { type ComparedJoints, comparedJoints } from '../../../evaluate/compare/compared-joints.ts';
 import type { Document } from '../../../model/document.ts';
-import type { MenuEntry } from '../../kit/menu.ts';
-import { plural } from '../../kit/number-text.ts';
 import { showing } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { MenuEntry } from '../../widgets/menu.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import { type TakeRow, takeRows } from './rows.ts';
 import { compareTakes } from './start-comparison.ts';
 

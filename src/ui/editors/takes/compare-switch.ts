@@ -2,7 +2,7 @@
  * On a phone there is room for one part of the comparison at a time: the takes, the chart or the list of joints. A
  * switch chooses it; on wider pages all are side by side (`compare-narrow.css`).
  */
-import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
+import { element, keepsFocusElsewhere } from '../../widgets/dom.ts';
 
 const PARTS = { takes: 'Takes', graph: 'Graph', joints: 'Joints' } as const;
 

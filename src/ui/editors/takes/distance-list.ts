@@ -2,11 +2,11 @@
  * The compared joints, largest distance first: maximum and mean distance. Picked ones are drawn in colour. A double
  * click, Enter, or a click on the maximum goes to the time of the largest distance.
  */
-import type { Distances } from '../../../evaluate/distance.ts';
-import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import type { Distances } from '../../../evaluate/compare/distance.ts';
 import type { DistanceView } from '../../state/takes.ts';
+import { element, setAttribute, setText, uniqueId } from '../../widgets/dom.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { JOINT_COLOURS } from '../timeline/time-plot.ts';
 import { columnText, type DistanceUnit, distanceNumber } from './distance-text.ts';
 

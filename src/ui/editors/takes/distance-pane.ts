@@ -2,20 +2,20 @@
  * Beside the table while two takes are compared: which they are, a summary of their distances, the chart over time, and
  * the list of joints.
  */
-import type { Distances } from '../../../evaluate/distance.ts';
-import { ALIGNMENTS, type Alignment } from '../../../evaluate/posed-joints.ts';
+import type { Distances } from '../../../evaluate/compare/distance.ts';
+import { ALIGNMENTS, type Alignment } from '../../../evaluate/compare/posed-joints.ts';
 import type { Selection } from '../../../model/session.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
-import { focusPanel } from '../../kit/focus.ts';
-import { icon } from '../../kit/icons.ts';
-import { openMenu } from '../../kit/menu.ts';
-import { middleCut } from '../../kit/middle-cut.ts';
-import { plural, shown } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
 import { comparedIn, playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import { focusPanel } from '../../widgets/focus/focus.ts';
+import { icon } from '../../widgets/icons.ts';
+import { openMenu } from '../../widgets/menu.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { DistanceChart } from './chart.ts';
-import { endComparison } from './compare.ts';
+import { endComparison } from './compared-takes.ts';
 import { DistanceList } from './distance-list.ts';
 import { type DistanceUnit, distanceText, distanceUnit } from './distance-text.ts';
 import { farthestPair, jointLabels, leftOutEntries, worstSeconds } from './joint-labels.ts';

@@ -1,6 +1,6 @@
 /** Distances as text: in centimetres or metres if both characters state their unit, else as plain numbers. */
 import type { Character } from '../../../model/document.ts';
-import { shown } from '../../kit/number-text.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 
 export interface DistanceUnit {
   /** Factor from the model's distances. */

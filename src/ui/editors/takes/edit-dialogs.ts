@@ -19,10 +19,10 @@ import {
 } from '../../../edit/commands/take-joins.ts';
 import type { JoinAlignment } from '../../../edit/samples/join.ts';
 import { type Document, findCharacter, shownClip } from '../../../model/document.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { element } from '../../kit/dom.ts';
-import { plural, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element } from '../../widgets/dom.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { clipTime, currentTake } from '../timeline/current-take.ts';
 import { type Answers, type Asked, type ToolDialog, toolDialog } from '../timeline/tool-dialog.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from './edited.ts';

@@ -1,8 +1,8 @@
 /** Which takes the editing of whole takes applies to. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
 import { playedClip } from '../../../evaluate/bake.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { needs } from '../../state/needs.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { chosenTakes } from './play.ts';

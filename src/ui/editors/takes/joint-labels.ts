@@ -1,11 +1,11 @@
 /** Texts about the joints of a comparison: which are compared, why, when they are farthest apart, and which are not. */
-import { whyLeftOut } from '../../../evaluate/compared-joints.ts';
-import type { Distances } from '../../../evaluate/distance.ts';
+import { whyLeftOut } from '../../../evaluate/compare/compared-joints.ts';
+import type { Distances } from '../../../evaluate/compare/distance.ts';
 import type { Character } from '../../../model/document.ts';
-import type { MenuEntry } from '../../kit/menu.ts';
-import { shown } from '../../kit/number-text.ts';
 import { playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { MenuEntry } from '../../widgets/menu.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import type { JointLabel } from './distance-list.ts';
 import type { Measured } from './measuring.ts';
 

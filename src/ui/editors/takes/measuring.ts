@@ -2,16 +2,16 @@
  * Keeps the distances of the two compared takes up to date: measured a few milliseconds at a time when either take or
  * the alignment changes. A change during a measurement waits for it, so that a drag always has a recent result.
  */
-import { type ComparedJoints, comparedJoints } from '../../../evaluate/compared-joints.ts';
-import { rootTurn } from '../../../evaluate/compared-roots.ts';
-import { commonFrames, type Distances, measureDistances } from '../../../evaluate/distance.ts';
-import type { Alignment } from '../../../evaluate/posed-joints.ts';
-import { warpTakes } from '../../../evaluate/warped-takes.ts';
+import { type ComparedJoints, comparedJoints } from '../../../evaluate/compare/compared-joints.ts';
+import { rootTurn } from '../../../evaluate/compare/compared-roots.ts';
+import { commonFrames, type Distances, measureDistances } from '../../../evaluate/compare/distance.ts';
+import type { Alignment } from '../../../evaluate/compare/posed-joints.ts';
+import { warpTakes } from '../../../evaluate/compare/warped-takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { runInSlices } from '../../../view/slices.ts';
-import { type Observable, observable } from '../../kit/observable.ts';
 import { type Compared, comparedIn } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { type Observable, observable } from '../../widgets/observable.ts';
 
 /** A request; whether a result is still valid is decided by identity of its parts. */
 interface Asked {

@@ -1,8 +1,8 @@
 /** Mirrors the selected takes, long ones in slices; if anything else changes meanwhile, the result is dropped. */
 import { mirrorTakes, mirrorTakesSteps } from '../../../edit/commands/take-edits.ts';
-import { Trial } from '../../../edit/trial.ts';
-import { inSlices } from '../../kit/in-slices.ts';
+import { Trial } from '../../../edit/edit-preview.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { inSlices } from '../../widgets/in-slices.ts';
 import { takesToEdit } from './edited.ts';
 
 export function runMirror({ store, messages, timeline }: Uses<'store' | 'messages' | 'timeline'>): void {

@@ -4,22 +4,22 @@
  */
 import { placeCharacter } from '../../../edit/commands/characters.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { type MenuEntry, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { fitWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { findAction } from '../../state/action.ts';
-import { attempt } from '../../state/attempt.ts';
-import { sectionsOf } from '../../state/menu-entries.ts';
+import { findAction } from '../../state/actions/action.ts';
+import { attempt } from '../../state/actions/attempt.ts';
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import { type Compared, type Comparison, comparedIn } from '../../state/takes.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
+import { fitWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
 import { movedEntries } from '../retarget/moved.ts';
-import { endComparison } from './compare.ts';
 import { compareWith } from './compare-menu.ts';
 import { type CompareSwitch, compareSwitch } from './compare-switch.ts';
+import { endComparison } from './compared-takes.ts';
 import { DistancePane } from './distance-pane.ts';
 import {
   chosenTakes,

@@ -13,10 +13,10 @@ import {
 import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
 import { findCharacter, shownClip } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
-import { attempt } from '../../state/attempt.ts';
-import { needs } from '../../state/needs.ts';
+import { attempt } from '../../state/actions/attempt.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { endComparison } from './compare.ts';
+import { endComparison } from './compared-takes.ts';
 import { followRangeOfTakes, playRange } from './played-range.ts';
 import { listedTakes, shownKey, type TakeRow, takeRows } from './rows.ts';
 

@@ -1,10 +1,10 @@
 /** One row of the table of takes: cells created once, and updated for another take. */
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { middleCut } from '../../kit/middle-cut.ts';
-import { NumberField } from '../../kit/number-field.ts';
-import { count, duration, shown } from '../../kit/number-text.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { NumberField } from '../../widgets/numbers/number-field.ts';
+import { count, duration, shown } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import type { TakeRow } from './rows.ts';
 
 export interface RowEvents {

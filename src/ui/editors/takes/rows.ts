@@ -1,11 +1,11 @@
 /** The takes of a document as rows of a table: one for each take of each character. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
 import { RETARGETED } from '../../../edit/drivers.ts';
-import { frameRateOf } from '../../../evaluate/frame-rate.ts';
-import { framesOfClip } from '../../../evaluate/key-frames.ts';
-import type { ChannelClip } from '../../../model/clip.ts';
+import { frameRateOf } from '../../../evaluate/samples/frame-rate.ts';
+import { framesOfClip } from '../../../evaluate/samples/key-frames.ts';
 import type { Character, Document, Driver } from '../../../model/document.ts';
 import { perObject } from '../../../model/per-object.ts';
+import type { ChannelClip } from '../../../model/takes/clip.ts';
 import { playedTake, type TakeColumn, type TakeOrder } from '../../state/takes.ts';
 import { movesText } from '../retarget/moved-text.ts';
 

@@ -1,6 +1,6 @@
 /** The time at a place of the chart of distances: within what is shown and measured, on a frame of the takes. */
-import type { FrameTimes } from '../../../evaluate/distance.ts';
-import { snapTime, type TimeWindow } from '../../kit/time-window.ts';
+import type { FrameTimes } from '../../../evaluate/compare/distance.ts';
+import { snapTime, type TimeWindow } from '../../widgets/time/time-window.ts';
 
 /**
  * @param x pixels from the left edge of the chart; beyond its edges as at them

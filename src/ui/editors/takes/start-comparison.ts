@@ -1,13 +1,13 @@
 /** Begins comparing two takes: overlays them, over the time that both cover, and says which joints are left out. */
 import { overlayTakes } from '../../../edit/commands/takes.ts';
 import { RETARGETED } from '../../../edit/drivers.ts';
-import { type ComparedJoints, comparedJoints } from '../../../evaluate/compared-joints.ts';
-import { plural, shown } from '../../kit/number-text.ts';
-import { fitWindow } from '../../kit/time-window.ts';
-import { attempt } from '../../state/attempt.ts';
+import { type ComparedJoints, comparedJoints } from '../../../evaluate/compare/compared-joints.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import { showing } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { endComparison, followMovedTake, followOverlay } from './compare.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
+import { fitWindow } from '../../widgets/time/time-window.ts';
+import { endComparison, followMovedTake, followOverlay } from './compared-takes.ts';
 import { playRange } from './played-range.ts';
 import type { TakeRow } from './rows.ts';
 

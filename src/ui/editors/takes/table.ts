@@ -6,14 +6,14 @@
  *     F2               edits its start time                                  Ctrl+Space   toggles it in the selection
  */
 
-import { element } from '../../kit/dom.ts';
-import { HAS_KEYS } from '../../kit/focus.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import type { MenuPlace } from '../../kit/menu.ts';
-import { plural } from '../../kit/number-text.ts';
-import { type SortColumn, SortHeads } from '../../kit/sort-heads.ts';
-import { WindowedList } from '../../kit/windowed-list.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
+import { element } from '../../widgets/dom.ts';
+import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import type { MenuPlace } from '../../widgets/menu.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { type SortColumn, SortHeads } from '../../widgets/sort-heads.ts';
+import { WindowedList } from '../../widgets/windowed-list.ts';
 import { type RowEvents, type RowState, RowView } from './row.ts';
 import type { TakeRow } from './rows.ts';
 

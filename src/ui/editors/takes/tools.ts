@@ -1,17 +1,17 @@
 /** Controls of the takes tab, beside the tabs: a filter, and actions on the selected takes. */
 
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
-import { focusPanel } from '../../kit/focus.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { icon } from '../../kit/icons.ts';
-import { isMac } from '../../kit/keyboard.ts';
-import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { actionLabel, findAction, isEnabled, tryAction } from '../../state/action.ts';
-import { itemOf } from '../../state/menu-entries.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
+import { actionLabel, findAction, isEnabled, tryAction } from '../../state/actions/action.ts';
+import { itemOf } from '../../state/actions/menu-entries.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { focusPanel } from '../../widgets/focus/focus.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { compareEntries } from './compare-menu.ts';
 import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';

@@ -1,9 +1,9 @@
 /** Actions for the timeline's display and options, and the tools for whole curves. */
 
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
-import { NO_JOINT, needs } from '../../state/needs.ts';
-import { openPanel } from '../../state/panels.ts';
-import { selectedJoint, selectedJointsText } from '../../state/selected-joint.ts';
+import { NO_JOINT, needs } from '../../state/actions/needs.ts';
+import { selectedJoint, selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsToEdit, currentTake, selectedKeysInView } from './current-take.ts';

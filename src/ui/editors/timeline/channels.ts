@@ -2,17 +2,17 @@
  * Which channels the timeline lists, and which it draws. A pure function of document, selection and timeline settings.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { keysOf, spanOfChannel } from '../../../model/clip.ts';
-import { coupleOf } from '../../../model/couples.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
-import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/dofs.ts';
-import { shortJointName } from '../../../model/joint-name.ts';
-import { dofsOf } from '../../../model/joint-types.ts';
 import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
-import { jointsIn } from '../../../model/selected-joints.ts';
 import type { Selection } from '../../../model/session.ts';
-import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
+import { coupleOf } from '../../../model/skeleton/couples.ts';
+import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/skeleton/dofs.ts';
+import { shortJointName } from '../../../model/skeleton/joint-name.ts';
+import { dofsOf } from '../../../model/skeleton/joint-types.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
+import { keysOf, spanOfChannel } from '../../../model/takes/clip.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 
 /** A DOF in the list, animated or not. */

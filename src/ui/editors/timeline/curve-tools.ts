@@ -1,11 +1,11 @@
 /** Curve tools without a dialog: they apply to the selected channels and report what they did. */
 import type { OfChannels } from '../../../edit/channel-edits.ts';
 import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/channels.ts';
+import { Trial } from '../../../edit/edit-preview.ts';
 import { period } from '../../../edit/keys/cycle.ts';
-import { Trial } from '../../../edit/trial.ts';
-import { inSlices } from '../../kit/in-slices.ts';
-import { plural } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { inSlices } from '../../widgets/in-slices.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
 import { dofsFor } from './channels.ts';
 import { aboutKeysInHand, channelsToEdit, currentTake } from './current-take.ts';
 

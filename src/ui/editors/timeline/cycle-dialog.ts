@@ -1,10 +1,10 @@
 /** The dialog about a key outside a channel's cycle, shown beside the pose to be keyed. */
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { element } from '../../kit/dom.ts';
-import { attempt } from '../../state/attempt.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element } from '../../widgets/dom.ts';
 import { cycleText, OUTSIDE_LABELS } from './cycle-text.ts';
 
 const TITLE = 'Key outside the cycle';

@@ -3,10 +3,10 @@
 import { CommandError } from '../../../edit/command-error.ts';
 import { type OutsideCycle, placeOf, withRepeatsBaked } from '../../../edit/keys/cycle.ts';
 import { sameTime } from '../../../edit/keys/same-time.ts';
-import type { KeyedChannel } from '../../../model/clip.ts';
 import { shownClip } from '../../../model/document.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import type { KeyedChannel } from '../../../model/takes/clip.ts';
 import type { CycleQuestion } from '../../state/cycle-question.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { channelName, namedChannel } from './channels.ts';
 
 export const OUTSIDE_LABELS: Readonly<Record<OutsideCycle, string>> = {

@@ -12,12 +12,12 @@
  * tree: this view is about timing, and in a tree a hand would be ten levels deep.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
-import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
-import { type CharacterDof, rootDofCount } from '../../../model/dofs.ts';
-import { shortJointName } from '../../../model/joint-name.ts';
-import type { DofUnit } from '../../../model/skeleton.ts';
+import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts';
+import { type CharacterDof, rootDofCount } from '../../../model/skeleton/dofs.ts';
+import { shortJointName } from '../../../model/skeleton/joint-name.ts';
+import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../../model/takes/clip.ts';
 import { dofsFor, followedName } from './channels.ts';
 
 /** Keys of groups other than joints in `TimelineView.unfolded`. */

@@ -1,7 +1,7 @@
 /** Keeps pinned, hidden and isolated channels with their character. */
 import type { State } from '../../../edit/history.ts';
 import type { Character } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from './channels.ts';
 

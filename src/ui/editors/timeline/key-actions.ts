@@ -3,16 +3,16 @@
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { walkChannels, walkKeys } from '../../../edit/keys/key-walk.ts';
 import { stepFrames } from '../../../edit/playback.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
 import {
   type Channel,
   EXTRAPOLATIONS,
   type Extrapolation,
   TANGENT_KINDS,
   type TangentKind,
-} from '../../../model/clip.ts';
-import type { ChannelKeys } from '../../../model/session.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { NO_CHARACTER, needs } from '../../state/needs.ts';
+} from '../../../model/takes/clip.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { NO_CHARACTER, needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import {
   channelsInView,

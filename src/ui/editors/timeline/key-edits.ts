@@ -7,13 +7,13 @@ import { breakTangents, setTangents, unifyTangents } from '../../../edit/command
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import type { TangentSide } from '../../../edit/keys/tangents.ts';
-import { type Extrapolation, keysOf, type TangentKind } from '../../../model/clip.ts';
-import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import { unitOfChannel } from '../../../model/skeleton/dofs.ts';
+import { type Extrapolation, keysOf, type TangentKind } from '../../../model/takes/clip.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { channelName, dofsFor, namedChannel } from './channels.ts';
 import {
   aboutKeysInHand,

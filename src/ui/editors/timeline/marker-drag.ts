@@ -1,6 +1,6 @@
 /** Drags a marker in the scrubber, or the end of a span: one undo step; Escape restores it. */
 import { changeMarker } from '../../../edit/commands/markers.ts';
-import type { HandEdit } from '../../state/hand-edit.ts';
+import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, editOfTake, type Take } from './current-take.ts';
 

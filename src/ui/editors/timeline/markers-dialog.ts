@@ -1,12 +1,12 @@
 /** The markers of the current take as a list: times, labels, going to one, deleting it. Each change is an undo step. */
 import { changeMarker, removeMarkers } from '../../../edit/commands/markers.ts';
-import type { Marker } from '../../../model/markers.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { button, element } from '../../kit/dom.ts';
-import { icon } from '../../kit/icons.ts';
-import { parseNumber } from '../../kit/number-text.ts';
-import { attempt } from '../../state/attempt.ts';
+import type { Marker } from '../../../model/takes/markers.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { button, element } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { parseNumber } from '../../widgets/numbers/number-text.ts';
 import { currentTake } from './current-take.ts';
 import { addMarkerHere, addSpanOfRange } from './marker-edits.ts';
 

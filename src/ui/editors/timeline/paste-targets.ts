@@ -4,7 +4,7 @@
  */
 import type { CopiedKeys } from '../../../edit/keys/clipboard.ts';
 import type { Character } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { listedChannels, namedChannel } from './channels.ts';
 

@@ -4,8 +4,8 @@
  */
 import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
-import { plural, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { channelName, namedChannel } from './channels.ts';
 
 /** Watches steps until ended. Undo isn't reported: it restores what was there. */

@@ -6,11 +6,11 @@ import {
   splitSamples,
   trimSamples,
 } from '../../../edit/commands/samples.ts';
-import { Trial } from '../../../edit/trial.ts';
-import { rangeOfSamples } from '../../../model/samples.ts';
-import { inSlices } from '../../kit/in-slices.ts';
-import { count, plural, shown } from '../../kit/number-text.ts';
+import { Trial } from '../../../edit/edit-preview.ts';
+import { rangeOfSamples } from '../../../model/takes/samples.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { inSlices } from '../../widgets/in-slices.ts';
+import { count, plural, shown } from '../../widgets/numbers/number-text.ts';
 import { clipTime, currentTake, type Take } from './current-take.ts';
 
 export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';

@@ -1,9 +1,10 @@
 /** The markers of the current character's take, at times of the transport. */
-import type { ChannelClip } from '../../../model/clip.ts';
+
 import { shownClip } from '../../../model/document.ts';
-import { NO_MARKERS, type ShownMarker } from '../../kit/markers-picture.ts';
-import { currentCharacter } from '../../state/action.ts';
+import type { ChannelClip } from '../../../model/takes/clip.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { NO_MARKERS, type ShownMarker } from '../../widgets/time/markers-picture.ts';
 
 /** In the order of the take's markers. */
 export function shownMarkers(wb: Uses<'store'>): readonly ShownMarker[] {

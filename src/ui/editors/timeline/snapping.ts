@@ -4,9 +4,9 @@
  */
 
 import { roundStep } from '../../../math/round-steps.ts';
-import { lengthStep } from '../../../model/reach.ts';
-import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
-import { withoutNoise } from '../../state/angles.ts';
+import { lengthStep } from '../../../model/skeleton/reach.ts';
+import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
+import { withoutNoise } from '../../state/joints/angles.ts';
 
 /** Seconds to move by, close to `seconds`, that put a key at `keySeconds` of the transport on a whole frame. */
 export function snapSeconds(keySeconds: number, seconds: number, framesPerSecond: number): number {

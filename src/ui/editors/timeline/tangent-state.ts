@@ -1,6 +1,6 @@
 /** Which kinds of tangents the selected keys have, for buttons and menus. */
 import { type TangentSide, tangentKindsOf } from '../../../edit/keys/tangents.ts';
-import { TANGENT_KINDS, type TangentKind } from '../../../model/clip.ts';
+import { TANGENT_KINDS, type TangentKind } from '../../../model/takes/clip.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeysInView } from './current-take.ts';
 

@@ -2,10 +2,11 @@
  * Pointer and keys over a chart of values over time: a drag scrubs, the wheel and two fingers zoom in time, the wheel
  * with Shift pans (`wheel.ts`); A and F fit, + and − zoom about the playhead. Charts share the timeline's time window.
  */
-import { followPointer } from '../../kit/drag.ts';
-import { panWindow, pinchWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { wheelTurn } from '../../kit/wheel.ts';
+
 import type { Uses } from '../../state/workbench.ts';
+import { followPointer } from '../../widgets/drag.ts';
+import { panWindow, pinchWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
+import { wheelTurn } from '../../widgets/time/wheel.ts';
 import { scrubFrames } from './scrub-frames.ts';
 import type { TimeView } from './time-ruler.ts';
 

@@ -1,11 +1,11 @@
 /** The context menu of a point in time: of the rulers, the scrubber, and by keyboard of the current time. */
 import { type Playback, pause } from '../../../edit/playback.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
-import { type MenuEntry, type MenuItem, type MenuPlace, openMenu } from '../../kit/menu.ts';
-import { shown } from '../../kit/number-text.ts';
-import { findAction, tryAction } from '../../state/action.ts';
-import { sectionsOf } from '../../state/menu-entries.ts';
+import { findAction, tryAction } from '../../state/actions/action.ts';
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { type MenuEntry, type MenuItem, type MenuPlace, openMenu } from '../../widgets/menu.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 
 type Page = Uses<'actions' | 'transport' | 'settings' | 'store'>;
 

@@ -2,8 +2,8 @@
  * Two canvases over each other: below, what edits and navigation change; above, what moves with the time and the
  * pointer, so that playback redraws little. The stylesheet's colours are read once for each theme.
  */
-import { beginPicture } from '../../kit/canvas.ts';
-import { element } from '../../kit/dom.ts';
+import { beginPicture } from '../../widgets/canvas.ts';
+import { element } from '../../widgets/dom.ts';
 
 export class TimePicture<Colours> {
   readonly element: HTMLElement = element('div', { class: 'time-picture', 'aria-hidden': 'true' });

@@ -1,9 +1,9 @@
 /** What all plots over the timeline's time have in common: their time, when they redraw, and the readout. */
 
 import type { Playback } from '../../../edit/playback.ts';
-import { shown } from '../../kit/number-text.ts';
-import { revealTime } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
+import { revealTime } from '../../widgets/time/time-window.ts';
 import { readTimeColours, TIME_RULER_HEIGHT, type TimeColours, type TimeView, timeX } from './time-ruler.ts';
 
 export interface TimePlot {

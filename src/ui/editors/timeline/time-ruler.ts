@@ -3,11 +3,11 @@
  * share the time window. Everything is in CSS pixels: the context is scaled by the caller.
  */
 
-import { drawMarkers, type MarkerColours, type ShownMarker } from '../../kit/markers-picture.ts';
-import { aligned, shown } from '../../kit/number-text.ts';
-import { drawPlayheadAt } from '../../kit/playhead.ts';
-import { rulerTicks } from '../../kit/ruler.ts';
-import type { TimeWindow } from '../../kit/time-window.ts';
+import { aligned, shown } from '../../widgets/numbers/number-text.ts';
+import { drawMarkers, type MarkerColours, type ShownMarker } from '../../widgets/time/markers-picture.ts';
+import { drawPlayheadAt } from '../../widgets/time/playhead.ts';
+import { rulerTicks } from '../../widgets/time/ruler.ts';
+import type { TimeWindow } from '../../widgets/time/time-window.ts';
 
 export const TIME_RULER_HEIGHT = 22;
 const LABEL_SPACING = 64;

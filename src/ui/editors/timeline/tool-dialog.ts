@@ -6,16 +6,16 @@
 import type { Edit } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { CommandError } from '../../../edit/command-error.ts';
-import { Trial } from '../../../edit/trial.ts';
+import { Trial } from '../../../edit/edit-preview.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
 import type { Document } from '../../../model/document.ts';
-import type { DialogContent } from '../../kit/dialog.ts';
-import { element, setText } from '../../kit/dom.ts';
-import { atMostEvery } from '../../kit/frame.ts';
-import { inSlices } from '../../kit/in-slices.ts';
-import { parseNumber } from '../../kit/number-text.ts';
-import { unitsBehind } from '../../state/angles.ts';
+import { unitsBehind } from '../../state/joints/angles.ts';
 import type { DialogName, Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { atMostEvery } from '../../widgets/frame.ts';
+import { inSlices } from '../../widgets/in-slices.ts';
+import { parseNumber } from '../../widgets/numbers/number-text.ts';
 import { aboutKeysInHand } from './current-take.ts';
 
 export interface NumberAsked {

@@ -1,5 +1,5 @@
 /** Lines through values at evenly spaced frames, on a canvas. */
-import type { TimeWindow } from '../../kit/time-window.ts';
+import type { TimeWindow } from '../../widgets/time/time-window.ts';
 import { type TimeView, timeX } from './time-ruler.ts';
 
 /** Frame f is at `startSeconds + f · frameSeconds` of the transport. */

@@ -3,12 +3,12 @@
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { playingCharacters, shownClip } from '../../../model/document.ts';
-import { shown } from '../../kit/number-text.ts';
-import { currentCharacter } from '../../state/action.ts';
-import { needs } from '../../state/needs.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
+import { needs } from '../../state/actions/needs.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
+import { shown } from '../../widgets/numbers/number-text.ts';
 import { nextKinematics, switchKinematics } from '../posing/actions.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
 import { TURN } from '../viewport/actions.ts';

@@ -3,8 +3,8 @@
  * viewport is updated and unkeyed changes are discarded.
  */
 import { advance } from '../../../edit/playback.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 import { dropStale, followUnkeyed } from '../posing/unkeyed-values.ts';
 
 /** A tab that was in the background continues where it was. */

@@ -4,9 +4,9 @@
  */
 import { setClipRange } from '../../../edit/commands/clips.ts';
 import { type Character, playingCharacters } from '../../../model/document.ts';
-import { announce } from '../../kit/announce.ts';
-import { attempt } from '../../state/attempt.ts';
+import { attempt } from '../../state/actions/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { announce } from '../../widgets/announce.ts';
 import { timeText } from '../timeline/time-menu.ts';
 
 /** The only character that plays a take. */

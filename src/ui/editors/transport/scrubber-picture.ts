@@ -4,10 +4,10 @@
  */
 import { bucketKeys, MEANT_KEY, NO_KEY } from '../../../evaluate/plot/key-buckets.ts';
 import type { ShownChannel } from '../../../evaluate/plot/shown-keys.ts';
-import { drawMarkers, type MarkerColours, type ShownMarker } from '../../kit/markers-picture.ts';
-import { drawPlayheadAt } from '../../kit/playhead.ts';
-import { rulerTicks } from '../../kit/ruler.ts';
-import type { TimeWindow } from '../../kit/time-window.ts';
+import { drawMarkers, type MarkerColours, type ShownMarker } from '../../widgets/time/markers-picture.ts';
+import { drawPlayheadAt } from '../../widgets/time/playhead.ts';
+import { rulerTicks } from '../../widgets/time/ruler.ts';
+import type { TimeWindow } from '../../widgets/time/time-window.ts';
 
 export interface ScrubberColours extends MarkerColours {
   readonly text: string;

@@ -6,16 +6,23 @@
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { findCharacter, rangeOfClips } from '../../../model/document.ts';
-import { element } from '../../kit/dom.ts';
-import { followPointer } from '../../kit/drag.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { buttonMeant, isMac } from '../../kit/keyboard.ts';
-import { MARKER_HEIGHT, type ShownMarker } from '../../kit/markers-picture.ts';
-import { asksForMenu } from '../../kit/menu.ts';
-import { aligned, shown } from '../../kit/number-text.ts';
-import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { wheelTurn } from '../../kit/wheel.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
+import { followPointer } from '../../widgets/drag.ts';
+import { buttonMeant, isMac } from '../../widgets/focus/keyboard.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { asksForMenu } from '../../widgets/menu.ts';
+import { aligned, shown } from '../../widgets/numbers/number-text.ts';
+import { MARKER_HEIGHT, type ShownMarker } from '../../widgets/time/markers-picture.ts';
+import {
+  fitWindow,
+  panWindow,
+  revealTime,
+  snapTime,
+  type TimeWindow,
+  zoomWindow,
+} from '../../widgets/time/time-window.ts';
+import { wheelTurn } from '../../widgets/time/wheel.ts';
 import type { MarkerDrag } from '../timeline/marker-drag.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';

@@ -1,19 +1,19 @@
 /** The bar below the viewport: buttons, loop, speed, time, range, and the scrubber. */
 
 import { FRAME_RATES, LOOP_MODES } from '../../../edit/playback.ts';
-import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { oncePerFrame } from '../../kit/frame.ts';
-import { type IconName, icon } from '../../kit/icons.ts';
-import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { NumberField } from '../../kit/number-field.ts';
-import { aligned, shown } from '../../kit/number-text.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { setTooltip } from '../../kit/tooltip.ts';
-import { actionsOf, findAction, tryAction, tryById } from '../../state/action.ts';
-import { itemOf } from '../../state/menu-entries.ts';
-import { isPanelOpen, NARROW } from '../../state/panels.ts';
-import { keyNameOf, setActionTooltip } from '../../state/tooltips.ts';
+import { actionsOf, findAction, tryAction, tryById } from '../../state/actions/action.ts';
+import { itemOf } from '../../state/actions/menu-entries.ts';
+import { keyNameOf, setActionTooltip } from '../../state/actions/tooltips.ts';
+import { isPanelOpen, NARROW } from '../../state/panels/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
+import { type IconName, icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
+import { NumberField } from '../../widgets/numbers/number-field.ts';
+import { aligned, shown } from '../../widgets/numbers/number-text.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions.ts';
 import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';

@@ -1,11 +1,12 @@
 /** Actions for camera and display. */
-import { hasBoxes } from '../../../model/boxes.ts';
+
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { baseName, sameName } from '../../../model/files.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
-import { looksOf } from '../../../view/skin-looks.ts';
-import type { IconName } from '../../kit/icons.ts';
+import { hasBoxes } from '../../../model/skeleton/boxes.ts';
+import { looksOf } from '../../../view/skin/skin-looks.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
+import type { IconName } from '../../widgets/icons.ts';
 
 export const SKIN_STYLES: readonly (readonly [SkinStyle, string])[] = [
   ['textured', 'Textured'],

@@ -3,10 +3,10 @@
  * added to the selection, those of the current character if there are any; Escape restores it.
  */
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
-import { jointsIn, withJoints } from '../../../model/selected-joints.ts';
-import { element } from '../../kit/dom.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { jointsIn, withJoints } from '../../../model/skeleton/selected-joints.ts';
+import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
+import { element } from '../../widgets/dom.ts';
 import { type CanvasDrag, type CanvasPointer, type CanvasTool, CLICK_PIXELS } from './canvas-tools.ts';
 
 /** A joint on the page. */

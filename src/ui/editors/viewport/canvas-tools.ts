@@ -8,8 +8,8 @@
  *     menu      the right button without motion, or a finger held still that no tool has taken
  *     pinch     a second finger at once, or before the drag has begun, gives both fingers to the camera
  */
-import { CLICK_PIXELS } from '../../../view/camera-travel.ts';
-import { buttonMeant, isMac, waitOutDrag } from '../../kit/keyboard.ts';
+import { CLICK_PIXELS } from '../../../view/camera/camera-travel.ts';
+import { buttonMeant, isMac, waitOutDrag } from '../../widgets/focus/keyboard.ts';
 
 /** A press that moved further was a drag: for tools as for the camera. */
 export { CLICK_PIXELS };

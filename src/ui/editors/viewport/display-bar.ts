@@ -2,14 +2,15 @@
  * The bar at the top right of the viewport: the style of skins or boxes, one menu of all switches of what is drawn, and
  * one of the camera. In little room the camera's is in the other.
  */
-import { element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
-import { type IconName, icon } from '../../kit/icons.ts';
-import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { toolbar } from '../../kit/roving.ts';
-import { actionsOf, findAction, isEnabled } from '../../state/action.ts';
-import { itemOf, itemsOf, sectionsOf } from '../../state/menu-entries.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
+
+import { actionsOf, findAction, isEnabled } from '../../state/actions/action.ts';
+import { itemOf, itemsOf, sectionsOf } from '../../state/actions/menu-entries.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { toolbar } from '../../widgets/focus/roving.ts';
+import { type IconName, icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
 import { areBoxesVisible, drawnSkin, isSkinVisible, SKIN_STYLES } from './actions.ts';
 
 type Parts = Uses<'store' | 'actions' | 'settings'>;

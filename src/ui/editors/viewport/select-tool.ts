@@ -1,8 +1,9 @@
 /** The select tool: clicks pick, and every drag is the camera's. There is no gizmo. */
-import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
-import { tryById } from '../../state/action.ts';
-import { setActionTooltip } from '../../state/tooltips.ts';
+
+import { tryById } from '../../state/actions/action.ts';
+import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import { element, keepsFocusElsewhere } from '../../widgets/dom.ts';
 import type { ModeTool } from './mode-tool.ts';
 
 const BACK = { pose: 'Back to Pose', fk: 'Back to FK', ik: 'Back to IK', rig: 'Back to rig' } as const;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { seenPoint } from '../../../../src/evaluate/ik/drag/grip.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
-import { DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../../../src/model/skeleton.ts';
+import { DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../../../src/model/skeleton/skeleton.ts';
 
 const joint = (parent: number, offset: Vec3, half: number): Joint => ({
   name: 'j',

@@ -8,10 +8,10 @@ import { worldMatrices } from '../../../../src/evaluate/kinematics.ts';
 import { readSkel } from '../../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../../src/formats/skin/read.ts';
 import { add, subtract, type Vec3, ZERO } from '../../../../src/math/vec3.ts';
-import { boneEnds } from '../../../../src/model/bone-ends.ts';
 import { type Character, shownSkin } from '../../../../src/model/document.ts';
-import { filePose } from '../../../../src/model/dofs.ts';
 import type { IkSetup } from '../../../../src/model/ik.ts';
+import { boneEnds } from '../../../../src/model/skeleton/bone-ends.ts';
+import { filePose } from '../../../../src/model/skeleton/dofs.ts';
 import { character as builtCharacter } from '../../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../../helpers/shared.ts';
 

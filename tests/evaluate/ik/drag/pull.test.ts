@@ -5,9 +5,15 @@ import { pinTargets, pointAt } from '../../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../../src/evaluate/kinematics.ts';
 import { type Vec3, ZERO } from '../../../../src/math/vec3.ts';
 import type { Character } from '../../../../src/model/document.ts';
-import { filePose } from '../../../../src/model/dofs.ts';
 import type { IkSetup, Pin } from '../../../../src/model/ik.ts';
-import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Limit, type Skeleton } from '../../../../src/model/skeleton.ts';
+import { filePose } from '../../../../src/model/skeleton/dofs.ts';
+import {
+  DEFAULT_BOX,
+  DEFAULT_MOTION,
+  type Joint,
+  type Limit,
+  type Skeleton,
+} from '../../../../src/model/skeleton/skeleton.ts';
 import { character } from '../../../ui/builders.ts';
 
 const FREE: Limit = { min: -3, max: 3 };

@@ -7,10 +7,10 @@ import { pinTargets, pointAt } from '../../../../src/evaluate/ik/set-up.ts';
 import { applyConstraints, compileSkeleton, worldMatrices } from '../../../../src/evaluate/kinematics.ts';
 import { setIdentity } from '../../../../src/math/mat4.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
-import { coupleOf } from '../../../../src/model/couples.ts';
-import { filePose } from '../../../../src/model/dofs.ts';
 import type { IkSetup } from '../../../../src/model/ik.ts';
-import type { Skeleton } from '../../../../src/model/skeleton.ts';
+import { coupleOf } from '../../../../src/model/skeleton/couples.ts';
+import { filePose } from '../../../../src/model/skeleton/dofs.ts';
+import type { Skeleton } from '../../../../src/model/skeleton/skeleton.ts';
 import { character } from '../../../ui/builders.ts';
 import { anySkeleton, vec3 } from '../any-problem.ts';
 

@@ -2,7 +2,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import type { Cause } from '../../../../src/lesson/search/found-causes.ts';
+import type { Cause } from '../../../../src/teaching/search/found-causes.ts';
 import { bannerText, explainsText, numberText } from '../../../../src/ui/editors/compare/banner-text.ts';
 import { command } from '../../../helpers/command.ts';
 import { describeShared, sharedBytes, sharedPath } from '../../../helpers/shared.ts';

@@ -1,13 +1,13 @@
 /** The reference's dumps, compared as the page does. */
 import { readDump } from '../../../../src/formats/dump/read.ts';
-import { Evaluator } from '../../../../src/lesson/program/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../../../src/lesson/program/program.ts';
 import type { Character } from '../../../../src/model/document.ts';
+import { Evaluator } from '../../../../src/teaching/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../../../src/teaching/program/program.ts';
 import type { BannerSubject } from '../../../../src/ui/editors/compare/banner-text.ts';
 import type { ComparedResult } from '../../../../src/ui/state/dump-comparison.ts';
-import { compareDumps } from '../../../../src/worker/compare.ts';
+import { compareDumps } from '../../../../src/worker/compare-program.ts';
 import { sharedBytes } from '../../../helpers/shared.ts';
-import { characterOf } from '../../../lesson/lesson-files.ts';
+import { characterOf } from '../../../teaching/lesson-files.ts';
 
 export interface ComparedCase extends BannerSubject {
   readonly character: Character;

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { Evaluator } from '../../../../src/lesson/program/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../../../src/lesson/program/program.ts';
+import { Evaluator } from '../../../../src/teaching/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../../../src/teaching/program/program.ts';
 import { numberText } from '../../../../src/ui/editors/compare/banner-text.ts';
 import {
   countsOf,

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readDump } from '../../../../src/formats/dump/read.ts';
-import { jointMarks } from '../../../../src/lesson/joint-marks.ts';
 import { multiplyAffine } from '../../../../src/math/mat4.ts';
+import { jointMarks } from '../../../../src/teaching/compare/joint-marks.ts';
 import {
   comparedParts,
   errorsOfSkin,
@@ -11,9 +11,9 @@ import {
   theirJoints,
 } from '../../../../src/ui/editors/compare/drawn.ts';
 import type { ShownComparison } from '../../../../src/ui/state/dump-comparison.ts';
-import { compareDumps } from '../../../../src/worker/compare.ts';
+import { compareDumps } from '../../../../src/worker/compare-program.ts';
 import { describeShared, sharedBytes } from '../../../helpers/shared.ts';
-import { characterOf, OWN, SHARED } from '../../../lesson/lesson-files.ts';
+import { characterOf, OWN, SHARED } from '../../../teaching/lesson-files.ts';
 
 /** The first frame of what is compared. */
 function compared(paths: readonly string[], text: Uint8Array | string, time?: number): ShownComparison {

@@ -5,7 +5,7 @@ import { COMPARE_COLOURS } from '../../../../src/view/compare/compare-colours.ts
 import { STAGE_THEMES } from '../../../../src/view/theme.ts';
 
 const CSS = readFileSync(
-  fileURLToPath(new URL('../../../../src/ui/styles/compare-legend.css', import.meta.url)),
+  fileURLToPath(new URL('../../../../src/ui/styles/compare/compare-legend.css', import.meta.url)),
   'utf8',
 );
 

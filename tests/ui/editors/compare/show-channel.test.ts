@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { showChannel } from '../../../../src/ui/editors/compare/show-channel.ts';
-import { characterOf, OWN } from '../../../lesson/lesson-files.ts';
+import { characterOf, OWN } from '../../../teaching/lesson-files.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 const walker = characterOf(...OWN.walker);

@@ -1,10 +1,10 @@
 import { expect, it } from 'vitest';
 import { readDump } from '../../../../src/formats/dump/read.ts';
-import { Evaluator } from '../../../../src/lesson/program/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../../../src/lesson/program/program.ts';
+import { Evaluator } from '../../../../src/teaching/program/evaluator.ts';
+import { RIGHT_PROGRAM } from '../../../../src/teaching/program/program.ts';
 import { SNIPPETS } from '../../../../src/ui/editors/compare/snippets.ts';
-import { compareDumps } from '../../../../src/worker/compare.ts';
-import { characterOf, OWN } from '../../../lesson/lesson-files.ts';
+import { compareDumps } from '../../../../src/worker/compare-program.ts';
+import { characterOf, OWN } from '../../../teaching/lesson-files.ts';
 
 const crawler = characterOf(...OWN.crawler);
 const TIME = 0.4;

@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { keysOf } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
+import { keysOf } from '../../../../src/model/takes/clip.ts';
 import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
 import { type CurveSpace, xOf, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

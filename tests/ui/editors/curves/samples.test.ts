@@ -4,8 +4,8 @@ import { compileClip } from '../../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../../src/evaluate/curves.ts';
 import { extremesOver, sampleExtremes } from '../../../../src/evaluate/plot/sample-extremes.ts';
 import { heightOf, type TraceMap } from '../../../../src/evaluate/plot/trace-path.ts';
-import { type ChannelClip, SAMPLED } from '../../../../src/model/clip.ts';
-import { INTERPOLATIONS, type Samples } from '../../../../src/model/samples.ts';
+import { type ChannelClip, SAMPLED } from '../../../../src/model/takes/clip.ts';
+import { INTERPOLATIONS, type Samples } from '../../../../src/model/takes/samples.ts';
 import { LineTrace, traceLine } from '../../../../src/ui/editors/curves/scene/trace.ts';
 
 const samplesOf = (frameCount: number, width: number, value: (i: number) => number): Samples => ({

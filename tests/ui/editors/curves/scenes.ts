@@ -1,6 +1,6 @@
 /** A scene of given channels on a plot of 400 × 222 pixels that shows seconds 0 … 4, and −1 … 1 of every axis. */
 import { compileClip } from '../../../../src/evaluate/compiled-clip.ts';
-import { type Channel, FIXED_TANGENT } from '../../../../src/model/clip.ts';
+import { type Channel, FIXED_TANGENT } from '../../../../src/model/takes/clip.ts';
 import type { CurveLine, CurveScene } from '../../../../src/ui/editors/curves/scene/scene.ts';
 import type { AxisName, CurveSpace } from '../../../../src/ui/editors/curves/scene/space.ts';
 import { clip } from '../../builders.ts';

@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
-import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import { channelsInView, selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 /** Keys in channels 3 and 4, of the hips, and 6, of the knee. */

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { spanOf } from '../../../../src/edit/keys/row-keys.ts';
-import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import type { DopeHost, Pointer } from '../../../../src/ui/editors/dope/gesture.ts';
 import { gestureAt } from '../../../../src/ui/editors/dope/gestures.ts';
 import { hitSheet, type SheetKeys } from '../../../../src/ui/editors/dope/hit.ts';

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Channel, keysOf, restChannel } from '../../../../src/model/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import { hitSheet, REACH, rowsTouched, type SheetKeys, sheetKeysInBox } from '../../../../src/ui/editors/dope/hit.ts';
 import {
   HEAD,

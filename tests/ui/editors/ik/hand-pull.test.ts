@@ -4,7 +4,7 @@ import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { setHidden } from '../../../../src/edit/commands/spaces.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { shownClip } from '../../../../src/model/document.ts';
-import type { Joint } from '../../../../src/model/skeleton.ts';
+import type { Joint } from '../../../../src/model/skeleton/skeleton.ts';
 import { HandPull } from '../../../../src/ui/editors/ik/hand-pull.ts';
 import { clip, documentOf } from '../../builders.ts';
 import { apart, BODY, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type Channel, type Extrapolation, restChannel } from '../../../../src/model/clip.ts';
+import { type Channel, type Extrapolation, restChannel } from '../../../../src/model/takes/clip.ts';
 import { firstRange, writtenOutText } from '../../../../src/ui/editors/ik/hold-dialog.ts';
 import { character, clip, skeleton } from '../../builders.ts';
 

@@ -7,7 +7,7 @@ import { shownAt } from '../../../../src/edit/rig/shown.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../../../src/model/document.ts';
 import type { Pin } from '../../../../src/model/ik.ts';
-import type { Joint, Skeleton } from '../../../../src/model/skeleton.ts';
+import type { Joint, Skeleton } from '../../../../src/model/skeleton/skeleton.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { character, documentOf, joint, workbench } from '../../builders.ts';
 

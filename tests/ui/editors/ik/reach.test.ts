@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { HandPull } from '../../../../src/ui/editors/ik/hand-pull.ts';
 import { whatMoves } from '../../../../src/ui/editors/ik/reach.ts';
-import { runAction, tryById } from '../../../../src/ui/state/action.ts';
+import { runAction, tryById } from '../../../../src/ui/state/actions/action.ts';
 import { documentOf } from '../../builders.ts';
 import { BODY, BODY_JOINT, body, FORE_L, HAND_L, ikPage } from './ik-page.ts';
 

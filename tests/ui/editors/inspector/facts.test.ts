@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { blendMorphs, compileSkin, deform } from '../../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../../src/evaluate/kinematics.ts';
-import { vertexDeformer } from '../../../../src/evaluate/one-vertex.ts';
+import { blendMorphs, compileSkin, deform } from '../../../../src/evaluate/skin/deform.ts';
+import { vertexDeformer } from '../../../../src/evaluate/skin/one-vertex.ts';
 import { setIdentity } from '../../../../src/math/mat4.ts';
 import type { Morph } from '../../../../src/model/morph.ts';
 import { movedVertices } from '../../../../src/model/moved-vertices.ts';

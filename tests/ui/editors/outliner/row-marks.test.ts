@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import type { JointMark } from '../../../../src/lesson/joint-marks.ts';
 import { EMPTY_DOCUMENT } from '../../../../src/model/document.ts';
+import type { JointMark } from '../../../../src/teaching/compare/joint-marks.ts';
 import { groupKey, jointKey, outlineRows } from '../../../../src/ui/editors/outliner/outline-rows.ts';
 import { rowMarks } from '../../../../src/ui/editors/outliner/row-marks.ts';
-import { characterFrom } from '../../../lesson/lesson-files.ts';
+import { characterFrom } from '../../../teaching/lesson-files.ts';
 
 /** 0 root, 1 hip, 2 knee, 3 foot below it, and 4 arm. */
 const TEXT = 'balljoint root { balljoint hip { balljoint knee { balljoint foot { } } } balljoint arm { } }';

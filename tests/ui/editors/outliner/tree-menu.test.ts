@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import type { Character } from '../../../../src/model/document.ts';
 import { jointEntries } from '../../../../src/ui/editors/outliner/tree-menu.ts';
-import type { MenuItem } from '../../../../src/ui/kit/menu.ts';
+import type { MenuItem } from '../../../../src/ui/widgets/menu.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 function menu(mode: 'fk' | 'rig', keys: Record<string, readonly string[]> = {}) {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const rig = () => skeleton(['hip', -1], ['arm_l', 0], ['arm_r', 0]);

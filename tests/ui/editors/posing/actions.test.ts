@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { activeDof, chooseDof, dofsByHand } from '../../../../src/ui/editors/posing/active-dof.ts';
-import { actionsOf, runAction } from '../../../../src/ui/state/action.ts';
-import { selectedJoint } from '../../../../src/ui/state/selected-joint.ts';
+import { actionsOf, runAction } from '../../../../src/ui/state/actions/action.ts';
+import { selectedJoint } from '../../../../src/ui/state/joints/selected-joint.ts';
 import { actionFor } from '../../../../src/ui/state/shortcuts.ts';
 import { channel, character, clip, documentOf, joint, skeleton, workbench } from '../../builders.ts';
 

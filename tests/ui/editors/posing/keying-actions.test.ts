@@ -2,15 +2,15 @@ import { describe, expect, it, vi } from 'vitest';
 import { showClip } from '../../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { poseAt } from '../../../../src/evaluate/pose.ts';
-import { keysOf, restChannel } from '../../../../src/model/clip.ts';
+import { openFiles } from '../../../../src/files/open/open-files.ts';
 import type { Character } from '../../../../src/model/document.ts';
-import { openFiles } from '../../../../src/project/open/open-files.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { offerOverSamples } from '../../../../src/ui/editors/posing/auto-key-samples.ts';
 import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
 import { followOpened } from '../../../../src/ui/editors/posing/opened.ts';
 import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
-import { isEnabled, runAction } from '../../../../src/ui/state/action.ts';
+import { isEnabled, runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { capture, channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

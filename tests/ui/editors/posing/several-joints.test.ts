@@ -1,8 +1,8 @@
 /** Actions on all selected joints: keys, poses, pins and the skeleton, each in one step. */
 import { describe, expect, it } from 'vitest';
-import { keysOf } from '../../../../src/model/clip.ts';
-import { withJoints } from '../../../../src/model/selected-joints.ts';
-import { actionLabel, actionsOf } from '../../../../src/ui/state/action.ts';
+import { withJoints } from '../../../../src/model/skeleton/selected-joints.ts';
+import { keysOf } from '../../../../src/model/takes/clip.ts';
+import { actionLabel, actionsOf } from '../../../../src/ui/state/actions/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const offsets = [

@@ -3,7 +3,7 @@ import '../../../../src/evaluate/retarget/driving.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { HandProblem } from '../../../../src/evaluate/ik/drag/hand-problem.ts';
 import type { Driver } from '../../../../src/model/document.ts';
-import { DEFAULT_RETARGET } from '../../../../src/model/retarget.ts';
+import { DEFAULT_RETARGET } from '../../../../src/model/takes/retarget.ts';
 import { tellFollows } from '../../../../src/ui/editors/posing/tell-follows.ts';
 import { leaveRefusalsBehind } from '../../../../src/ui/shell/stale-messages.ts';
 import { character, clip, documentOf, skeleton, workbench } from '../../builders.ts';

@@ -4,7 +4,7 @@ import { clearRetarget, setRetarget } from '../../../../src/edit/commands/retarg
 import { Store } from '../../../../src/edit/store.ts';
 import { shownKeys } from '../../../../src/evaluate/plot/shown-keys.ts';
 import { findCharacter } from '../../../../src/model/document.ts';
-import { jointDofCount } from '../../../../src/model/dofs.ts';
+import { jointDofCount } from '../../../../src/model/skeleton/dofs.ts';
 import { outlineRows, sameOutline } from '../../../../src/ui/editors/outliner/outline-rows.ts';
 import { takeRows } from '../../../../src/ui/editors/takes/rows.ts';
 import { listedChannels } from '../../../../src/ui/editors/timeline/channels.ts';

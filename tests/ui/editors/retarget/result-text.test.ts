@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_RETARGET } from '../../../../src/model/retarget.ts';
+import { DEFAULT_RETARGET } from '../../../../src/model/takes/retarget.ts';
 import { retargetText } from '../../../../src/ui/editors/retarget/result-text.ts';
 import { driverOf, person, take } from '../../../evaluate/retarget/people.ts';
 

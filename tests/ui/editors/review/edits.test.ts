@@ -2,13 +2,13 @@
 import { describe, expect, it } from 'vitest';
 import { titleFor } from '../../../../src/app/leaving.ts';
 import { withReview } from '../../../../src/app/unsaved-review.ts';
-import { NO_REVIEW } from '../../../../src/model/review.ts';
-import type { UnsavedPart } from '../../../../src/project/save/saved-parts.ts';
+import type { UnsavedPart } from '../../../../src/files/save/saved-parts.ts';
+import { NO_REVIEW } from '../../../../src/model/takes/review.ts';
 import { toggleVerdict } from '../../../../src/ui/editors/review/edits.ts';
 import { noneLeft } from '../../../../src/ui/editors/review/texts.ts';
-import { observable } from '../../../../src/ui/kit/observable.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
-import { menuEntries } from '../../../../src/ui/state/menu-entries.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
+import { menuEntries } from '../../../../src/ui/state/actions/menu-entries.ts';
+import { observable } from '../../../../src/ui/widgets/observable.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 const page = () => {

@@ -1,6 +1,6 @@
 /** Which takes in review are listed, in which order. */
 import { describe, expect, it } from 'vitest';
-import { NO_REVIEW, type ReviewedTake } from '../../../../src/model/review.ts';
+import { NO_REVIEW, type ReviewedTake } from '../../../../src/model/takes/review.ts';
 import type { TakeDigest } from '../../../../src/review/digest.ts';
 import type { Flag } from '../../../../src/review/flags.ts';
 import { isSameFilter, listedRows, reviewRows, tagsIn } from '../../../../src/ui/editors/review/rows.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 /** Placements after duplicating an instance, with the last one drawn at this size. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_BOX } from '../../../../src/model/skeleton.ts';
+import { DEFAULT_BOX } from '../../../../src/model/skeleton/skeleton.ts';
 import { whyNoCorner } from '../../../../src/ui/editors/rig/box-order.ts';
 
 describe('a corner of a box that is typed', () => {

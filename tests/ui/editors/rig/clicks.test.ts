@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { rigTool } from '../../../../src/ui/editors/rig/rig-tool.ts';
 import type { CanvasPointer } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
-import type { Hit } from '../../../../src/view/picking.ts';
+import type { Hit } from '../../../../src/view/picking/picking.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const bones = skeleton(['hips', -1], ['leg', 0]);

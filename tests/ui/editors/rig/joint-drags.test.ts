@@ -1,6 +1,6 @@
 import { afterEach, expect, it, vi } from 'vitest';
 import { removeJoint } from '../../../../src/edit/commands/rig.ts';
-import type { Skeleton } from '../../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../../src/model/skeleton/skeleton.ts';
 import { dragFreely } from '../../../../src/ui/editors/rig/joint-drags.ts';
 import { riggedNow } from '../../../../src/ui/editors/rig/rigged.ts';
 import { character, documentOf, skeleton } from '../../builders.ts';

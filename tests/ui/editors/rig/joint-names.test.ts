@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Skeleton } from '../../../../src/model/skeleton.ts';
+import type { Skeleton } from '../../../../src/model/skeleton/skeleton.ts';
 import { nameNote } from '../../../../src/ui/editors/rig/joint-names.ts';
 import { skeleton } from '../../builders.ts';
 

@@ -3,7 +3,7 @@ import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
 import { jointOfOtherCopy } from '../../../../src/ui/editors/rig/other-copies.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import type { Hit } from '../../../../src/view/picking.ts';
+import type { Hit } from '../../../../src/view/picking/picking.ts';
 import { character, skeleton } from '../../builders.ts';
 
 const twice = character({

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { COMPOUND_DOFS } from '../../../../src/model/skeleton.ts';
+import { COMPOUND_DOFS } from '../../../../src/model/skeleton/skeleton.ts';
 import { typedList } from '../../../../src/ui/editors/rig/typed-list.ts';
 
 describe('the DOFs of a compound joint, typed', () => {

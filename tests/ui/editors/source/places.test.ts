@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { openFiles } from '../../../../src/files/open/open-files.ts';
 import { mapSource } from '../../../../src/formats/source/map-source.ts';
 import type { Document } from '../../../../src/model/document.ts';
 import { EMPTY_DOCUMENT } from '../../../../src/model/document.ts';
 import { NOTHING_SELECTED, type Selection } from '../../../../src/model/session.ts';
 import { linesOf, targetAt } from '../../../../src/model/source-map.ts';
-import { openFiles } from '../../../../src/project/open/open-files.ts';
 import { frameAt, partsFrom, pickOf, sourcesOf, targetsOf } from '../../../../src/ui/editors/source/places.ts';
 import { bytesOf, read } from '../../../formats/read-in-pieces.ts';
 

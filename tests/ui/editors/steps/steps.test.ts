@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { stepsOfPose } from '../../../../src/lesson/steps/dof-steps.ts';
-import { stepsOfJoint } from '../../../../src/lesson/steps/joint-steps.ts';
-import { vertexStepper } from '../../../../src/lesson/steps/vertex-steps.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { oneSurface } from '../../../../src/model/skin.ts';
+import { stepsOfPose } from '../../../../src/teaching/steps/dof-steps.ts';
+import { stepsOfJoint } from '../../../../src/teaching/steps/joint-steps.ts';
+import { vertexStepper } from '../../../../src/teaching/steps/vertex-steps.ts';
 import { meaningText } from '../../../../src/ui/editors/steps/formula-view.ts';
 import { sourcesText } from '../../../../src/ui/editors/steps/joint-view.ts';
 import { paintStage } from '../../../../src/ui/editors/steps/paint-stage.ts';

@@ -3,8 +3,8 @@ import type { Character } from '../../../../src/model/document.ts';
 import { compareEntries, compareWith } from '../../../../src/ui/editors/takes/compare-menu.ts';
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { takesToCompare, takeToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
-import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
-import { findAction, isEnabled, runAction, whyNot } from '../../../../src/ui/state/action.ts';
+import { findAction, isEnabled, runAction, whyNot } from '../../../../src/ui/state/actions/action.ts';
+import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 

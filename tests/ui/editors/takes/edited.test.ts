@@ -5,9 +5,9 @@ import { takeEntries } from '../../../../src/ui/editors/outliner/row-menu.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from '../../../../src/ui/editors/takes/edited.ts';
 import { takeKey } from '../../../../src/ui/editors/takes/rows.ts';
 import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
-import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
-import { actionLabel, findAction, isEnabled, whyNot } from '../../../../src/ui/state/action.ts';
-import { menuEntries } from '../../../../src/ui/state/menu-entries.ts';
+import { actionLabel, findAction, isEnabled, whyNot } from '../../../../src/ui/state/actions/action.ts';
+import { menuEntries } from '../../../../src/ui/state/actions/menu-entries.ts';
+import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
 import { sliding } from '../../../edit/hold/sliding.ts';
 import { character, clip, documentOf, workbench } from '../../builders.ts';
 

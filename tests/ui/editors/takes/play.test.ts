@@ -3,7 +3,7 @@ import { followRange } from '../../../../src/app/follow-range.ts';
 import { renameCharacter } from '../../../../src/edit/commands/characters.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
 import { characterIdOf } from '../../../../src/model/drawn-id.ts';
-import type { Samples } from '../../../../src/model/samples.ts';
+import type { Samples } from '../../../../src/model/takes/samples.ts';
 import {
   chosenTakes,
   listOfTakes,
@@ -13,8 +13,8 @@ import {
   toggleShown,
 } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
-import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/action.ts';
-import { reasonOf } from '../../../../src/ui/state/needs.ts';
+import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/actions/action.ts';
+import { reasonOf } from '../../../../src/ui/state/actions/needs.ts';
 import { comparedIn, drawnDocument } from '../../../../src/ui/state/takes.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';

@@ -3,7 +3,7 @@ import { bakeRetarget, clearRetarget, setRetarget } from '../../../../src/edit/c
 import { showTakes } from '../../../../src/edit/commands/takes.ts';
 import { RETARGETED } from '../../../../src/edit/drivers.ts';
 import { type Character, findCharacter } from '../../../../src/model/document.ts';
-import { filePose, jointDofCount } from '../../../../src/model/dofs.ts';
+import { filePose, jointDofCount } from '../../../../src/model/skeleton/dofs.ts';
 import { compareEntries } from '../../../../src/ui/editors/takes/compare-menu.ts';
 import {
   farthestPair,
@@ -15,8 +15,8 @@ import { Measuring } from '../../../../src/ui/editors/takes/measuring.ts';
 import { listOfTakes, playAlone, removeTakeRows, startAt } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
 import { followSelection, takesToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
-import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/action.ts';
-import { reasonOf } from '../../../../src/ui/state/needs.ts';
+import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/actions/action.ts';
+import { reasonOf } from '../../../../src/ui/state/actions/needs.ts';
 import { comparedIn, drawnDocument, playedName } from '../../../../src/ui/state/takes.ts';
 import { person, take } from '../../../evaluate/retarget/people.ts';
 import { character, documentOf } from '../../../helpers/builders.ts';

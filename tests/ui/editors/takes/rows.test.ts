@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { ChannelClip } from '../../../../src/model/clip.ts';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
+import type { ChannelClip } from '../../../../src/model/takes/clip.ts';
 import { listedTakes, takeRows } from '../../../../src/ui/editors/takes/rows.ts';
 import { character, clip, clipsFrom, documentOf } from '../../../helpers/builders.ts';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { restChannel } from '../../../../src/model/clip.ts';
+import { restChannel } from '../../../../src/model/takes/clip.ts';
 import {
   channelName,
   drawnChannels,

@@ -7,7 +7,7 @@ import {
   selectKeys,
 } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { ACTIONS } from '../../../../src/ui/shell/actions.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

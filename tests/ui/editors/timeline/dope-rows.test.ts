@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { restChannel } from '../../../../src/model/clip.ts';
 import type { Character } from '../../../../src/model/document.ts';
+import { restChannel } from '../../../../src/model/takes/clip.ts';
 import {
   allFolds,
   dopeRows,

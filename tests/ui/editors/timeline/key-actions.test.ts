@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import { selectedKeysInView, selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { selectedText } from '../../../../src/ui/editors/timeline/key-edits.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

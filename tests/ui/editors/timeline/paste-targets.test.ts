@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { copyKeys } from '../../../../src/edit/keys/clipboard.ts';
-import { keysOf, restChannel } from '../../../../src/model/clip.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 /** Three of the root, then three for each joint; only the first leg has keys. */

@@ -4,8 +4,8 @@ import { addKey, moveKeys, removeKeys, setKeys } from '../../../../src/edit/comm
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { addJoint, removeJoint } from '../../../../src/edit/commands/rig.ts';
 import { setMotion } from '../../../../src/edit/commands/rig-joint.ts';
-import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import { keyNow } from '../../../../src/ui/editors/posing/pose-edits.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';

@@ -4,7 +4,7 @@ import { cropped, split } from '../../../../src/edit/samples/frames.ts';
 import { DEFAULT_SPACE } from '../../../../src/model/space.ts';
 import { shownRate } from '../../../../src/ui/editors/curves/dialogs/sample-dialogs.ts';
 import { cutText, splitText } from '../../../../src/ui/editors/timeline/sample-tools.ts';
-import { lengthUnit } from '../../../../src/ui/state/length-unit.ts';
+import { lengthUnit } from '../../../../src/ui/state/joints/length-unit.ts';
 import { swing, swinging } from '../../../edit/samples/made.ts';
 
 const before = { character: swinging(), clip: swing };

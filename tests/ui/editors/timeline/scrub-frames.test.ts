@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { scrubFrames } from '../../../../src/ui/editors/timeline/scrub-frames.ts';
-import { snapTime } from '../../../../src/ui/kit/time-window.ts';
+import { snapTime } from '../../../../src/ui/widgets/time/time-window.ts';
 import { workbench } from '../../builders.ts';
 
 it('a scrubbed time snaps to whole frames as it is set for keys, however time is shown, and Shift inverts that', () => {

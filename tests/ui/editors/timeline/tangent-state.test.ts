@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { setTangents } from '../../../../src/edit/commands/tangents.ts';
-import { TANGENT_KINDS } from '../../../../src/model/clip.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
+import { TANGENT_KINDS } from '../../../../src/model/takes/clip.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { hasTangents, sideWithTangents } from '../../../../src/ui/editors/timeline/tangent-state.ts';
-import { findAction, isChecked } from '../../../../src/ui/state/action.ts';
+import { findAction, isChecked } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

@@ -2,8 +2,8 @@ import { afterEach, expect, it, vi } from 'vitest';
 import { DEFAULT_PLAYBACK } from '../../../../src/edit/playback.ts';
 import { SheetPointer, type SheetPointerHost } from '../../../../src/ui/editors/dope/pointer.ts';
 import { TimeInput } from '../../../../src/ui/editors/timeline/time-input.ts';
-import { observable } from '../../../../src/ui/kit/observable.ts';
 import { Timeline } from '../../../../src/ui/state/timeline.ts';
+import { observable } from '../../../../src/ui/widgets/observable.ts';
 
 afterEach(() => vi.unstubAllGlobals());
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
-import type { MenuEntry } from '../../../../src/ui/kit/menu.ts';
+import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const bones = skeleton(['hips', -1]);

@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { dofState } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { startPlayer } from '../../../../src/ui/editors/transport/player.ts';
-import { oncePerFrame } from '../../../../src/ui/kit/frame.ts';
+import { oncePerFrame } from '../../../../src/ui/widgets/frame.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 let frames: ((now: number) => void)[] = [];

@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { LOOP_MODES } from '../../../../src/edit/playback.ts';
 import { startPlayer } from '../../../../src/ui/editors/transport/player.ts';
-import { type FramePhase, oncePerFrame } from '../../../../src/ui/kit/frame.ts';
-import { runAction } from '../../../../src/ui/state/action.ts';
+import { runAction } from '../../../../src/ui/state/actions/action.ts';
+import { type FramePhase, oncePerFrame } from '../../../../src/ui/widgets/frame.ts';
 import { character, clip, documentOf, workbench } from '../../builders.ts';
 
 let frames: ((now: number) => void)[] = [];

@@ -13,14 +13,14 @@ import {
 import { type Converted, usualTolerance } from '../../../../edit/samples/convert.ts';
 import { MEDIAN_FRAMES } from '../../../../edit/samples/median.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../../model/document.ts';
-import { jointName } from '../../../../model/joint-name.ts';
-import type { Samples } from '../../../../model/samples.ts';
-import type { DialogContent } from '../../../kit/dialog.ts';
-import { element } from '../../../kit/dom.ts';
-import { count, errorSize, plural, shown } from '../../../kit/number-text.ts';
-import { shownPerUnit, unitText } from '../../../state/angles.ts';
-import { lengthUnit } from '../../../state/length-unit.ts';
+import { jointName } from '../../../../model/skeleton/joint-name.ts';
+import type { Samples } from '../../../../model/takes/samples.ts';
+import { shownPerUnit, unitText } from '../../../state/joints/angles.ts';
+import { lengthUnit } from '../../../state/joints/length-unit.ts';
 import type { Uses } from '../../../state/workbench.ts';
+import type { DialogContent } from '../../../widgets/dialog.ts';
+import { element } from '../../../widgets/dom.ts';
+import { count, errorSize, plural, shown } from '../../../widgets/numbers/number-text.ts';
 import { channelsToEdit, currentTake, type Take } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 

@@ -1,8 +1,8 @@
 /** Sentences about changes of the extrapolation by a tool for whole curves, which might go unnoticed. */
 import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
 import { period } from '../../../../edit/keys/cycle.ts';
-import { type ChannelClip, type Extrapolation, repeats } from '../../../../model/clip.ts';
-import { plural, shown } from '../../../kit/number-text.ts';
+import { type ChannelClip, type Extrapolation, repeats } from '../../../../model/takes/clip.ts';
+import { plural, shown } from '../../../widgets/numbers/number-text.ts';
 
 const SIDES = [
   ['Before the keys', 'extrapolateIn'],

@@ -10,14 +10,14 @@ import {
 } from '../../../../edit/commands/channels.ts';
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
 import { countKeys } from '../../../../edit/keys/selection.ts';
-import { keysOf } from '../../../../model/clip.ts';
 import { type Document, findCharacter, shownClip } from '../../../../model/document.ts';
-import type { DofUnit } from '../../../../model/skeleton.ts';
-import type { DialogContent } from '../../../kit/dialog.ts';
-import { element } from '../../../kit/dom.ts';
-import { count, errorSize, plural } from '../../../kit/number-text.ts';
-import { shownPerUnit, unitText } from '../../../state/angles.ts';
+import type { DofUnit } from '../../../../model/skeleton/skeleton.ts';
+import { keysOf } from '../../../../model/takes/clip.ts';
+import { shownPerUnit, unitText } from '../../../state/joints/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
+import type { DialogContent } from '../../../widgets/dialog.ts';
+import { element } from '../../../widgets/dom.ts';
+import { count, errorSize, plural } from '../../../widgets/numbers/number-text.ts';
 import { channelsToEdit, currentTake, selectedKeysInView, type Take } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 import {

@@ -13,8 +13,8 @@
 import { type ColumnLine, ColumnRaster } from '../../../../evaluate/plot/raster.ts';
 import { sampleExtremes } from '../../../../evaluate/plot/sample-extremes.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';
-import type { Channel } from '../../../../model/clip.ts';
-import type { Samples } from '../../../../model/samples.ts';
+import type { Channel } from '../../../../model/takes/clip.ts';
+import type { Samples } from '../../../../model/takes/samples.ts';
 import { type BaseColour, faintly, mixed } from '../scene/colours.ts';
 import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
 import { type CurveSpace, PLOT_TOP } from '../scene/space.ts';

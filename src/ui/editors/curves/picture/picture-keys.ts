@@ -5,7 +5,7 @@
  * cell. (Ten thousand diamonds cost a software canvas more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
-import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/takes/clip.ts';
 import { mixed } from '../scene/colours.ts';
 import { handlesOf, type TangentHandle } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';

@@ -8,8 +8,8 @@
  * A layer is redrawn when an object that it draws has been replaced; lines are traced again one by one
  * (`picture-curves.ts`).
  */
-import { keysOf } from '../../../../model/clip.ts';
-import { element } from '../../../kit/dom.ts';
+import { keysOf } from '../../../../model/takes/clip.ts';
+import { element } from '../../../widgets/dom.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
 import { mixed } from '../scene/colours.ts';

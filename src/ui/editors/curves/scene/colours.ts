@@ -9,8 +9,8 @@
  */
 
 import { mixOklab } from '../../../../math/oklab.ts';
-import type { AxisLetter } from '../../../../model/dof-axis.ts';
 import { perPair } from '../../../../model/per-object.ts';
+import type { AxisLetter } from '../../../../model/skeleton/dof-axis.ts';
 
 /** Colours that can be mixed, and their custom properties. */
 export const BASE_COLOURS = {

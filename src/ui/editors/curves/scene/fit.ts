@@ -1,8 +1,8 @@
 /** Fits the view to something, with margins. */
 
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
-import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
-import { FARTHEST, shortestAt } from '../../../kit/time-window.ts';
+import { keysOf, spanOfChannel } from '../../../../model/takes/clip.ts';
+import { FARTHEST, shortestAt } from '../../../widgets/time/time-window.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { type AxisName, type CurveSpace, PLOT_TOP, VALUE_AXES, type ValueAxis } from './space.ts';
 

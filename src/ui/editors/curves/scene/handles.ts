@@ -7,7 +7,7 @@
  */
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
-import { keysOf } from '../../../../model/clip.ts';
+import { keysOf } from '../../../../model/takes/clip.ts';
 import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
 import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 

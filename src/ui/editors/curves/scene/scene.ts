@@ -2,17 +2,17 @@
 
 import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
 import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
-import type { ChannelClip, KeyedChannel } from '../../../../model/clip.ts';
-import { coupleOf } from '../../../../model/couples.ts';
 import { type Character, shownClip } from '../../../../model/document.ts';
-import { axisOfDof } from '../../../../model/dof-axis.ts';
-import { type CharacterDof, characterDofs, unitOfChannel } from '../../../../model/dofs.ts';
-import { jointName } from '../../../../model/joint-name.ts';
 import { perObject } from '../../../../model/per-object.ts';
-import { columnOf } from '../../../../model/samples.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
-import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton.ts';
-import type { ShownMarker } from '../../../kit/markers-picture.ts';
+import { coupleOf } from '../../../../model/skeleton/couples.ts';
+import { axisOfDof } from '../../../../model/skeleton/dof-axis.ts';
+import { type CharacterDof, characterDofs, unitOfChannel } from '../../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../../model/skeleton/joint-name.ts';
+import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton/skeleton.ts';
+import type { ChannelClip, KeyedChannel } from '../../../../model/takes/clip.ts';
+import { columnOf } from '../../../../model/takes/samples.ts';
+import type { ShownMarker } from '../../../widgets/time/markers-picture.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 import type { TheirChannels } from './their-channels.ts';

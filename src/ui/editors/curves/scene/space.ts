@@ -16,8 +16,8 @@
  * height. All axes are zoomed and panned together, so that curves don't move against each other. Normalised lines share
  * a fifth axis, on which each line's smallest key is −1 and its largest is 1.
  */
-import { DOF_UNITS } from '../../../../model/skeleton.ts';
-import { type TimeWindow, zoomWindow } from '../../../kit/time-window.ts';
+import { DOF_UNITS } from '../../../../model/skeleton/skeleton.ts';
+import { type TimeWindow, zoomWindow } from '../../../widgets/time/time-window.ts';
 import { TIME_RULER_HEIGHT } from '../../timeline/time-ruler.ts';
 
 /** The units of DOFs, and the axis of normalised lines. */

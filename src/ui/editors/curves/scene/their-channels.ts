@@ -1,8 +1,8 @@
 /** Channels as another program printed them, in the order of their times, and where they are wrong. */
 import { firstNotBelow } from '../../../../math/search.ts';
 import { perObject } from '../../../../model/per-object.ts';
-import { errorSize, shown } from '../../../kit/number-text.ts';
 import type { ComparedResult } from '../../../state/dump-comparison.ts';
+import { errorSize, shown } from '../../../widgets/numbers/number-text.ts';
 
 export interface TheirChannel {
   /** Ascending; seconds of the clip. */

@@ -4,7 +4,7 @@
  */
 
 import { roundStep, wholeNumbers } from '../../../../math/round-steps.ts';
-import { shown } from '../../../kit/number-text.ts';
+import { shown } from '../../../widgets/numbers/number-text.ts';
 import type { AxisName, ValueAxis } from './space.ts';
 
 export interface ValueTick {

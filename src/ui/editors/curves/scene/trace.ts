@@ -13,8 +13,8 @@ import { TracedColumns } from '../../../../evaluate/plot/trace-columns.ts';
 import { FAR_PIXELS, heightOf, SpanTracer, TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { traceSampleColumns, traceSamplePath } from '../../../../evaluate/plot/trace-samples.ts';
 import { lastNotAbove } from '../../../../math/search.ts';
-import { type Channel, EXTRAPOLATIONS } from '../../../../model/clip.ts';
-import { rangeOfSamples, type Samples } from '../../../../model/samples.ts';
+import { type Channel, EXTRAPOLATIONS } from '../../../../model/takes/clip.ts';
+import { rangeOfSamples, type Samples } from '../../../../model/takes/samples.ts';
 import type { CurveScene } from './scene.ts';
 import { type OnAxis, PLOT_TOP, pixelsPerSecond, pixelsPerUnit, valueAt } from './space.ts';
 

@@ -1,7 +1,7 @@
 /** Dragging on empty ground: box selection. A click there deselects all keys; one on a curve selects its keys. */
 import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
-import { plural } from '../../../kit/number-text.ts';
+import { plural } from '../../../widgets/numbers/number-text.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import { currentTake, selectedKeys, selectKeys } from '../../timeline/current-take.ts';
 import { keysInBox } from '../scene/hit.ts';

@@ -7,7 +7,7 @@
 import { moveKeys } from '../../../../edit/commands/keys.ts';
 import { hasKey, toggleKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
-import { shownPerUnit } from '../../../state/angles.ts';
+import { shownPerUnit } from '../../../state/joints/angles.ts';
 import {
   aboutKeysInHand,
   currentTake,

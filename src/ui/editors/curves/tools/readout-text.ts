@@ -1,8 +1,8 @@
 /** Texts of the plot's readouts: pointer position, and the result of a drag. */
-import type { DofUnit } from '../../../../model/skeleton.ts';
-import { MAX_DECIMALS, shown } from '../../../kit/number-text.ts';
-import { shownPerUnit, unitText } from '../../../state/angles.ts';
+import type { DofUnit } from '../../../../model/skeleton/skeleton.ts';
+import { shownPerUnit, unitText } from '../../../state/joints/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
+import { MAX_DECIMALS, shown } from '../../../widgets/numbers/number-text.ts';
 import { frameNumber } from '../../timeline/snapping.ts';
 
 /** `0.4 s · 12`, or `12 · 0.4 s` if time is displayed in frames. */

@@ -5,7 +5,7 @@
  *     t' = pivot + factor · (t − pivot)          v' = pivot + factor · (v − pivot)
  */
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
-import { shown } from '../../../kit/number-text.ts';
+import { shown } from '../../../widgets/numbers/number-text.ts';
 import { aboutKeysInHand, currentTake, editOfTake, selectedKeysInView } from '../../timeline/current-take.ts';
 import { valueAt, xOf } from '../scene/space.ts';
 import { isSideways } from './move-keys.ts';

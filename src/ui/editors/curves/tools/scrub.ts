@@ -1,7 +1,7 @@
 /**
  * Dragging in the ruler moves the playhead: to whole frames if *Snap to frames* is on, or with Shift if it is off.
  */
-import { snapTime } from '../../../kit/time-window.ts';
+import { snapTime } from '../../../widgets/time/time-window.ts';
 import { scrubFrames } from '../../timeline/scrub-frames.ts';
 import { pixelsPerSecond, timeAt } from '../scene/space.ts';
 import { type Drag, NOTHING_TO_UNDO, type PlotAccess, type PointerAt } from './tool.ts';

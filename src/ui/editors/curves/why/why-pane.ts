@@ -2,12 +2,13 @@
  * *Why this curve*, beside the plot: of the curve under the pointer, or of the selected key, where its slopes come from,
  * and how they make the value. Updated with the plot, while visible.
  */
-import { whyValue } from '../../../../lesson/why/channel-why.ts';
-import { keysOf } from '../../../../model/clip.ts';
-import { element } from '../../../kit/dom.ts';
-import { NumberGrid } from '../../../kit/number-grid.ts';
-import { shown } from '../../../kit/number-text.ts';
+
+import { keysOf } from '../../../../model/takes/clip.ts';
+import { whyValue } from '../../../../teaching/explain/channel-why.ts';
 import type { Uses } from '../../../state/workbench.ts';
+import { element } from '../../../widgets/dom.ts';
+import { NumberGrid } from '../../../widgets/numbers/number-grid.ts';
+import { shown } from '../../../widgets/numbers/number-text.ts';
 import { channelName, namedChannel } from '../../timeline/channels.ts';
 import { currentTake } from '../../timeline/current-take.ts';
 import { type WhyPlace, type WhySubject, whySubject } from './why-subject.ts';

@@ -1,8 +1,9 @@
 /** The sentences of *Why this curve*. Numbers are those of the file: radians, lengths, weights. */
-import type { ChannelWhy, OutsideWhy, SegmentWhy } from '../../../../lesson/why/channel-why.ts';
-import { tangentText, whyTangent } from '../../../../lesson/why/tangent-why.ts';
-import type { Keys } from '../../../../model/clip.ts';
-import { count, shown } from '../../../kit/number-text.ts';
+
+import type { Keys } from '../../../../model/takes/clip.ts';
+import type { ChannelWhy, OutsideWhy, SegmentWhy } from '../../../../teaching/explain/channel-why.ts';
+import { tangentText, whyTangent } from '../../../../teaching/explain/tangent-why.ts';
+import { count, shown } from '../../../widgets/numbers/number-text.ts';
 
 /** `Key 2: 0.25 at 0.75 s`, and where its slopes come from. */
 export function keyLines(keys: Keys, key: number): readonly string[] {

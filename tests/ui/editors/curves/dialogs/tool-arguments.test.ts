@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { CommandError } from '../../../../../src/edit/command-error.ts';
 import { resample, simplify } from '../../../../../src/edit/commands/channels.ts';
 import { scaleKeys } from '../../../../../src/edit/commands/keys.ts';
-import { keysOf } from '../../../../../src/model/clip.ts';
 import { shownClip } from '../../../../../src/model/document.ts';
+import { keysOf } from '../../../../../src/model/takes/clip.ts';
 import {
   bakeArguments,
   resampleArguments,

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { type Channel, restChannel } from '../../../../../src/model/clip.ts';
+import { type Channel, restChannel } from '../../../../../src/model/takes/clip.ts';
 import { changesBeyond } from '../../../../../src/ui/editors/curves/dialogs/tool-changes.ts';
 import { channel, clip } from '../../../builders.ts';
 

@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
-import { keysOf } from '../../../../../src/model/clip.ts';
+import { keysOf } from '../../../../../src/model/takes/clip.ts';
 import {
   HANDLE_PIXELS,
   handleOf,

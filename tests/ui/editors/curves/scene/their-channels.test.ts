@@ -6,12 +6,12 @@ import type { Character } from '../../../../../src/model/document.ts';
 import { PlotScene } from '../../../../../src/ui/editors/curves/plot-scene.ts';
 import { fit as fitted } from '../../../../../src/ui/editors/curves/scene/fit.ts';
 import { sampleNear, theirChannels, theirsText } from '../../../../../src/ui/editors/curves/scene/their-channels.ts';
-import { observable } from '../../../../../src/ui/kit/observable.ts';
 import { type ComparedResult, DumpComparison } from '../../../../../src/ui/state/dump-comparison.ts';
 import { onResult } from '../../../../../src/ui/state/shown-comparison.ts';
-import { compareDumps } from '../../../../../src/worker/compare.ts';
+import { observable } from '../../../../../src/ui/widgets/observable.ts';
+import { compareDumps } from '../../../../../src/worker/compare-program.ts';
 import { describeShared, sharedBytes } from '../../../../helpers/shared.ts';
-import { characterOf, SHARED } from '../../../../lesson/lesson-files.ts';
+import { characterOf, SHARED } from '../../../../teaching/lesson-files.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../../builders.ts';
 
 const TOLERANCE = 1e-4;

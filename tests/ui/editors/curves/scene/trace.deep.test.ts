@@ -5,7 +5,7 @@ import { type CompiledClip, compileChannels } from '../../../../../src/evaluate/
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
 import { NO_COLUMN } from '../../../../../src/evaluate/plot/trace-columns.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../../src/evaluate/plot/trace-path.ts';
-import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../../../src/model/clip.ts';
+import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../../../src/model/takes/clip.ts';
 import { LineTrace, traceLine } from '../../../../../src/ui/editors/curves/scene/trace.ts';
 import { anyChannel, anyMap, PLOT } from '../arbitraries.ts';
 

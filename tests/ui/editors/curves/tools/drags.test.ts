@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { keysOf } from '../../../../../src/model/clip.ts';
 import { shownClip } from '../../../../../src/model/document.ts';
+import { keysOf } from '../../../../../src/model/takes/clip.ts';
 import { PlotScene } from '../../../../../src/ui/editors/curves/plot-scene.ts';
 import { xOf, yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
 import { keysDrag } from '../../../../../src/ui/editors/curves/tools/move-keys.ts';

@@ -3,7 +3,7 @@ import { isolatedAfter } from '../../../../../src/ui/editors/curves/isolating.ts
 import type { CurveHit } from '../../../../../src/ui/editors/curves/scene/scene.ts';
 import { cursorOf, intentOf, type Press } from '../../../../../src/ui/editors/curves/tools/intent.ts';
 import { movesBoth, sameSlope } from '../../../../../src/ui/editors/curves/tools/slope.ts';
-import { buttonMeant } from '../../../../../src/ui/kit/keyboard.ts';
+import { buttonMeant } from '../../../../../src/ui/widgets/focus/keyboard.ts';
 
 const KEY: CurveHit = { kind: 'key', channel: 0, index: 0 };
 const HANDLE: CurveHit = { kind: 'handle', channel: 0, index: 0, side: 'in' };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { whyValue } from '../../../../../src/lesson/why/channel-why.ts';
-import { type Extrapolation, type KeyedChannel, LINEAR, restChannel } from '../../../../../src/model/clip.ts';
+import { type Extrapolation, type KeyedChannel, LINEAR, restChannel } from '../../../../../src/model/takes/clip.ts';
+import { whyValue } from '../../../../../src/teaching/explain/channel-why.ts';
 import { type WhyPlace, whySubject } from '../../../../../src/ui/editors/curves/why/why-subject.ts';
 import { keyLines, placeLines, slopeLines } from '../../../../../src/ui/editors/curves/why/why-text.ts';
 import { channel, clip } from '../../../builders.ts';

@@ -1,0 +1,36 @@
+/** The walker example. */
+
+import type { Sample } from '../example.ts';
+import { encodePng } from '../paint/png.ts';
+import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
+import { buildWalkerMesh } from './body.ts';
+import { walkerClip } from './clip.ts';
+import { MORPH_NAMES, walkerMorphs } from './morphs.ts';
+import { paintWalker } from './paint.ts';
+import { WALKER_SKELETON } from './skeleton.ts';
+
+export function walkerSample(): Sample {
+  const body = buildWalkerMesh();
+  const atlas = paintWalker();
+  return {
+    id: 'walker',
+    label: 'Walker',
+    description: 'A small explorer out for a stroll: a walk cycle, three morphs, a painted skin.',
+    skeleton: WALKER_SKELETON,
+    skin: body.mesh.skin('walker', bindingMatrices(posedFrames(WALKER_SKELETON)), {
+      name: 'walker',
+      texture: 'walker.png',
+    }),
+    morphs: walkerMorphs(body),
+    clip: walkerClip(),
+    shows: { followRoot: true },
+    rig: {
+      name: 'walker',
+      skeleton: 'walker.skel',
+      skin: 'walker.skin',
+      morphs: MORPH_NAMES.map((name) => `walker_${name}.morph`),
+      animation: 'walker_walk.anim',
+    },
+    textures: [{ name: 'walker.png', bytes: encodePng(atlas.pixels, atlas.size) }],
+  };
+}

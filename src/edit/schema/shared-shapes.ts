@@ -1,0 +1,72 @@
+/** Shapes that several commands share. */
+
+import type { PoseByNames } from '../../model/pose-by-names.ts';
+import { EXTRAPOLATIONS, TANGENT_KINDS } from '../../model/takes/clip.ts';
+import { CommandError } from '../command-error.ts';
+import type { KeyOptions } from '../key-dofs.ts';
+import { COLLISIONS } from '../keys/arrange.ts';
+import { OUTSIDE_CYCLE } from '../keys/cycle.ts';
+import { TANGENT_SIDES } from '../keys/tangents.ts';
+import { SKIN_MODES } from '../rig/rigging.ts';
+import { filledText, index, list, number, oneOf, optional, record, type Shape, text, tuple, whole } from './shape.ts';
+
+/** Of one character, by its id. */
+export const CHARACTER = { characterId: text } as const;
+export const NOW = { ...CHARACTER, timeSeconds: number } as const;
+
+const startAndEnd = tuple('start', 'end');
+/** Two times, in order. */
+export const range: typeof startAndEnd = {
+  what: `${startAndEnd.what}, the start not after the end`,
+  read(value, path) {
+    const [start, end] = startAndEnd.read(value, path);
+    if (start > end) throw new CommandError(`"${path}" must start before it ends, found ${start} to ${end}.`);
+    return [start, end];
+  },
+};
+export const vector = tuple('x', 'y', 'z');
+export const placement = record({ position: vector, turn: vector, scale: number });
+
+export const outsideCycle = oneOf(OUTSIDE_CYCLE);
+export const KEY_OPTIONS = {
+  tangents: optional(oneOf(['smooth', 'linear', 'flat'])),
+  playedRange: optional(range),
+  outsideCycle: optional(outsideCycle),
+} as const;
+const keyOptions: Shape<KeyOptions> = record(KEY_OPTIONS);
+/** Auto-key. */
+export const key = optional(keyOptions);
+
+export const side = oneOf(TANGENT_SIDES);
+export const tangentKind = oneOf(TANGENT_KINDS);
+export const extrapolation = oneOf(EXTRAPOLATIONS);
+
+export const indices = list(index);
+export const CHANNELS = { ...CHARACTER, channels: indices } as const;
+export const keys = list(record({ channel: index, indices }));
+export const KEYS = { ...CHARACTER, keys } as const;
+
+/** A take of a character; -1 for its pose, -2 for the retargeted one. */
+export const takeRef = record({ characterId: text, clip: whole(-2) });
+
+export const TAKES = { takes: list(takeRef) } as const;
+/** The shown take unless another is given. */
+export const TAKE = { ...CHARACTER, clip: optional(index) } as const;
+export const CHARACTERS = { characterIds: list(text) } as const;
+
+/** What happens to keys outside a cycle: `KeyPlacing`. */
+export const PLACING = { outsideCycle: optional(outsideCycle), bakedRange: optional(range) } as const;
+/** What happens to a key that a moved one lands on; default: it is replaced. */
+export const onCollision = optional(oneOf(COLLISIONS));
+
+/** What commands on a skeleton share; `timeSeconds` is the transport time of the displayed pose, default 0. */
+export const RIGGING = { ...CHARACTER, skin: optional(oneOf(SKIN_MODES)), timeSeconds: optional(number) } as const;
+export const JOINT = { ...RIGGING, joint: index } as const;
+
+const namedValues = list(record({ name: filledText, value: number }));
+export const poseByNames: Shape<PoseByNames> = record({
+  name: filledText,
+  root: optional(vector),
+  joints: list(record({ name: text, dofs: namedValues })),
+  weights: namedValues,
+});

@@ -1,0 +1,379 @@
+/**
+ * All kinds of files. A record holds the names of a kind, its content, and which characters can be saved in it; the
+ * tables below say what opening makes of each kind of content. Readers and writers are in `readers.ts` and
+ * `writers.ts`, with an entry per kind: the page's first script includes neither, since it reads in a worker and loads the writers when something is
+ * saved.
+ */
+import { withoutUnkeyed } from '../edit/unkeyed.ts';
+import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
+import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
+import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
+import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/files.ts';
+import { axisAngleObstacle, savesAsAxisAngle } from '../model/skeleton/axis-angle.ts';
+import { jointDofCount } from '../model/skeleton/dofs.ts';
+import { withPositions } from '../model/skeleton/position-channels.ts';
+import { ownChannels } from '../model/skeleton/skel-motion.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
+import { type ChannelClip, keysOf } from '../model/takes/clip.ts';
+import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
+import { rangeOfSamples } from '../model/takes/samples.ts';
+import { type PartOrigin, withClip, withMorph, withSkin } from './open/assemble.ts';
+
+export interface Kind {
+  /** Without the dot, in lower case; the first is used for writing. */
+  readonly extensions: readonly [string, ...string[]];
+  /** For users: "skeleton". */
+  readonly label: string;
+  /** The kind of content that it is read as and written from. */
+  readonly content: FileKind;
+  /** Most files with these extensions are not of this kind: the system isn't asked to open them with the page. */
+  readonly isRare?: true;
+  /** Absent if it is only read. */
+  readonly save?: Saving;
+}
+
+/** How characters are saved in a kind of file, as far as menus need to know; its writer knows the rest. */
+export interface Saving {
+  /** In the save menu. */
+  readonly label: string;
+  /** Whether a character has anything to save in this kind of file. */
+  has(character: Character): boolean;
+  /** Why a character can't be saved in it although it has the content; a sentence. */
+  whyNot?(character: Character): string | undefined;
+  /** Whether its files hold the character's own parts; otherwise they are copies, and saving marks nothing as saved. */
+  isOwn(character: Character): boolean;
+}
+
+const hasSkeleton = ({ skeleton }: Character) => skeleton !== undefined;
+const isAxisAngle = ({ skeleton }: Character) => skeleton !== undefined && savesAsAxisAngle(skeleton);
+const isAnyones = () => true;
+
+export const KINDS = {
+  skel: {
+    extensions: ['skel'],
+    label: 'skeleton',
+    content: 'skel',
+    save: {
+      label: 'Skeleton (.skel)',
+      has: hasSkeleton,
+      isOwn: (c) => !hasSkeleton(c) || !(isBvh(c) || isAxisAngle(c)),
+    },
+  },
+  // Readers recognise the axis-angle form by content, whatever the extension; saving depends on the extension.
+  axskel: {
+    extensions: ['axskel'],
+    label: 'skeleton',
+    content: 'skel',
+    save: {
+      label: 'Axis-angle skeleton (.axskel)',
+      has: ({ skeleton }) => skeleton !== undefined && axisAngleObstacle(skeleton) === undefined,
+      whyNot: ({ skeleton }) => skeleton && axisAngleObstacle(skeleton),
+      isOwn: (c) => !hasSkeleton(c) || isAxisAngle(c),
+    },
+  },
+  skin: {
+    extensions: ['skin'],
+    label: 'skin',
+    content: 'skin',
+    save: {
+      label: 'Skin (.skin)',
+      has: (c) => shownSkin(c) !== undefined,
+      isOwn: isAnyones,
+    },
+  },
+  morph: {
+    extensions: ['morph'],
+    label: 'morph',
+    content: 'morph',
+    save: {
+      label: 'Morphs (.morph)',
+      has: ({ morphs }) => morphs.length > 0,
+      isOwn: isAnyones,
+    },
+  },
+  anim: {
+    extensions: ['anim'],
+    label: 'animation',
+    content: 'anim',
+    save: {
+      label: 'Animation (.anim)',
+      has: (c) => shownClip(c) !== undefined,
+      isOwn: (c) => !isBvh(c),
+    },
+  },
+  rig: {
+    extensions: ['rig'],
+    label: 'rig',
+    content: 'rig',
+    save: {
+      label: 'Rig (.rig)',
+      has: (c) => hasSkeleton(c) || shownSkin(c) !== undefined,
+      // No part of a character: it only names the others.
+      isOwn: () => false,
+    },
+  },
+  bvh: {
+    extensions: ['bvh'],
+    label: 'motion capture',
+    content: 'bvh',
+    save: {
+      label: 'Motion capture (.bvh)',
+      has: hasSkeleton,
+      isOwn: (c) => !hasSkeleton(c) || isBvh(c),
+    },
+  },
+  pose: {
+    extensions: ['pose'],
+    label: 'poses',
+    content: 'pose',
+    save: {
+      label: 'Poses (.pose)',
+      has: ({ poses }) => (poses?.length ?? 0) > 0,
+      isOwn: isAnyones,
+    },
+  },
+  gltf: {
+    extensions: ['gltf', 'glb', 'vrm', 'vrma'],
+    label: 'glTF',
+    content: 'character',
+  },
+  fbx: {
+    extensions: ['fbx'],
+    label: 'FBX',
+    content: 'character',
+  },
+  texture: {
+    extensions: TEXTURE_EXTENSIONS,
+    label: 'image',
+    content: 'texture',
+  },
+  markers: {
+    extensions: [MARKERS_EXTENSION],
+    label: 'markers',
+    content: 'markers',
+    isRare: true,
+    save: {
+      label: 'Markers (.markers.json)',
+      has: ({ clips }) => clips.some(({ markers }) => markers !== undefined),
+      // They are kept with their takes.
+      isOwn: () => false,
+    },
+  },
+  // Told by content; other texts with these extensions are read as dumps without numbers.
+  dump: {
+    extensions: DUMP_EXTENSIONS,
+    label: 'dump',
+    content: 'dump',
+    isRare: true,
+  },
+} as const satisfies Readonly<Record<string, Kind>>;
+
+/** A kind of file: `skel` is the hierarchy form of a skeleton, `axskel` the axis-angle form. */
+export type FormatKind = keyof typeof KINDS;
+
+/** A kind of file that characters can be saved in. */
+export type SavedKind = {
+  [K in FormatKind]: (typeof KINDS)[K] extends { readonly save: Saving } ? K : never;
+}[FormatKind];
+
+/** The content of a kind of file. */
+export type HeldBy<K extends FormatKind> = ContentOf<(typeof KINDS)[K]['content']>;
+
+/** In the order of the menus. */
+export const FORMAT_KINDS = Object.keys(KINDS) as readonly FormatKind[];
+export const SAVED_KINDS = FORMAT_KINDS.filter(isSaved);
+
+export function isSaved(kind: FormatKind): kind is SavedKind {
+  const { save }: Kind = KINDS[kind];
+  return save !== undefined;
+}
+
+/** Without dots. */
+export const READABLE_EXTENSIONS: readonly string[] = FORMAT_KINDS.flatMap((kind) => KINDS[kind].extensions);
+export const WRITABLE_EXTENSIONS: readonly string[] = SAVED_KINDS.flatMap((kind) => KINDS[kind].extensions);
+
+/** The kind of a file by its extension, in any case; undefined for other files. */
+export function formatKindOf(fileName: string): FormatKind | undefined {
+  const name = fileName.toLowerCase();
+  // Kinds with a longer extension come first: `.markers.json` is no `.json`.
+  return FORMAT_KINDS.find((kind) => KINDS[kind].extensions.some((own) => name.endsWith(`.${own}`)));
+}
+
+/** Whether a file is a buffer of glTF files, by its name or path. */
+export function isBuffer(path: string): boolean {
+  return path.toLowerCase().endsWith('.bin');
+}
+
+/** What opening makes of the content of a file (`open/open-files.ts`). */
+export type Opening<C> = CharacterOpening<C> | PartOpening<C> | OtherOpening;
+
+/** It has skeletons: each is a character. */
+export interface CharacterOpening<C> {
+  readonly as: 'characters';
+  characters(content: C): readonly WholeCharacter[];
+  /** Whether skins, morphs and animations next to it belong to it. */
+  readonly takesParts: boolean;
+}
+
+/** It belongs to a character: that of its rig or of its skeleton's name, or else the selected one. */
+export interface PartOpening<C> {
+  readonly as: 'part';
+  add(character: Character, content: C, from: PartOrigin): Character;
+  /** Only for a character with a skin; the name of the skin tells which. */
+  readonly onSkin?: true;
+  /** It belongs to a character that takes no other parts, too, if there is no other. */
+  readonly onAny?: true;
+  /** Why it is not used without a character, as a sentence; absent: it is one by itself and waits for a skeleton. */
+  readonly unused?: string;
+}
+
+/**
+ * A list of other files; poses for a library; an image for a skin; numbers to compare with a character: opened by rules
+ * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
+ */
+export interface OtherOpening {
+  readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'markers';
+}
+
+/** What a file is in an opening. */
+export type Role = Opening<never>['as'];
+
+const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
+  skel: {
+    as: 'characters',
+    characters: ({ skeletons }) => skeletons.map((skeleton) => bare(skeleton)),
+    takesParts: true,
+  },
+  skin: { as: 'part', add: (character, { skin }, from) => withSkin(character, skin, from) },
+  morph: {
+    as: 'part',
+    add: (character, { morph }, from) => withMorph(character, morph, from),
+    onSkin: true,
+    unused: 'No open character has a skin for it.',
+  },
+  anim: {
+    as: 'part',
+    onAny: true,
+    add(character, { clip }, from) {
+      const { skeleton, pose } = character;
+      const own = skeleton ? ownChannels(clip, skeleton, pose) : clip;
+      return withClip(withoutUnkeyed(character), own, from);
+    },
+  },
+  rig: { as: 'rig' },
+  // Motion capture is complete in itself; skins are not made for it.
+  bvh: {
+    as: 'characters',
+    characters: ({ figures, guessed }) =>
+      figures.map(({ skeleton, clip }) =>
+        guessed ? { ...bare(withPositions(skeleton, guessed.positions), clip), space: guessed } : bare(skeleton, clip),
+      ),
+    takesParts: false,
+  },
+  pose: { as: 'poses' },
+  character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
+  texture: { as: 'texture' },
+  dump: { as: 'dump' },
+  markers: { as: 'markers' },
+};
+
+function bare(skeleton: Skeleton, clip?: ChannelClip): WholeCharacter {
+  return { skeleton, skins: [], morphs: [], clips: clip ? [clip] : [], textures: [] };
+}
+
+/** For content of that kind only, which TypeScript can't check. */
+export function openingOf(kind: FileKind): Opening<FileContent> {
+  return OPENINGS[kind];
+}
+
+/** Names as in JSON; values are numbers, texts or lists of them. */
+export type Facts = Readonly<Record<string, unknown>>;
+
+/** Nothing for a skin without materials. */
+function materialFacts(skin: Skin): Facts {
+  const materials = skin.surfaces.flatMap(({ material }) => material ?? []);
+  const textures = textureNames(skin);
+  return {
+    ...(materials.length > 0 && { materials: materials.map(({ name }) => name) }),
+    ...(textures.length > 0 && { textures }),
+  };
+}
+
+/** What `marrow info` says about the content of a file. */
+const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
+  skel: ({ skeletons }) => ({
+    joints: sum(skeletons.map((s) => s.joints.length)),
+    dofs: sum(skeletons.map(jointDofCount)),
+    roots: skeletons.length,
+    ...(skeletons[0]?.form && { form: skeletons[0].form }),
+  }),
+  skin: ({ skin }) => ({
+    vertices: vertexCount(skin),
+    triangles: skin.triangles.length / 3,
+    maxAttachments: maxAttachments(skin),
+    bindings: bindingCount(skin),
+    texcoords: (skin.texcoords?.length ?? 0) / 2,
+    ...materialFacts(skin),
+  }),
+  morph: ({ morph }) => ({ positions: morph.positions.indices.length, normals: morph.normals.indices.length }),
+  anim: ({ clip: { channels, range } }) => ({
+    channels: channels.length,
+    keys: sum(channels.map((c) => keysOf(c).times.length)),
+    range,
+  }),
+  rig: ({ rig: { skeleton, skin, morphs, animation } }) => ({
+    parts: [skeleton, skin, ...morphs, animation].filter((part) => part !== undefined),
+  }),
+  bvh({ figures }) {
+    const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
+    // The same for all figures with samples: a row contains the channels of all roots.
+    const samples = figures.find(({ clip }) => clip?.samples)?.clip?.samples;
+    const range = samples && rangeOfSamples(samples);
+    return {
+      joints: joints.length,
+      endSites: sum(joints.map(({ endSites = [] }) => endSites.length)),
+      dofs: sum(figures.map(({ skeleton }) => jointDofCount(skeleton))),
+      roots: figures.length,
+      frames: samples?.frameCount ?? 0,
+      ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
+    };
+  },
+  pose: ({ poses }) => ({ poses: poses.length, names: poses.map(({ name }) => name) }),
+  character: ({ characters }) => ({
+    joints: sum(characters.map(({ skeleton }) => skeleton.joints.length)),
+    roots: characters.length,
+    vertices: sum(characters.flatMap(({ skins }) => skins.map(vertexCount))),
+    morphs: sum(characters.map(({ morphs }) => morphs.length)),
+    clips: characters.flatMap(({ clips }) => clips.map(({ name }) => name)),
+    textures: characters.flatMap(({ textures }) => textures.map(({ name }) => name)),
+  }),
+  texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),
+  markers: ({ markers }) => ({ markers: markers.length, labels: markers.map(({ label }) => label) }),
+  dump: ({ dump: { blocks, time: stated } }) => ({
+    blocks: blocks.map(({ holds, time = stated, values, lines }) => ({
+      ...(holds && { holds }),
+      ...(time !== undefined && { time }),
+      rows: lines.length,
+      numbers: values.length,
+    })),
+  }),
+};
+
+/** In the order in which they are printed. */
+export function factsOf(content: FileContent): Facts {
+  // The entry for this content; TypeScript can't infer that from the union.
+  const facts = FACTS[content.kind] as (content: FileContent) => Facts;
+  return facts(content);
+}
+
+function maxAttachments({ attachments }: Skin): number {
+  let most = 0;
+  const start = attachments?.start ?? [];
+  for (let v = 0; v + 1 < start.length; v++) most = Math.max(most, start[v + 1] - start[v]);
+  return most;
+}
+
+function sum(values: readonly number[]): number {
+  return values.reduce((total, value) => total + value, 0);
+}

@@ -1,0 +1,101 @@
+/**
+ * Converts a character to formats other than its own: BVH to `.skel` and `.anim`, any to `.bvh`. Page and command share
+ * these models; the writers make text of them.
+ */
+
+import { CommandError } from '../../edit/command-error.ts';
+import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
+import { framesOf, MAX_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
+import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
+import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
+import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
+
+/** For clips without a frame rate of their own. */
+const DEFAULT_FRAMES_PER_SECOND = 30;
+
+/** The character's skeleton as `.skel` can hold it, in its current pose as set. Undefined without a skeleton. */
+export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>): Skeleton | undefined {
+  return skeleton && inPose(skelFigure(skeleton).skeleton, skelPose(pose, skeleton));
+}
+
+/** One of its clips as `.anim` can hold it: keys for the DOFs of `skelOf`. */
+export function animOf(
+  { skeleton }: Pick<Character, 'skeleton'>,
+  clip: ChannelClip,
+  options?: SampleKeyOptions,
+): ChannelClip {
+  return skeleton ? skelClip(clip, skeleton, options) : clip;
+}
+
+/** A clip as a BVH figure, with the name of its file without extension. */
+export interface NamedFigure extends BvhFigure {
+  readonly name: string;
+}
+
+/**
+ * A BVH figure for each clip, or one in the pose as set if there are none. Throws a `CommandError` if there are too
+ * many frames to sample.
+ * @param framesPerSecond for all clips; absent: each clip's own (of its samples or evenly spaced keys), or else 30,
+ * which is reported
+ */
+export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
+  const { skeleton, clips, driver } = character;
+  if (!skeleton) return [];
+  // The retargeted take, whichever of its own is shown.
+  if (driver) return [named(character, framesPerSecond, `${skeleton.name}_${driver.source.clip.name}`)];
+  if (clips.length === 0) return [named({ ...character, shownClip: -1 }, framesPerSecond, skeleton.name)];
+  return clips.map((clip, index) => named({ ...character, shownClip: index }, framesPerSecond, clip.name));
+}
+
+function named(character: Character, framesPerSecond: number | undefined, name: string): NamedFigure {
+  const clip = playedClip(character);
+  const frames =
+    framesPerSecond === undefined
+      ? framesFor(character, DEFAULT_FRAMES_PER_SECOND)
+      : framesOf(clip?.range ?? [0, 0], framesPerSecond);
+  if (frames.frameCount > Math.max(MAX_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
+    const count = frames.frameCount.toLocaleString('en');
+    throw new CommandError(
+      `${name} would have ${count} frames, but the maximum is ${MAX_FRAMES.toLocaleString('en')}.`,
+    );
+  }
+  const made = toBvhFigure(character, frames, `${name}.bvh`);
+  const isAssumed = framesPerSecond === undefined && clip !== undefined && !hasOwnRate(clip) && frames.frameCount > 1;
+  return { name, ...made, diagnostics: isAssumed ? [rateAssumed(clip, name), ...made.diagnostics] : made.diagnostics };
+}
+
+/** Whether a clip has a frame rate of its own. */
+export function hasOwnRate(clip: ChannelClip): boolean {
+  return frameRateOf(clip) !== undefined;
+}
+
+function rateAssumed(clip: ChannelClip, name: string): Diagnostic {
+  const message = `Expected keys at an even rate or a frame rate for ${clip.name}, found keys at uneven times.`;
+  return withoutPlace(
+    'info',
+    'rate-assumed',
+    message,
+    `${name}.bvh`,
+    `used ${DEFAULT_FRAMES_PER_SECOND} frames per second`,
+  );
+}
+
+/**
+ * The skeleton with this pose as its file pose.
+ * @param pose one value per DOF of the joints
+ */
+export function inPose(skeleton: Skeleton, pose: readonly number[]): Skeleton {
+  let start = 0;
+  const joints = skeleton.joints.map((joint) => {
+    const from = start;
+    start += dofsOf(joint.motion).length;
+    return { ...joint, pose: pose.slice(from, start) };
+  });
+  return { ...skeleton, joints };
+}

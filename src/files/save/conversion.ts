@@ -1,0 +1,121 @@
+/**
+ * Converts characters to formats other than their own: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton
+ * and clip, either form of skeletons. Characters from one BVH file are written to one file if possible: several roots
+ * with the same frames.
+ */
+
+import { fitOneBvh } from '../../formats/bvh/write.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import { type SourceFile, stemOf } from '../../model/files.ts';
+import { nameByInput } from '../../model/names/telling-names.ts';
+import { NO_MARKS } from '../../model/part.ts';
+import { inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { formatKindOf } from '../kinds.ts';
+import { bvhOf } from './character-files.ts';
+import { animCopies, bvhCopy, type ConversionOptions, rigCopies, skelCopies } from './copies.ts';
+import { type Output, outputOf } from './output.ts';
+
+/** Formats to which any character with a skeleton can be converted. */
+export const TARGETS = ['skel', 'anim', 'bvh', 'rig'] as const;
+export type Target = (typeof TARGETS)[number];
+
+/** The file from which something of this name was read: the skeleton's, or a clip's. */
+export function sourceFor({ clips, parts }: Character, name: string): SourceFile | undefined {
+  const skeleton = parts?.skeleton?.file?.source;
+  if (skeleton && stemOf(skeleton) === name) return skeleton;
+  return parts?.clips[clips.findIndex((clip) => clip.name === name)]?.file?.source ?? skeleton;
+}
+
+/**
+ * The files of characters converted to `target`: for `skel` the skeleton and its clips, for `anim` only the clips.
+ * Characters without a skeleton give none.
+ */
+export function outputsOf(
+  characters: readonly Character[],
+  target: Target,
+  options: ConversionOptions = {},
+): readonly Output[] {
+  if (target === 'bvh') return bvhOutputs(characters, options);
+  return characters.flatMap((character) => {
+    if (!character.skeleton) return [];
+    const clips = animCopies(character, options).map(outputOf);
+    if (target === 'anim') return clips;
+    if (target === 'rig') return [...skelCopies(character, options).map(outputOf), ...partOutputs(character), ...clips];
+    // A different extension asks for the hierarchy form of all `.skel` files.
+    const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
+    const inForm = readAs === 'axskel' ? inHierarchyForm : (skeleton: Skeleton) => skeleton;
+    return [...skelCopies(character, options, inForm).map(outputOf), ...clips];
+  });
+}
+
+/** All that a `.rig` names besides the skeleton and the clips, with textures, and the `.rig` itself. */
+function partOutputs(character: Character): readonly Output[] {
+  const { skins, morphs, textures } = character;
+  const parts = [
+    ...skins.map((skin) => ({ name: `${skin.name}.skin`, content: () => ({ kind: 'skin', skin }) as const })),
+    ...morphs.map((morph) => ({ name: `${morph.name}.morph`, content: () => ({ kind: 'morph', morph }) as const })),
+    ...rigCopies(character),
+  ].map(outputOf);
+  const images = textures.map(({ name, bytes }): Output => ({ name, pieces: () => [bytes], diagnostics: () => [] }));
+  return [...parts, ...images];
+}
+
+/**
+ * The character with its takes named after it, for folders with files of many characters: takes that came in a file of
+ * whole characters, of which each may have one called Idle, and all that a `.rig` names.
+ */
+export function withOwnNames(character: Character, target: Target): Character {
+  const { skeleton, clips, morphs, parts = NO_MARKS } = character;
+  const isRig = target === 'rig';
+  const name = isRig ? character.name : (skeleton?.name ?? character.name);
+  const isInside = (clip: number) => parts.clips[clip]?.file?.kind === 'character';
+  const isOnly = clips.length === 1 && isInside(0);
+  return {
+    ...character,
+    clips: clips.map((clip, i) =>
+      isRig || isInside(i) ? { ...clip, name: nameByInput({ name: clip.name, isOnly }, name) } : clip,
+    ),
+    ...(isRig && { morphs: morphs.map((morph) => ({ ...morph, name: nameByInput(morph, name) })) }),
+  };
+}
+
+/** The character with another name for its skeleton, and for what is named after that. */
+export function renamedTo(character: Character, skeleton: Skeleton, name: string): Character {
+  const own = skeleton.name.toLowerCase();
+  const isNamedAfter = (part: string) =>
+    own !== '' && part.toLowerCase().startsWith(own) && /^(?:[_.\- ]|$)/.test(part.slice(own.length));
+  const renamed = <T extends { readonly name: string }>(part: T): T =>
+    isNamedAfter(part.name) ? { ...part, name: name + part.name.slice(skeleton.name.length) } : part;
+  const { skins, morphs, clips } = character;
+  return {
+    ...renamed(character),
+    skeleton: { ...skeleton, name },
+    skins: skins.map(renamed),
+    morphs: morphs.map(renamed),
+    clips: clips.map(renamed),
+  };
+}
+
+/** A clip of each character, as roots of one file if they have the same frames. */
+function bvhOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
+  const all = characters.map((character) => bvhOf(character, options.framesPerSecond));
+  const first = all.map(([figure]) => figure);
+  const isOneFile = all.length > 1 && all.every((figures) => figures.length === 1);
+  if (isOneFile && sameSource(characters) && fitOneBvh(first.map(({ figure }) => figure))) {
+    const [source] = characters[0].sources;
+    return [outputOf(bvhCopy(`${stemOf(source)}.bvh`, first))];
+  }
+  return all.flat().map((figure) => outputOf(bvhCopy(`${figure.name}.bvh`, [figure])));
+}
+
+function sameSource(characters: readonly Character[]): boolean {
+  const path = characters[0]?.sources[0]?.path;
+  return path !== undefined && characters.every(({ sources }) => sources.length === 1 && sources[0].path === path);
+}
+
+/** A diagnostic that says, in a sentence, why a file can't be written. */
+export function refusal(code: string, message: string, file: string): Diagnostic {
+  return withoutPlace('error', code, message, file);
+}

@@ -1,0 +1,97 @@
+/**
+ * The files of a character in formats other than its own: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton
+ * and clip, either form of skeletons, a `.rig` with the names of the others. Saving them marks nothing as saved.
+ */
+import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import { partsOf } from '../../model/character-parts.ts';
+import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import type { FileContent } from '../../model/files.ts';
+import { newFileName } from '../../model/part.ts';
+import type { Rig } from '../../model/rig.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { MARKERS_EXTENSION } from '../../model/takes/markers.ts';
+import { animOf, bvhOf, type NamedFigure, skelOf } from './character-files.ts';
+
+/** A file to be written, as a model. */
+export interface Copy {
+  readonly name: string;
+  /** Made when it is written. */
+  content(): FileContent;
+  /** What was lost on the way to the model. */
+  readonly diagnostics?: readonly Diagnostic[];
+}
+
+export interface ConversionOptions extends SampleKeyOptions {
+  /** Of `.bvh`; absent: each clip's own, or 30. */
+  readonly framesPerSecond?: number;
+}
+
+/** The skeleton, in hierarchy form unless `inForm` says otherwise; none without one. */
+export function skelCopies(
+  character: Character,
+  _options?: ConversionOptions,
+  inForm: (skeleton: Skeleton) => Skeleton = inHierarchyForm,
+): readonly Copy[] {
+  const skeleton = skelOf(character);
+  if (!skeleton) return [];
+  return [{ name: `${skeleton.name}.skel`, content: () => ({ kind: 'skel', skeletons: [inForm(skeleton)] }) }];
+}
+
+/** The skeleton in axis-angle form; none if it does not fit into it. */
+export function axskelCopies(character: Character): readonly Copy[] {
+  const skeleton = skelOf(character);
+  if (!skeleton || axisAngleObstacle(skeleton) !== undefined) return [];
+  return [
+    { name: `${skeleton.name}.axskel`, content: () => ({ kind: 'skel', skeletons: [inAxisAngleForm(skeleton)] }) },
+  ];
+}
+
+/** All takes, with keys. */
+export function animCopies(character: Character, options: ConversionOptions): readonly Copy[] {
+  return character.clips.map((clip) => ({
+    name: `${clip.name}.anim`,
+    content: () => ({ kind: 'anim', clip: animOf(character, clip, options) }),
+  }));
+}
+
+/** All takes, or the pose without one. Refuses, with a `CommandError`, more frames than can be sampled. */
+export function bvhCopies(character: Character, { framesPerSecond }: ConversionOptions): readonly Copy[] {
+  return bvhOf(character, framesPerSecond).map((figure) => bvhCopy(`${figure.name}.bvh`, [figure]));
+}
+
+/** Several figures with the same frames as one file. */
+export function bvhCopy(name: string, figures: readonly NamedFigure[]): Copy {
+  return {
+    name,
+    content: () => ({ kind: 'bvh', figures: figures.map(({ figure }) => figure) }),
+    diagnostics: figures.flatMap(({ diagnostics }) => diagnostics),
+  };
+}
+
+/** A file for each take that has markers, called after it. */
+export function markersCopies({ clips }: Pick<Character, 'clips'>): readonly Copy[] {
+  return clips.flatMap(({ name, markers }) =>
+    markers ? [{ name: `${name}.${MARKERS_EXTENSION}`, content: () => ({ kind: 'markers', markers }) }] : [],
+  );
+}
+
+/** The names of the files of its own parts. */
+export function rigCopies(character: Character): readonly Copy[] {
+  return [{ name: `${character.name}.rig`, content: () => ({ kind: 'rig', rig: rigOf(character) }) }];
+}
+
+function rigOf(character: Character): Rig {
+  const { name, skins, shownSkin, morphs, clips, shownClip } = character;
+  const skeleton = partsOf(character).find(({ kind }) => kind === 'skel');
+  const skin = skins[shownSkin];
+  const clip = clips[shownClip];
+  return {
+    name,
+    ...(skeleton && { skeleton: newFileName(skeleton) }),
+    ...(skin && { skin: `${skin.name}.skin` }),
+    morphs: morphs.map((morph) => `${morph.name}.morph`),
+    ...(clip && { animation: `${clip.name}.anim` }),
+  };
+}

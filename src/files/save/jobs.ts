@@ -1,0 +1,101 @@
+/** What to write when the user saves: files, each with the parts that it holds and how it is written. */
+import { partsOf } from '../../model/character-parts.ts';
+import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { fileNameOf, type Part } from '../../model/part.ts';
+import type { Marker } from '../../model/takes/markers.ts';
+import type { SavedKind } from '../kinds.ts';
+import { markersCopies } from './copies.ts';
+import { distinctNames } from './distinct-names.ts';
+import { type Output, outputOf } from './output.ts';
+import type { Owned, PoseOf } from './owned.ts';
+import type { UnsavedPart } from './saved-parts.ts';
+import { jointPose } from './saved-poses.ts';
+import { copiesOf, isCopy, partsOfKind, type SavingOptions, writeParts } from './saving.ts';
+
+/** A file to write. */
+export interface Job {
+  readonly name: string;
+  /** The parts in it: several skeletons for a `.skel` with several roots, otherwise one part; none for a copy. */
+  readonly holds: readonly Owned[];
+  /** It is beside the file of what it holds, and not that file. */
+  readonly isBeside?: true;
+  /** @param name distinct among the files written together */
+  write(name: string): Omit<Output, 'name'>;
+}
+
+/** The files of all changed parts. */
+export function changedFiles(document: Document, unsaved: readonly UnsavedPart[], poseOf: PoseOf): readonly Job[] {
+  const jobs: Job[] = [];
+  for (const { characterId, kind, index, isMarkers } of unsaved) {
+    const character = findCharacter(document, characterId);
+    const part = character && partsOf(character).filter((own) => own.kind === kind)[index];
+    if (!part || jobs.some((job) => job.holds.some((held) => held.part.id === part.id))) continue;
+    if (!isMarkers) jobs.push(fileOf(document, character, part, poseOf), ...markersBeside(part));
+    // Deleted ones are gone from their file too.
+    else
+      for (const job of markersBeside(part, []))
+        jobs.push({ ...job, holds: [{ character, part, pose: [] }], isBeside: true });
+  }
+  return jobs;
+}
+
+/** The markers of a take, beside its file. @param none what it has without markers; absent: no file */
+function markersBeside(part: Part, none?: readonly Marker[]): readonly Job[] {
+  const clip = part.kind === 'bvh' ? part.content.clip : part.kind === 'anim' ? part.content : undefined;
+  if (!clip) return [];
+  const markers = clip.markers ?? none;
+  const named = { ...clip, name: part.name, ...(markers && { markers }) };
+  return markersCopies({ clips: [named] }).map((copy) => copyJob(outputOf(copy)));
+}
+
+/** The files of a character in one format. */
+export function savedFilesOf(
+  document: Document,
+  character: Character,
+  kind: SavedKind,
+  options?: SavingOptions,
+): readonly Job[] {
+  if (isCopy(character, kind)) return copiesOf(character, kind, options).map(copyJob);
+  return partsOfKind(character, kind).map((part) => fileOf(document, character, part, jointPose));
+}
+
+/** A copy: writing it marks nothing as saved. */
+function copyJob(file: Output): Job {
+  const write = (name: string) => ({
+    ...file,
+    diagnostics: () => file.diagnostics().map((d) => ({ ...d, file: name })),
+  });
+  return { name: file.name, holds: [], write };
+}
+
+/** The file of a part, with all other parts in the same file. */
+function fileOf(document: Document, character: Character, part: Part, poseOf: PoseOf): Job {
+  const holds = partsBeside(document, character, part).map(
+    (own): Owned => ({ ...own, pose: own.part.kind === 'skel' ? poseOf(own.character) : [] }),
+  );
+  return { name: fileNameOf(part), holds, write: (called) => writeParts(called, holds) };
+}
+
+/**
+ * Sorts files that are written in place first: a file dialog needs recent user activation, and writing in place may
+ * show a permission prompt itself. Files without a place yet get distinct names.
+ */
+export function distinctJobs<J extends Job>(jobs: readonly J[], hasPlace: (job: J) => boolean): readonly J[] {
+  const [inPlace, others] = [jobs.filter(hasPlace), jobs.filter((job) => !hasPlace(job))];
+  const namesOf = (list: readonly J[]) => list.map(({ name }) => name);
+  const names = distinctNames(namesOf(others), namesOf(inPlace));
+  return [...inPlace, ...others.map((job, i) => ({ ...job, name: names[i] }))];
+}
+
+/** All parts in the same file, in document order: a `.skel` or `.bvh` with several roots has one for each. */
+function partsBeside(document: Document, character: Character, part: Part) {
+  return document.characters.flatMap((other) =>
+    partsOf(other)
+      .filter(
+        (own) =>
+          own.kind === part.kind &&
+          (other === character ? own.id === part.id : own.file !== undefined && own.file.path === part.file?.path),
+      )
+      .map((own) => ({ character: other, part: own })),
+  );
+}

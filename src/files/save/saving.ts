@@ -1,0 +1,111 @@
+/**
+ * Writes a character's parts to files, each in the format of its kind (`model/part.ts`). For other formats it is
+ * converted (`copies.ts`) to a copy, which marks nothing as saved.
+ *
+ * A skeleton read from the axis-angle form keeps that form as long as it fits; each form can be converted to the other.
+ */
+
+import { fitOneBvh } from '../../formats/bvh/write.ts';
+import { partsOf } from '../../model/character-parts.ts';
+import type { Character } from '../../model/document.ts';
+import type { FileContent } from '../../model/files.ts';
+import { newFileName, type Part } from '../../model/part.ts';
+import { skelChannels } from '../../model/skeleton/skel-motion.ts';
+import { KINDS, type SavedKind } from '../kinds.ts';
+import { WRITERS, type Writer } from '../writers.ts';
+import { bvhOf, hasOwnRate, inPose } from './character-files.ts';
+import { bvhCopy } from './copies.ts';
+import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
+import type { Owned } from './owned.ts';
+import { jointPose, posesByNames } from './saved-poses.ts';
+
+export interface SavingOptions {
+  /** Of `.bvh`, for clips without a rate of their own; absent: 30. */
+  readonly framesPerSecond?: number;
+}
+
+/** The files from saving a character as `kind`: none if it has no such content, several for several morphs. */
+export function saveCharacter(
+  character: Character,
+  kind: SavedKind,
+  options: SavingOptions = {},
+): readonly SavedFile[] {
+  if (isCopy(character, kind)) return copiesOf(character, kind, options).map(savedFileOf);
+  const pose = jointPose(character);
+  return partsOfKind(character, kind).map((part) =>
+    savedFileOf(writeParts(newFileName(part), [{ character, part, pose }], options)),
+  );
+}
+
+/** Whether files of that kind are copies, not parts of the character: a rig, or a conversion. */
+export function isCopy(character: Character, kind: SavedKind): boolean {
+  return !KINDS[kind].save.isOwn(character);
+}
+
+/** Copies, which mark nothing as saved. */
+export function copiesOf(character: Character, kind: SavedKind, options: SavingOptions = {}): readonly Output[] {
+  const { copies }: Writer<never> = WRITERS[kind];
+  return copies?.(character, haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
+}
+
+export function partsOfKind(character: Character, kind: SavedKind): readonly Part[] {
+  return partsOf(character).filter((part) => part.kind === KINDS[kind].content);
+}
+
+/** Whether all its clips have a frame rate of their own. */
+function haveOwnRates({ clips, driver }: Character): boolean {
+  if (driver) return hasOwnRate(driver.source.clip);
+  return clips.length > 0 && clips.every(hasOwnRate);
+}
+
+/**
+ * Writes parts to one file: several skeletons or takes, one root each, or a single part of another kind.
+ * @throws Error, in a sentence, if roots of one `.bvh` no longer have the same frames
+ */
+export function writeParts(name: string, owned: readonly Owned[], options: SavingOptions = {}): Output {
+  const [{ part }] = owned;
+  if (part.kind === 'bvh') return takesOutput(name, owned, options);
+  return outputOf({ name, content: () => contentOf(part, owned) });
+}
+
+/** The content of a file of parts other than takes. */
+function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonly Owned[]): FileContent {
+  switch (part.kind) {
+    case 'skel': {
+      const skeletons = owned.flatMap(({ part: own, pose }) =>
+        own.kind === 'skel' ? [inPose(own.content, pose)] : [],
+      );
+      return { kind: 'skel', skeletons };
+    }
+    case 'skin':
+      return { kind: 'skin', skin: part.content };
+    case 'morph':
+      return { kind: 'morph', morph: part.content };
+    case 'anim': {
+      const [{ character }] = owned;
+      const { skeleton, pose } = character;
+      if (!skeleton) return { kind: 'anim', clip: part.content };
+      // The joints of motion capture have their DOFs in another order there.
+      return { kind: 'anim', clip: skelChannels(part.content, skeleton, pose) };
+    }
+    case 'pose':
+      return { kind: 'pose', poses: posesByNames(part.content) };
+  }
+}
+
+function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }: SavingOptions): Output {
+  const figures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
+    if (part.kind !== 'bvh') return [];
+    // The take itself, even while another one is retargeted to the character.
+    const { clip } = part.content;
+    const rate = clip && hasOwnRate(clip) ? undefined : framesPerSecond;
+    return bvhOf({ ...character, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 }, rate);
+  });
+  if (!fitOneBvh(figures.map(({ figure }) => figure))) {
+    throw new Error(
+      `The skeletons in ${name} now have different frames, but one .bvh file needs the same frames for all: ` +
+        'trim and resample them to match, or rename the takes to save each one separately.',
+    );
+  }
+  return outputOf(bvhCopy(name, figures));
+}

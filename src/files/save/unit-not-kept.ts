@@ -1,0 +1,12 @@
+/** What saving as text loses of characters whose file states a unit. */
+import { unitText } from '../../evaluate/space/space.ts';
+import type { Character } from '../../model/document.ts';
+
+/**
+ * A sentence for all files of a character: text states no unit, so that what is read again may have another size.
+ * Undefined if the character's file stated none either.
+ */
+export function unitNotKept({ space }: Pick<Character, 'space'>): string | undefined {
+  if (space?.known !== 'stated') return undefined;
+  return `The unit, ${unitText(space)}, is not kept: text files state none, and their numbers stay as they are. A .glb keeps the size; on the page, the inspector sets the unit of what is opened.`;
+}

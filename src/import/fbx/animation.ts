@@ -1,0 +1,150 @@
+/**
+ * The takes of an FBX file: a stack of layers each. A layer drives properties of objects by curve nodes, which have a
+ * curve for each axis that moves.
+ */
+
+import { rateOfTimes } from '../../evaluate/samples/frame-rate.ts';
+import { NOISE } from '../noise.ts';
+import { curveOf, evaluateCurve, type FbxCurve, staysAt } from './curve.ts';
+import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
+import type { FbxReport } from './failure.ts';
+import { timeModeRate } from './time-mode.ts';
+
+export interface FbxTake {
+  readonly name: string;
+  /** First and last second. */
+  readonly range: readonly [number, number];
+  /** As the file states, else of its keys; absent if these are uneven. */
+  readonly framesPerSecond?: number;
+  readonly layers: readonly FbxLayer[];
+}
+
+export interface FbxLayer {
+  readonly object: FbxObject;
+  readonly mode: 'add' | 'override' | 'pass through';
+  /** 0 to 1, unless it is animated: then percent, by the layer's own values. */
+  readonly weight: number;
+  readonly weightCurve: FbxCurve | undefined;
+  /** How rotations and scales of this layer are combined with those below: as such, or angle by angle. */
+  readonly composesRotation: boolean;
+  readonly composesScale: boolean;
+  /** By object and property. */
+  readonly driven: ReadonlyMap<string, Driven>;
+}
+
+/** A property's value in a layer: its curves, and the values of axes without one. */
+export interface Driven {
+  readonly curves: readonly (FbxCurve | undefined)[];
+  readonly values: readonly number[];
+}
+
+/** The key of a property in `FbxLayer.driven`. */
+export function drivenKey(objectId: string, property: string): string {
+  return `${objectId} ${property}`;
+}
+
+const AXES: Readonly<Record<string, number>> = { 'd|X': 0, 'd|Y': 1, 'd|Z': 2 };
+
+export function takesOf(document: FbxDocument, report: FbxReport): FbxTake[] {
+  const stacks = document.objects.filter(({ kind }) => kind === 'AnimationStack');
+  return stacks.map((stack) => {
+    const layers = partsOfKind(document, stack, 'AnimationLayer').map((layer) => layerOf(document, layer, report));
+    const framesPerSecond = timeModeRate(document.settings) ?? rateOfTimes(timesOf(layers), false);
+    return {
+      name: stack.name,
+      range: rangeOf(stack, layers, document.ticks),
+      ...(framesPerSecond !== undefined && { framesPerSecond }),
+      layers,
+    };
+  });
+}
+
+function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): FbxLayer {
+  const driven = new Map<string, Driven>();
+  for (const node of partsOfKind(document, object, 'AnimationCurveNode')) {
+    const value = drivenBy(document, node, report);
+    for (const { object: owner, property } of document.ownersOf(node.id)) {
+      if (property === undefined) continue;
+      driven.set(drivenKey(owner.id, property), property === 'Lcl Scaling' ? withoutNoise(value) : value);
+    }
+  }
+  const { properties } = object;
+  const mode = properties.number('BlendMode') ?? 0;
+  return {
+    object,
+    mode: mode === 0 ? 'add' : mode === 2 ? 'pass through' : 'override',
+    weight: asWeight(properties.number('Weight') ?? 100),
+    weightCurve: driven.get(drivenKey(object.id, 'Weight'))?.curves[0],
+    composesRotation: (properties.number('RotationAccumulationMode') ?? 0) === 0,
+    composesScale: (properties.number('ScaleAccumulationMode') ?? 0) === 0,
+    driven,
+  };
+}
+
+/** Of a scale: curves that only tremble by noise are constant. What inherits that scale then keeps its own curves. */
+function withoutNoise({ curves, values }: Driven): Driven {
+  const isSteady = (curve: FbxCurve) => staysAt(curve, curve.values[0], NOISE * Math.abs(curve.values[0]));
+  const steady = curves.map((curve) => curve !== undefined && isSteady(curve));
+  return {
+    curves: curves.map((curve, k) => (steady[k] ? undefined : curve)),
+    values: values.map((value, k) => (steady[k] ? (curves[k]?.values[0] ?? value) : value)),
+  };
+}
+
+function asWeight(percent: number): number {
+  return Math.min(1, Math.max(0, percent / 100));
+}
+
+/** A layer's weight at a time, 0 to 1. */
+export function layerWeight({ mode, weight, weightCurve }: FbxLayer, time: number): number {
+  return weightCurve && mode !== 'override' ? asWeight(evaluateCurve(weightCurve, time)) : weight;
+}
+
+function drivenBy(document: FbxDocument, node: FbxObject, report: FbxReport): Driven {
+  const curves: (FbxCurve | undefined)[] = [undefined, undefined, undefined];
+  const { properties } = node;
+  const first = properties.number('d|X') ?? firstNumber(node);
+  const values = [first, properties.number('d|Y') ?? 0, properties.number('d|Z') ?? 0];
+  for (const { object, property } of document.partsOf(node.id)) {
+    if (object.kind !== 'AnimationCurve' || property === undefined) continue;
+    // Of a property with a single value, it is called after the property.
+    const axis = AXES[property] ?? 0;
+    curves[axis] ??= curveOf(object.record, document.ticks, document.file, report);
+  }
+  return { curves, values };
+}
+
+/** The value of a curve node for a property with one value, such as `d|DeformPercent`. */
+function firstNumber({ record, properties }: FbxObject): number {
+  for (const child of record.children) {
+    for (const { values } of child.children) {
+      const name = values[0];
+      if (typeof name === 'string' && name.startsWith('d|')) return properties.number(name) ?? 0;
+    }
+  }
+  return 0;
+}
+
+function timesOf(layers: readonly FbxLayer[]): readonly Float64Array[] {
+  const driven = layers.flatMap((layer) => [...layer.driven.values()]);
+  return driven.flatMap(({ curves }) => curves.flatMap((curve) => (curve ? [curve.times] : [])));
+}
+
+/** As the stack says; without that, from the first to the last key. */
+function rangeOf(stack: FbxObject, layers: readonly FbxLayer[], ticks: number): readonly [number, number] {
+  const start = stack.properties.number('LocalStart') ?? 0;
+  const stop = stack.properties.number('LocalStop') ?? 0;
+  if (stop > start) return [start / ticks, stop / ticks];
+  let first = Number.POSITIVE_INFINITY;
+  let last = Number.NEGATIVE_INFINITY;
+  for (const { driven } of layers) {
+    for (const { curves } of driven.values()) {
+      for (const curve of curves) {
+        if (!curve) continue;
+        first = Math.min(first, curve.times[0]);
+        last = Math.max(last, curve.times[curve.times.length - 1]);
+      }
+    }
+  }
+  return first <= last ? [first, last] : [0, 0];
+}

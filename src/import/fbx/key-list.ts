@@ -1,0 +1,76 @@
+/** Collects the keys of a channel one by one. */
+import {
+  type Extrapolation,
+  FIXED_TANGENT,
+  FLAT,
+  type KeyedChannel,
+  LINEAR,
+  type Tangents,
+} from '../../model/takes/clip.ts';
+
+/** A slope at a key, or that of the straight line to its neighbour. */
+export type Slope = number | 'line';
+
+export class KeyList {
+  private readonly times: number[] = [];
+  private readonly values: number[] = [];
+  private readonly slopesIn: Slope[] = [];
+  private readonly slopesOut: Slope[] = [];
+
+  get count(): number {
+    return this.times.length;
+  }
+
+  /** Appends a key at the time of the last one or later. */
+  add(time: number, value: number, slopeIn: Slope, slopeOut: Slope): void {
+    this.times.push(time);
+    this.values.push(value);
+    this.slopesIn.push(slopeIn);
+    this.slopesOut.push(slopeOut);
+  }
+
+  /** Sets what follows the last key. */
+  leave(slope: Slope): void {
+    this.slopesOut[this.slopesOut.length - 1] = slope;
+  }
+
+  /** Continues with the keys of another list, whose first is this one's last, if there is one. */
+  append(other: KeyList): void {
+    const isSame = this.count > 0 && this.times[this.count - 1] === other.times[0];
+    if (isSame) this.leave(other.slopesOut[0]);
+    for (let i = isSame ? 1 : 0; i < other.count; i++) {
+      this.add(other.times[i], other.values[i], other.slopesIn[i], other.slopesOut[i]);
+    }
+  }
+
+  /** Whether all keys say the same value. */
+  isConstant(tolerance: number): boolean {
+    return this.values.every((value) => Math.abs(value - this.values[0]) <= tolerance);
+  }
+
+  get firstValue(): number {
+    return this.values[0];
+  }
+
+  /** Values and slopes times a factor, and values plus an offset. There must be a key. */
+  channel(factor: number, offset: number, extrapolateIn: Extrapolation, extrapolateOut: Extrapolation): KeyedChannel {
+    return {
+      kind: 'keys',
+      times: Float64Array.from(this.times),
+      values: Float64Array.from(this.values, (value) => value * factor + offset),
+      tangentsIn: tangentsOf(this.slopesIn, factor),
+      tangentsOut: tangentsOf(this.slopesOut, factor),
+      extrapolateIn,
+      extrapolateOut,
+    };
+  }
+}
+
+/** A slope that is too steep to be a number is that of the straight line. */
+function tangentsOf(slopes: readonly Slope[], factor: number): Tangents {
+  const held = slopes.map((slope) => (slope === 'line' || !Number.isFinite(slope * factor) ? 'line' : slope));
+  return {
+    kinds: Uint8Array.from(held, (slope) => (slope === 'line' ? LINEAR : slope === 0 ? FLAT : FIXED_TANGENT)),
+    slopes: Float64Array.from(held, (slope) => (slope === 'line' ? 0 : slope * factor)),
+  };
+}

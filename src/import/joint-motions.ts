@@ -1,0 +1,180 @@
+/**
+ * Which type of joint a node becomes: the smallest that can hold its rest and all that its takes do.
+ *
+ *     nothing moves             fixedjoint, or balljoint if it rests turned
+ *     rotation                  balljoint, in an order that keeps clear of gimbal lock; else quaternionjoint
+ *     translation               translationaljoint
+ *     translation, rotation     freejoint
+ *     scale, or rests scaled    compoundjoint of the DOFs that it needs
+ *
+ * A part of the body that the file states turns at any rate, and the hips move: a figure without takes can be posed.
+ */
+import type { Vec3 } from '../math/vec3.ts';
+import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton/skeleton.ts';
+import { type Channel, keysOf, restChannel } from '../model/takes/clip.ts';
+import {
+  eulerRotation,
+  fitRotation,
+  QUATERNION_ROTATION,
+  type RotationDofs,
+  rotationWithin,
+  type SpareKeys,
+} from './fit-rotation.ts';
+import { NOISE } from './noise.ts';
+import { lockedness } from './rotations.ts';
+import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
+
+export interface JointMotion {
+  readonly motion: Motion;
+  readonly offset: Vec3;
+  readonly pose: readonly number[];
+  /** The channels of its DOFs in a take; a take may leave the node alone. */
+  channels(move: SceneMove | undefined): readonly Channel[];
+}
+
+/** Middle angles up to 80° are clear of gimbal lock. */
+const CLEAR = Math.sin((80 * Math.PI) / 180);
+/** From 88° on, a rotation is better kept as a quaternion. */
+const LOCKED = Math.sin((88 * Math.PI) / 180);
+
+/**
+ * @param size of the character, in the space of the node's parent
+ * @param spare for rotations that need many keys
+ */
+export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number, spare: SpareKeys): JointMotion {
+  const { translation, euler, role } = node;
+  const scale = withoutNoise(node.scale);
+  const rest = Float64Array.from(node.rotation);
+  const [lengthNoise, scaleNoise] = [size, Math.max(...scale.map(Math.abs))].map((value) => NOISE * value);
+  const movesBy = (curves: AxisCurves | undefined, values: Vec3, tolerance: number) =>
+    curves?.some((curve, axis) => curve !== undefined && departs(curve, values[axis], tolerance)) ?? false;
+  const isTranslated = role === 'hips' || moves.some((move) => movesBy(move.translation, translation, lengthNoise));
+  const isScaled = scale.some((s) => s !== 1) || moves.some((move) => movesBy(move.scale, scale, scaleNoise));
+  const isTurning = moves.some(({ rotation }) => {
+    if (!rotation) return false;
+    if (rotation.kind === 'euler') return movesBy(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE);
+    return turns(rotation.curve, rest);
+  });
+  const isTurned =
+    role !== undefined ||
+    isTurning ||
+    Math.hypot(rest[0], rest[1], rest[2]) > 1e-12 ||
+    (euler?.angles.some((a) => a !== 0) ?? false);
+  const curves = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [rotation.curve] : []));
+  const clearest = euler?.order ?? clearestOrder(rest, curves);
+  const isLocked = !euler && isTurning && worstOf(rest, curves, clearest) > LOCKED;
+  const isQuaternion = isLocked && !isTranslated && !isScaled;
+  const dofs: RotationDofs = isQuaternion ? QUATERNION_ROTATION : eulerRotation(clearest);
+  const angles = restDofs(node, rest, dofs);
+
+  const translated = (move: SceneMove | undefined) => axisChannels(move?.translation, translation, lengthNoise);
+  const turnedBy = (move: SceneMove | undefined): readonly Channel[] => {
+    const rotation = move?.rotation;
+    if (!rotation) return [...angles].map((value) => restChannel(value));
+    if (rotation.kind === 'euler') return axisChannels(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE);
+    return fitRotation(rotation.curve, dofs, angles, spare);
+  };
+  const scaledBy = (move: SceneMove | undefined) => axisChannels(move?.scale, scale, scaleNoise);
+
+  if (isScaled) {
+    const factors: CompoundDof[] = [];
+    if (isTranslated) factors.push('tx', 'ty', 'tz');
+    // Letters of an order are axes; the first is applied first, so it is multiplied last.
+    if (isTurned) factors.push(...[...clearest].reverse().map((axis) => `r${axis}` as CompoundDof));
+    factors.push('sx', 'sy', 'sz');
+    const at = (dof: CompoundDof) => 'xyz'.indexOf(dof[1]);
+    const values = { t: translation, r: angles, s: scale };
+    const kind = (dof: CompoundDof) => dof[0] as keyof typeof values;
+    return {
+      motion: { kind: 'compound', dofs: factors },
+      offset: isTranslated ? [0, 0, 0] : translation,
+      pose: factors.map((dof) => values[kind(dof)][at(dof)]),
+      channels: (move) => {
+        const all = { t: translated(move), r: isTurned ? turnedBy(move) : [], s: scaledBy(move) };
+        return factors.map((dof) => all[kind(dof)][at(dof)]);
+      },
+    };
+  }
+  if (isTranslated && isTurned) {
+    return {
+      motion: { kind: 'free', order: clearest },
+      offset: [0, 0, 0],
+      pose: [...translation, ...angles],
+      channels: (move) => [...translated(move), ...turnedBy(move)],
+    };
+  }
+  if (isTranslated) {
+    return { motion: { kind: 'translational' }, offset: [0, 0, 0], pose: translation, channels: translated };
+  }
+  if (!isTurned) return { motion: { kind: 'fixed' }, offset: translation, pose: [], channels: () => [] };
+  const motion: Motion = isQuaternion ? { kind: 'quaternion' } : { kind: 'ball', order: clearest };
+  return { motion, offset: translation, pose: [...angles], channels: turnedBy };
+}
+
+/** The rest as the joint's DOFs. */
+function restDofs({ euler }: SceneNode, rest: Float64Array, dofs: RotationDofs): Float64Array {
+  if (euler) return Float64Array.from(euler.angles);
+  const out = new Float64Array(dofs.count);
+  if (dofs.count === 4) out.set(rest);
+  else dofs.write(rest, out);
+  return out;
+}
+
+function withoutNoise(scale: Vec3): Vec3 {
+  const [x, y, z] = scale.map((s) => (Math.abs(s - 1) <= NOISE ? 1 : s));
+  return [x, y, z];
+}
+
+/** The curves of three axes; those without one rest at their value, as do those that only tremble by noise. */
+function axisChannels(curves: AxisCurves | undefined, values: Vec3, noise: number): readonly Channel[] {
+  return values.map((value, axis) => {
+    const curve = curves?.[axis];
+    if (!curve || !departs(curve, value, noise)) return restChannel(value);
+    const keys = keysOf(curve);
+    const isConstant = keys.times.length > 0 && !departs(curve, keys.values[0], noise);
+    return isConstant ? restChannel(keys.values[0]) : curve;
+  });
+}
+
+/** Whether a channel is ever further than `tolerance` from a value. */
+function departs(channel: Channel, value: number, tolerance: number): boolean {
+  if (channel.kind === 'rest') return Math.abs(channel.value - value) > tolerance;
+  const { times, values, tangentsIn, tangentsOut } = keysOf(channel);
+  for (let k = 0; k < times.length; k++) {
+    if (Math.abs(values[k] - value) > tolerance) return true;
+    const seconds = Math.max((times[k + 1] ?? times[k]) - times[k], times[k] - (times[k - 1] ?? times[k]));
+    if (Math.abs(tangentsIn.slopes[k]) * seconds > tolerance) return true;
+    if (Math.abs(tangentsOut.slopes[k]) * seconds > tolerance) return true;
+  }
+  return false;
+}
+
+/** Whether a curve ever leaves a rotation. */
+function turns(curve: QuaternionCurve, rest: Float64Array): boolean {
+  return visited([curve]).some((q) => {
+    const sign = q[0] * rest[0] + q[1] * rest[1] + q[2] * rest[2] + q[3] * rest[3] < 0 ? -1 : 1;
+    return 2 * Math.hypot(...q.map((c, k) => c - sign * rest[k])) > NOISE;
+  });
+}
+
+/** Rotations at the keys and halfway between them. */
+function visited(curves: readonly QuaternionCurve[]): readonly Float64Array[] {
+  return curves.flatMap((curve) =>
+    Array.from({ length: 2 * curve.times.length - 1 }, (_, i) => {
+      const q = new Float64Array(4);
+      rotationWithin(curve, i >> 1, (i & 1) / 2, q);
+      return q;
+    }),
+  );
+}
+
+function clearestOrder(rest: Float64Array, curves: readonly QuaternionCurve[]): EulerOrder {
+  const rotations = [rest, ...visited(curves)];
+  const worst = (order: EulerOrder) => rotations.reduce((most, q) => Math.max(most, lockedness(order, q)), 0);
+  if (worst('xyz') < CLEAR) return 'xyz';
+  return EULER_ORDERS.reduce((best, order) => (worst(order) < worst(best) ? order : best));
+}
+
+function worstOf(rest: Float64Array, curves: readonly QuaternionCurve[], order: EulerOrder): number {
+  return [rest, ...visited(curves)].reduce((most, q) => Math.max(most, lockedness(order, q)), 0);
+}

@@ -1,0 +1,12 @@
+/**
+ * Caches what is computed from the joints of a skeleton, whatever it is called: takes of one session have the same joints
+ * in skeletons named after their files (`shared-joints.ts`).
+ */
+import { perObject } from '../per-object.ts';
+import type { Joint, Skeleton } from './skeleton.ts';
+
+/** @param make is given the joints alone, without a name */
+export function perSkeleton<V>(make: (skeleton: Skeleton) => V): (skeleton: Skeleton) => V {
+  const byJoints = perObject((joints: readonly Joint[]) => make({ name: '', joints }));
+  return ({ joints }) => byJoints(joints);
+}

@@ -1,0 +1,32 @@
+/**
+ * The panels: around the viewport if there is room, and remembered so. On a narrow page, side panels are drawers over it,
+ * at most one open, and the timeline a drawer below it; initially all are closed.
+ */
+import type { Settings } from '../settings.ts';
+import type { Uses } from '../workbench.ts';
+
+export type PanelName = 'outliner' | 'inspector' | 'timeline';
+
+/** Where panels are drawers. */
+export const NARROW = '(max-width: 1023px), (max-height: 479px)';
+
+function isNarrow(): boolean {
+  return globalThis.matchMedia?.(NARROW).matches ?? false;
+}
+
+export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
+  if (panel === 'timeline') return isNarrow() ? panels.timelineDrawer : panels.timelineOpen;
+  if (isNarrow()) return panels.drawer === panel;
+  return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;
+}
+
+export function openPanel(wb: Uses<'settings'>, panel: PanelName, open: boolean): void {
+  const now = wb.settings.get();
+  if (isPanelOpen(now, panel) === open) return;
+  const change = !isNarrow()
+    ? { [`${panel}Open`]: open }
+    : panel === 'timeline'
+      ? { timelineDrawer: open }
+      : { drawer: open ? panel : ('none' as const) };
+  wb.settings.set({ ...now, panels: { ...now.panels, ...change } });
+}

@@ -1,0 +1,80 @@
+/** Splitters between panels: dragged, or moved with the arrow keys; sizes are remembered. */
+import { element } from '../../widgets/dom.ts';
+import { followPointer } from '../../widgets/drag.ts';
+import type { Panels } from '../settings.ts';
+import type { Uses } from '../workbench.ts';
+
+type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight' | 'timelineHeight';
+
+const LIMITS: Readonly<Record<Size, { readonly min: number; readonly max: number }>> = {
+  outlinerWidth: { min: 180, max: 560 },
+  inspectorWidth: { min: 240, max: 640 },
+  filesHeight: { min: 64, max: 640 },
+  timelineHeight: { min: 120, max: 900 },
+};
+
+/** Whether the panel grows when the splitter moves right or down. */
+const GROWS: Readonly<Record<Size, 1 | -1>> = {
+  outlinerWidth: 1,
+  inspectorWidth: -1,
+  filesHeight: -1,
+  timelineHeight: -1,
+};
+const KEY_STEP = 16;
+
+export function clampSize(size: Size, value: number): number {
+  return Math.round(Math.min(LIMITS[size].max, Math.max(LIMITS[size].min, value)));
+}
+
+export function splitter(wb: Uses<'settings'>, size: Size, label: string): HTMLElement {
+  const vertical = !size.endsWith('Height');
+  const edge = element('div', {
+    role: 'separator',
+    class: `splitter splitter-${size}`,
+    tabindex: 0,
+    'aria-label': label,
+    'aria-orientation': vertical ? 'vertical' : 'horizontal',
+    'aria-valuemin': LIMITS[size].min,
+    'aria-valuemax': LIMITS[size].max,
+  });
+  const set = (value: number) => {
+    const change: Partial<Panels> = { [size]: clampSize(size, value) };
+    wb.settings.update((s) => ({ ...s, panels: { ...s.panels, ...change } }));
+  };
+  const chosen = () => clampSize(size, wb.settings.get().panels[size]);
+  // A default size, or one that doesn't fit, starts from the displayed size.
+  const sized = (): HTMLElement | null | undefined =>
+    // Files and messages follow their splitter; the timeline contains its own.
+    size === 'timelineHeight'
+      ? edge.parentElement
+      : size === 'filesHeight' && edge.nextElementSibling instanceof HTMLElement
+        ? edge.nextElementSibling
+        : undefined;
+  const sizeNow = () => sized()?.offsetHeight || chosen();
+  const show = () => {
+    edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size] ? chosen() : sizeNow()));
+  };
+  wb.settings.subscribe(show);
+  edge.addEventListener('focus', show);
+  show();
+
+  edge.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    const from = vertical ? event.clientX : event.clientY;
+    const base = sizeNow();
+    edge.classList.add('dragging');
+    followPointer(edge, event, {
+      move: (e) => set(base + GROWS[size] * ((vertical ? e.clientX : e.clientY) - from)),
+      over: () => edge.classList.remove('dragging'),
+    });
+  });
+  edge.addEventListener('keydown', (event) => {
+    const steps: Record<string, number> = vertical ? { ArrowLeft: -1, ArrowRight: 1 } : { ArrowUp: -1, ArrowDown: 1 };
+    const step = steps[event.key];
+    if (!step) return;
+    event.preventDefault();
+    set(sizeNow() + GROWS[size] * step * KEY_STEP);
+  });
+  return edge;
+}

@@ -1,0 +1,189 @@
+/**
+ * The motion path of one joint over the playback range: sampled when the joint, the character or the range changes, not
+ * while playing.
+ */
+import {
+  BufferGeometry,
+  DynamicDrawUsage,
+  GreaterDepth,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  type ShaderMaterial,
+  Sphere,
+} from 'three';
+import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { NO_TRAVEL, placementMatrix } from '../../evaluate/space/placements.ts';
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
+import { carrierOf, groundTravel } from '../../evaluate/travel.ts';
+import { timeBetween } from '../../math/time-between.ts';
+import type { Character } from '../../model/document.ts';
+import { shownClip } from '../../model/document.ts';
+import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
+import { runInSlices } from '../slices.ts';
+import type { StageTheme } from '../theme.ts';
+
+/** Samples per second of the range, and at most. */
+const SAMPLES_PER_SECOND = 60;
+const MAX_SAMPLES = 1500;
+/** Joints that are posed in one go, over all samples: some 20 ms. More are posed between frames. */
+const AT_ONCE = 200_000;
+/** Joints that are posed between two looks at the clock. */
+const PER_STEP = 20_000;
+
+/**
+ * Positions of a joint at `count` times from `start` to `end` (seconds of the transport), x y z each, in the
+ * character's space. `inPlace` subtracts the root's horizontal motion, as when drawing.
+ */
+export function* samplePath(
+  character: Character,
+  joint: number,
+  [start, end]: readonly [number, number],
+  count: number,
+  inPlace: boolean,
+): Steps<Float64Array> {
+  const path = new Float64Array(3 * count);
+  if (!character.skeleton) return path;
+  const skeleton = compileSkeleton(character.skeleton);
+  const dofs = new Float64Array(dofCountOf(character));
+  const world = new Float64Array(16 * skeleton.jointCount);
+  const travel = new Float64Array(3);
+  const carrier = carrierOf(character);
+  let left = PER_STEP;
+  for (let i = 0; i < count; i++) {
+    left -= skeleton.jointCount;
+    if (left <= 0) {
+      yield i / count;
+      left = PER_STEP;
+    }
+    poseAt(character, timeBetween(start, end, i / Math.max(1, count - 1)), dofs);
+    worldMatrices(skeleton, dofs, world);
+    if (inPlace) groundTravel(skeleton, character.space, carrier, dofs, world, travel);
+    for (let k = 0; k < 3; k++) path[3 * i + k] = world[16 * joint + 12 + k] - travel[k];
+  }
+  return path;
+}
+
+type Lines = InstancedMesh<BufferGeometry, ShaderMaterial>;
+
+const WIDTH = 1.75;
+const OPACITY = 0.85;
+/** Of the parts behind a skin, which show through it. */
+const COVERED_OPACITY = 0.45;
+/** Covered parts are drawn after everything that may cover them. */
+const ORDER = 5;
+const COVERED_ORDER = 15;
+
+export class Trail {
+  readonly object: Lines;
+  /** The parts that something opaque covers; below `object`. */
+  readonly covered: Lines;
+  private shown: { character: Character; joint: number; start: number; end: number; inPlace: boolean } | undefined;
+  /** Ends the sampling of a path that isn't wanted any more. */
+  private sampling = new AbortController();
+
+  /** @param redraw called when a path that takes longer is there */
+  constructor(private readonly redraw: () => void = () => undefined) {
+    const lift = 1e-5;
+    const behind = { depthFunc: GreaterDepth, depthWrite: false } as const;
+    this.object = this.lines(lineMaterial({ width: WIDTH, opacity: OPACITY, lift }), ORDER);
+    const dim = lineMaterial({ width: WIDTH, opacity: COVERED_OPACITY, lift, butt: true }, behind);
+    this.covered = this.lines(dim, COVERED_ORDER);
+    this.object.visible = false;
+    this.object.add(this.covered);
+  }
+
+  setTheme(theme: StageTheme): void {
+    for (const { material } of [this.object, this.covered]) {
+      material.uniforms.color.value.copy(rawColor(theme.selected));
+    }
+  }
+
+  /** Shows the joint's path, or nothing. `range` in seconds of the transport; default: the clip's own. */
+  show(
+    character: Character | undefined,
+    joint: number | undefined,
+    range: readonly [number, number] | undefined,
+    inPlace: boolean,
+  ): void {
+    const clip = character && shownClip(character);
+    const [start, end] = range ?? clip?.range ?? [0, 0];
+    const has = character?.skeleton && joint !== undefined && joint < character.skeleton.joints.length && end > start;
+    if (!has) {
+      this.sampling.abort();
+      this.object.visible = false;
+      this.shown = undefined;
+      return;
+    }
+    const { shown } = this;
+    const same =
+      shown?.character === character &&
+      shown.joint === joint &&
+      shown.start === start &&
+      shown.end === end &&
+      shown.inPlace === inPlace;
+    if (same) return;
+    this.shown = { character, joint, start, end, inPlace };
+    this.sampling.abort();
+    this.sampling = new AbortController();
+    const count = Math.min(MAX_SAMPLES, 2 + Math.ceil((end - start) * SAMPLES_PER_SECOND));
+    const steps = samplePath(character, joint, [start, end], count, inPlace);
+    if (count * character.skeleton.joints.length <= AT_ONCE) {
+      this.draw(character, runToEnd(steps));
+      return;
+    }
+    // Until then the former one, if it is of the same joint.
+    if (shown?.character.id !== character.id || shown.joint !== joint) this.object.visible = false;
+    runInSlices(steps, this.sampling.signal).then(
+      (path) => {
+        if (!path) return;
+        this.draw(character, path);
+        this.redraw();
+      },
+      // Not awaited: errors are reported like those thrown while drawing.
+      (error: unknown) => reportError(error),
+    );
+  }
+
+  dispose(): void {
+    this.sampling.abort();
+    this.object.geometry.dispose();
+    for (const lines of [this.object, this.covered]) {
+      lines.material.dispose();
+      lines.dispose();
+    }
+  }
+
+  private lines(material: ShaderMaterial, renderOrder: number): Lines {
+    const made = new InstancedMesh(new BufferGeometry(), material, 0);
+    made.frustumCulled = false;
+    made.matrixAutoUpdate = false;
+    made.renderOrder = renderOrder;
+    return made;
+  }
+
+  private draw(character: Character, path: Float64Array): void {
+    const count = path.length / 3;
+    const segments = new Float64Array(6 * (count - 1));
+    for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);
+    this.object.geometry.dispose();
+    this.object.geometry = segmentsGeometry(segments);
+    this.covered.geometry = this.object.geometry;
+    // It is never culled, and three.js would complain of paths beyond 32-bit floats.
+    this.object.geometry.boundingSphere = new Sphere();
+    this.place(character);
+    this.object.visible = true;
+  }
+
+  private place({ placements, space }: Character): void {
+    const matrices = new Float32Array(16 * placements.length);
+    const matrix = new Float64Array(16);
+    placements.forEach((placement, p) => {
+      placementMatrix(placement, space, NO_TRAVEL, matrix);
+      matrices.set(matrix, 16 * p);
+    });
+    this.object.instanceMatrix = new InstancedBufferAttribute(matrices, 16).setUsage(DynamicDrawUsage);
+    this.covered.instanceMatrix = this.object.instanceMatrix;
+    this.object.count = this.covered.count = placements.length;
+  }
+}

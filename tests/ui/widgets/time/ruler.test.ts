@@ -1,0 +1,94 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { rulerTicks } from '../../../../src/ui/widgets/time/ruler.ts';
+
+const labels = (scale: Parameters<typeof rulerTicks>[0]) =>
+  rulerTicks(scale).flatMap((tick) => (tick.label === undefined ? [] : [tick.label]));
+
+describe('rulerTicks', () => {
+  it('rulerTicks labels round seconds', () => {
+    const scale = { fromSeconds: -0.1, toSeconds: 2.1, width: 600, spacing: 60 };
+    expect(labels(scale)).toEqual(['0', '0.5', '1', '1.5', '2']);
+  });
+
+  it('rulerTicks gives few ticks at finite times for windows of any length, anywhere', () => {
+    const time = fc
+      .constantFrom(0, 5e-324, 1e-300, 1e-9, 1, 1.7e9, 1.7e15, 1.7e18, 1e154, 1e308, 1.7e308)
+      .chain((size) => fc.constantFrom(size, -size));
+    const rate = fc.constantFrom(undefined, 24, 1e-300, 1e308);
+    fc.assert(
+      fc.property(time, time, rate, (fromSeconds, toSeconds, framesPerSecond) => {
+        const ticks = rulerTicks({
+          fromSeconds,
+          toSeconds,
+          width: 800,
+          spacing: 64,
+          ...(framesPerSecond && { framesPerSecond }),
+        });
+        expect(ticks.length).toBeLessThanOrEqual(2000);
+        expect(ticks.every(({ timeSeconds }) => Number.isFinite(timeSeconds))).toBe(true);
+      }),
+    );
+  });
+
+  it('labels times before 0 and far away', () => {
+    expect(labels({ fromSeconds: -2, toSeconds: 0, width: 200, spacing: 60 })).toEqual(['−2', '−1', '0']);
+    expect(labels({ fromSeconds: 3600, toSeconds: 3700, width: 300, spacing: 60 })).toEqual([
+      '3600',
+      '3620',
+      '3640',
+      '3660',
+      '3680',
+      '3700',
+    ]);
+  });
+
+  it('counts frames, and none of them in parts', () => {
+    const scale = { fromSeconds: 0, toSeconds: 1, width: 600, spacing: 60, framesPerSecond: 24 };
+    expect(labels(scale)).toEqual(['0', '5', '10', '15', '20']);
+    const close = rulerTicks({ ...scale, toSeconds: 0.125 });
+    expect(close.map((t) => t.label)).toEqual(['0', '1', '2', '3']);
+  });
+
+  it('rulerTicks has no ticks where there is no time or no room', () => {
+    expect(rulerTicks({ fromSeconds: 1, toSeconds: 1, width: 100, spacing: 60 })).toEqual([]);
+    expect(rulerTicks({ fromSeconds: 0, toSeconds: 1, width: 0, spacing: 60 })).toEqual([]);
+    expect(rulerTicks({ fromSeconds: 0, toSeconds: Number.POSITIVE_INFINITY, width: 9, spacing: 60 })).toEqual([]);
+  });
+
+  it('rulerTicks ends at any time, in seconds and in frames', () => {
+    for (const from of [1.7e9, 1.7e15, 1.7e18, 1e300, -1e308, 1e-300]) {
+      for (const length of [1e-3, 1, 1e6, 1e300]) {
+        for (const frames of [{}, { framesPerSecond: 120 }]) {
+          const ticks = rulerTicks({ fromSeconds: from, toSeconds: from + length, width: 800, spacing: 64, ...frames });
+          expect(ticks.length).toBeLessThanOrEqual(2000);
+        }
+      }
+    }
+  });
+
+  it('rulerTicks keeps labels apart and inside, whatever the stretch of time', () => {
+    fc.assert(
+      fc.property(
+        fc.double({ min: -1e5, max: 1e5, noNaN: true }),
+        fc.double({ min: 1e-3, max: 1e5, noNaN: true }),
+        fc.integer({ min: 50, max: 4000 }),
+        fc.option(fc.integer({ min: 1, max: 240 }), { nil: undefined }),
+        (from, size, width, fps) => {
+          const scale = { fromSeconds: from, toSeconds: from + size, width, spacing: 64 };
+          const ticks = rulerTicks(fps ? { ...scale, framesPerSecond: fps } : scale);
+          const slack = size * 1e-6;
+          let last = Number.NEGATIVE_INFINITY;
+          for (const { timeSeconds, label } of ticks) {
+            expect(timeSeconds).toBeGreaterThanOrEqual(from - slack);
+            expect(timeSeconds).toBeLessThanOrEqual(from + size + slack);
+            if (label === undefined) continue;
+            expect(((timeSeconds - last) / size) * width).toBeGreaterThanOrEqual(64 * (1 - 1e-5));
+            expect(Number(label?.replace('−', '-'))).toBeCloseTo(timeSeconds * (fps ?? 1), 5);
+            last = timeSeconds;
+          }
+        },
+      ),
+    );
+  });
+});

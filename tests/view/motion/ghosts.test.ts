@@ -1,0 +1,99 @@
+import { InstancedMesh, Matrix4, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import type { Character } from '../../../src/model/document.ts';
+import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
+import { Ghosts, ghostStepSeconds, ghostSteps } from '../../../src/view/motion/ghosts.ts';
+import { character, clip } from '../../helpers/builders.ts';
+import { captured, figure, take } from '../../helpers/mocap.ts';
+
+const ON: Display = { ...DEFAULT_DISPLAY, ghosts: true, ghostsBefore: 2, ghostsAfter: 2, ghostStep: 0.1 };
+
+/** Positions of node 0's ball, ghost by ghost. */
+function roots(ghosts: Ghosts, nodes: number): number[][] {
+  const [balls] = ghosts.object.children.filter((m) => m instanceof InstancedMesh).slice(-1);
+  const matrix = new Matrix4();
+  return Array.from({ length: balls.count / nodes }, (_, g) => {
+    balls.getMatrixAt(g * nodes, matrix);
+    return new Vector3().setFromMatrixPosition(matrix).toArray();
+  });
+}
+
+describe('how far apart ghosts are', () => {
+  it('ghosts are seconds apart, or frames of the clip, or of the transport if the clip has none', () => {
+    const mocap = captured(figure(), take(figure(), [[0, 85, 0]]));
+    const keyed = character({ clips: [clip('walk', [0])], shownClip: 0 });
+    const frames: Display = { ...ON, ghostStepIn: 'frames', ghostStep: 3 };
+    expect(ghostStepSeconds(mocap, ON, 24)).toBe(0.1);
+    expect(ghostStepSeconds(mocap, frames, 24)).toBeCloseTo(0.3, 12);
+    expect(ghostStepSeconds(keyed, frames, 24)).toBeCloseTo(0.125, 12);
+  });
+});
+
+describe('which ghosts there are', () => {
+  it('ghosts are before and after, and never now', () => {
+    expect(ghostSteps(ON, 5, 0.1, [0, 10])).toEqual([-2, -1, 1, 2]);
+  });
+
+  it('ghosts are inside the playback range, ends included', () => {
+    expect(ghostSteps(ON, 0.1, 0.1, [0, 10])).toEqual([-1, 1, 2]);
+    expect(ghostSteps(ON, 10, 0.1, [0, 10])).toEqual([-2, -1]);
+    expect(ghostSteps(ON, 0, 0, [0, 10])).toEqual([]);
+  });
+});
+
+describe('ghosts', () => {
+  const skeleton = figure();
+  const rows = Array.from({ length: 11 }, (_, i) => [10 * i, 85, 5 * i] as const);
+  const walking: Character = captured(skeleton, take(skeleton, rows), {
+    space: { up: 'y', unit: 'centimetres', lift: 0.25 },
+  });
+
+  it('ghosts are at past and future poses, in the character’s space', () => {
+    const ghosts = new Ghosts();
+    ghosts.fill(walking, ON, 0.5, [0, 1], 30);
+    expect(ghosts.object.visible).toBe(true);
+    const found = roots(ghosts, 9);
+    expect(found.map(([x]) => x)).toEqual([0.3, 0.4, 0.6, 0.7].map((x) => expect.closeTo(x, 5)));
+    for (const [, y] of found) expect(y).toBeCloseTo(1.1, 5);
+  });
+
+  it('ghosts of thousands of joints have a tenth of the triangles each, and stay in their places', () => {
+    const ghosts = new Ghosts();
+    const meshes = ghosts.object.children.filter((m) => m instanceof InstancedMesh);
+    const triangles = () => meshes.map(({ geometry }) => (geometry.index?.count ?? 0) / 3).reduce((a, b) => a + b);
+    ghosts.fill(walking, ON, 0.5, [0, 1], 30);
+    const [few, before] = [triangles(), roots(ghosts, 9)];
+    const crowd = { ...walking, placements: Array.from({ length: 120 }, () => walking.placements[0]) };
+    ghosts.fill(crowd, ON, 0.5, [0, 1], 30);
+    expect(triangles()).toBeLessThan(0.15 * few);
+    expect(meshes.every(({ geometry, count }) => geometry.getAttribute('tint').count >= count)).toBe(true);
+    ghosts.fill(walking, ON, 0.5, [0, 1], 30);
+    expect(triangles()).toBe(few);
+    expect(roots(ghosts, 9)).toEqual(before);
+  });
+
+  it('ghosts stay on the spot in place', () => {
+    const ghosts = new Ghosts();
+    ghosts.fill(walking, { ...ON, inPlace: true }, 0.5, [0, 1], 30);
+    for (const [x, y, z] of roots(ghosts, 9)) {
+      expect(x).toBeCloseTo(0, 6);
+      expect(y).toBeCloseTo(1.1, 5);
+      expect(z).toBeCloseTo(0, 6);
+    }
+  });
+
+  it('ghosts are removed without a character, and take two draw calls for any number', () => {
+    const ghosts = new Ghosts();
+    ghosts.fill(walking, { ...ON, ghostsBefore: 20, ghostsAfter: 20, ghostStep: 0.01 }, 0.5, [0, 1], 30);
+    expect(ghosts.object.children).toHaveLength(2);
+    expect(roots(ghosts, 9)).toHaveLength(40);
+    ghosts.fill(undefined, ON, 0.5, [0, 1], 30);
+    expect(ghosts.object.visible).toBe(false);
+  });
+
+  it('ghosts ignore unkeyed changes of the current time', () => {
+    const ghosts = new Ghosts();
+    ghosts.fill({ ...walking, unkeyed: { timeSeconds: 0.5, dofs: [0], values: [999] } }, ON, 0.5, [0, 1], 30);
+    expect(roots(ghosts, 9)[0][0]).toBeCloseTo(0.3, 5);
+  });
+});
