@@ -44,7 +44,7 @@ const command: UserConfig = {
     target: 'node20',
     copyPublicDir: false,
     rolldownOptions: {
-      input: { marrow: 'src/cli/main.ts', samples: 'examples/characters/make.ts' },
+      input: { marrow: 'src/cli/main.ts', examples: 'examples/characters/make.ts' },
       output: { entryFileNames: '[name].js', chunkFileNames: 'shared/[name].js' },
     },
   },

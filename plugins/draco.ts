@@ -8,7 +8,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
-const FOLDER = fileURLToPath(new URL('node_modules/draco3dgltf/', import.meta.url));
+const FOLDER = fileURLToPath(new URL('../node_modules/draco3dgltf/', import.meta.url));
 const IS_NODE = '"object"==typeof process&&"object"==typeof process.versions&&"string"==typeof process.versions.node';
 
 export function draco(): Plugin {

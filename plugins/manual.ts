@@ -14,7 +14,7 @@ import { fileURLToPath } from 'node:url';
 import type { Marked, Tokens } from 'marked';
 import type { Plugin } from 'vite';
 
-const ROOT = fileURLToPath(new URL('.', import.meta.url));
+const ROOT = fileURLToPath(new URL('..', import.meta.url));
 const STYLE = 'manual.css';
 const CONTENTS = 'docs/README.md';
 /** Stricter than the page's own (`plugins/policy.ts`), which hosts may send besides. */
@@ -256,11 +256,11 @@ function html(page: ManualPage, { body, headings, groups, contents, previous, ne
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <link rel="stylesheet" href="${to(STYLE)}">
-<link rel="icon" type="image/svg+xml" href="${to('../../icons/icon.svg')}">
+<link rel="icon" type="image/svg+xml" href="${to('../icons/icon.svg')}">
 </head>
 <body>
 <a class="skip" href="#content">Skip to content</a>
-<header><a class="name" href="${to(contents.path)}">Marrow manual</a> <a href="${to('../../index.html')}">Workbench</a></header>
+<header><a class="name" href="${to(contents.path)}">Marrow manual</a> <a href="${to('../index.html')}">Workbench</a></header>
 <div class="columns">
 <main id="content">
 ${lead}${onPage ? `<nav class="on-page" aria-label="On this page"><ul>${own}</ul></nav>\n` : ''}${body.slice(lead.length)}

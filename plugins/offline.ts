@@ -19,7 +19,7 @@ import type { BuiltFiles } from '../src/offline/stored-page.ts';
 
 const MANIFEST = 'manifest.webmanifest';
 const WORKER = 'sw.js';
-const WORKER_SOURCE = fileURLToPath(new URL('src/offline/service-worker.ts', import.meta.url));
+const WORKER_SOURCE = fileURLToPath(new URL('../src/offline/service-worker.ts', import.meta.url));
 
 export function offline(): Plugin {
   return {

@@ -17,59 +17,73 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   formats: BASE,
   evaluate: BASE,
   // Comparing with other programs, and naming their mistakes; it never learns which file numbers came from.
-  lesson: ['evaluate', ...BASE],
+  teaching: ['evaluate', ...BASE],
   edit: ['evaluate', ...BASE],
   // Takes by the hundred: what looks wrong in them, and the list of what a person found.
   review: ['evaluate', ...BASE],
-  // Whole characters of other programs: glTF, FBX.
-  exchange: ['formats', 'evaluate', ...BASE],
+  // Whole characters of other programs, glTF and FBX: read, and written.
+  import: ['formats', 'evaluate', ...BASE],
+  export: ['formats', 'evaluate', ...BASE],
   // The numbers of takes, for files that other programs learn from.
   dataset: ['edit', 'evaluate', ...BASE],
   // Opening and saving, the same for page and command.
-  project: ['exchange', 'formats', 'evaluate', 'edit', ...BASE],
-  worker: ['kit', 'project', 'exchange', 'review', 'lesson', 'formats', 'evaluate', ...BASE],
+  files: ['import', 'export', 'formats', 'evaluate', 'edit', ...BASE],
+  worker: ['teaching/kit', 'files', 'import', 'export', 'review', 'teaching', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
   // The service worker.
   offline: [],
   // Widgets that any page could have.
-  'ui/kit': [...BASE],
+  'ui/widgets': [...BASE],
   // What panels share: the workbench, settings, actions found by their ids.
-  'ui/state': ['ui/kit', 'view', 'exchange', 'project', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
+  'ui/state': ['ui/widgets', 'view', 'import', 'export', 'files', 'edit', 'review', 'teaching', 'evaluate', ...BASE],
   // A folder a panel or tool, with its own actions.
-  'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'review', 'lesson', 'evaluate', ...BASE],
+  'ui/editors': ['ui/state', 'ui/widgets', 'view', 'edit', 'review', 'teaching', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
   'ui/shell': [
     'ui/styles',
     'ui/editors',
     'ui/state',
-    'ui/kit',
+    'ui/widgets',
     'view',
-    'exchange',
-    'project',
+    'import',
+    'export',
+    'files',
     'edit',
     'evaluate',
     ...BASE,
   ],
   // Files that tell mistakes apart, with their answers.
-  kit: ['project', 'lesson', 'formats', 'evaluate', ...BASE],
-  cli: ['dataset', 'exchange', 'kit', 'project', 'review', 'lesson', 'formats', 'evaluate', 'edit', ...BASE],
-  samples: ['formats', 'evaluate', ...BASE],
+  'teaching/kit': ['files', 'teaching', 'formats', 'evaluate', ...BASE],
+  cli: [
+    'dataset',
+    'import',
+    'export',
+    'teaching/kit',
+    'files',
+    'review',
+    'teaching',
+    'formats',
+    'evaluate',
+    'edit',
+    ...BASE,
+  ],
   // What `main.ts` wires together, where it takes more than a line.
   app: [
-    'exchange',
-    'kit',
-    'lesson',
+    'import',
+    'export',
+    'teaching/kit',
+    'teaching',
     'review',
     'ui/shell',
     'ui/editors',
     'ui/state',
-    'ui/kit',
+    'ui/widgets',
     'view',
     'io',
     'offline',
     'worker',
-    'project',
+    'files',
     'formats',
     'edit',
     'evaluate',
@@ -83,13 +97,12 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   'idb-keyval': ['io'],
   mediabunny: ['io'],
   gifenc: ['io'],
-  'lil-gui': ['ui/kit', 'ui/editors'],
-  fflate: ['formats', 'exchange', 'io', 'app', 'samples'],
+  'lil-gui': ['ui/widgets', 'ui/editors'],
+  fflate: ['formats', 'import', 'export', 'io', 'app'],
   // Decoders of compressed glTF.
-  meshoptimizer: ['exchange'],
-  'virtual:draco': ['exchange'],
-  'node:': ['cli', 'samples'],
-  vite: ['cli'],
+  meshoptimizer: ['import'],
+  'virtual:draco': ['import'],
+  'node:': ['cli'],
 };
 
 interface Import {
@@ -117,10 +130,12 @@ const imports = files.flatMap(importsOf);
 const inside = imports
   .filter(({ specifier }) => specifier.startsWith('.'))
   .map(({ file, specifier }) => ({ file, to: posix.join(dirname(file), specifier.replace(/\?.*$/, '')) }));
-/** The folder that the arrows are about: `view`, or a floor of ui, `ui/kit`; empty for a file of `src/` itself. */
+/** The folder that the arrows are about: `view`, or one with arrows of its own, `ui/widgets`; empty for `src/` itself. */
 function folderOf(file: string): string {
-  const parts = dirname(file).split('/');
-  return parts[0] === '.' ? '' : parts.slice(0, parts[0] === 'ui' ? 2 : 1).join('/');
+  const [outer = '', inner] = dirname(file).split('/');
+  if (outer === '.') return '';
+  const both = `${outer}/${inner}`;
+  return outer === 'ui' || Object.hasOwn(MAY_IMPORT, both) ? both : outer;
 }
 
 describe('the folders of src', () => {
@@ -149,6 +164,16 @@ describe('the folders of src', () => {
 
   it('the folders of src never import the tests, nor anything else outside', () => {
     expect(inside.filter(({ to }) => to.startsWith('..')).map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
+  });
+
+  it('the folders of src have at most 30 files each, besides folders', () => {
+    const counts = new Map<string, number>();
+    for (const file of readdirSync(SRC, { recursive: true, encoding: 'utf8' })) {
+      const folder = dirname(file.replaceAll('\\', '/'));
+      if (/\.\w+$/.test(file)) counts.set(folder, (counts.get(folder) ?? 0) + 1);
+    }
+    expect([...counts].filter(([, count]) => count > 30)).toEqual([]);
+    expect(counts.get('ui/styles')).toBeGreaterThan(10);
   });
 
   it('use packages only where they belong', () => {
@@ -186,15 +211,13 @@ describe('the files of src', () => {
 
   it('src exports no function that no other file names', () => {
     const texts = new Map<string, string>();
-    for (const folder of ['src/', 'tests/']) {
+    for (const folder of ['src/', 'tests/', 'plugins/', 'examples/']) {
       const at = fileURLToPath(new URL(`../${folder}`, import.meta.url));
       for (const file of readdirSync(at, { recursive: true, encoding: 'utf8' })) {
         if (file.endsWith('.ts')) texts.set(folder + file.replaceAll('\\', '/'), readFileSync(join(at, file), 'utf8'));
       }
     }
-    for (const file of ['vite.config.ts', 'plugins/offline.ts']) {
-      texts.set(file, readFileSync(fileURLToPath(new URL(`../${file}`, import.meta.url)), 'utf8'));
-    }
+    texts.set('vite.config.ts', readFileSync(fileURLToPath(new URL('../vite.config.ts', import.meta.url)), 'utf8'));
     const filesNaming = new Map<string, number>();
     for (const text of texts.values()) {
       for (const name of new Set(text.match(/[\w$]+/g))) filesNaming.set(name, (filesNaming.get(name) ?? 0) + 1);

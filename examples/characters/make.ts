@@ -1,7 +1,7 @@
 /**
  * Writes the examples into a folder: `public/samples` of the current folder, or the one given.
  *
- *     npm run samples                (the files are in the repository: run this after changing their sources)
+ *     npm run examples                (the files are in the repository: run this after changing their sources)
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';

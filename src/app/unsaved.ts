@@ -1,4 +1,4 @@
-/** Unsaved parts (`project/save/saved-parts.ts`) as observable state that follows the store. */
+/** Unsaved parts (`files/save/saved-parts.ts`) as observable state that follows the store. */
 import type { Store } from '../edit/store.ts';
 import { type SavedCharacter, SavedParts, type UnsavedPart } from '../files/save/saved-parts.ts';
 import type { Character, Document } from '../model/document.ts';

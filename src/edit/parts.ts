@@ -1,6 +1,6 @@
 /**
  * Identifies parts after a change; the only place where parts are numbered. Commands replace content without knowing
- * about parts; code that adds parts from files (`project/open`) gives their files, as marks parallel to the character's
+ * about parts; code that adds parts from files (`files/open`) gives their files, as marks parallel to the character's
  * lists.
  *
  * Marks are part of the document, so undo restores a revision together with its content.

@@ -1,6 +1,6 @@
 /**
  * What the page and its worker share: the jobs and their messages. Another kind of work is another entry in `Jobs`;
- * another file format needs no change here (`project/kinds.ts`).
+ * another file format needs no change here (`files/kinds.ts`).
  */
 import type { SkinFacts } from '../evaluate/skin/bounds.ts';
 import type { GlbOptions } from '../export/glb/options.ts';

@@ -105,7 +105,7 @@ async function largestOf(page: Page): Promise<readonly number[]> {
   return numbers;
 }
 
-/** What `lesson/program/four-attachments.ts` measures of the pose that is drawn. */
+/** What `teaching/program/four-attachments.ts` measures of the pose that is drawn. */
 async function measuredOf(page: Page, kept: KeptFour): Promise<FourFacts> {
   const nine = characterOf(...SHARED.nine);
   const world = await page.evaluate(() => window.marrow.worldMatrices().flat());

@@ -34,7 +34,7 @@ function readAny(name: string, content: string | Uint8Array): readonly Diagnosti
 }
 
 describe('the folder of samples', () => {
-  it.each([...folder.keys()])('%s in the repository is what the code makes (if not: npm run samples)', (name) => {
+  it.each([...folder.keys()])('%s in the repository is what the code makes (if not: npm run examples)', (name) => {
     expect(existsSync(FOLDER + name)).toBe(true);
     const made = bytesOf(folder.get(name) ?? '');
     expect(Buffer.compare(readFileSync(FOLDER + name), made)).toBe(0);

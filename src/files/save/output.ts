@@ -1,4 +1,4 @@
-/** A file to be written, in any format; what `project/save` gives to page, command and scripts. */
+/** A file to be written, in any format; what `files/save` gives to page, command and scripts. */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { writeFile } from '../writers.ts';
 import type { Copy } from './copies.ts';
