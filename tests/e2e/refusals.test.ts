@@ -13,7 +13,7 @@ describe('what is refused', () => {
           bytes: 'balljoint a { offset x }',
         }));
         await dropFiles(page, files);
-        await line.getByText(/^1000 files: not opened\. First, 0\.skel:1: /).waitFor();
+        await line.getByText(/^1000 files: not opened\. The first: 0\.skel:1: /).waitFor();
         await line.getByRole('button', { name: 'Details' }).click();
         const list = page.locator('.messages-list');
         await expect.poll(() => list.locator('.message').count()).toBe(1);

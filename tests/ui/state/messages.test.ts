@@ -40,7 +40,7 @@ describe('Messages', () => {
       {
         severity: 'error',
         fate: 'not opened',
-        text: '1000 files: not opened. First, 0.skel:3: Expected a number, found "x".',
+        text: '1000 files: not opened. The first: 0.skel:3: Expected a number, found "x".',
       },
     ]);
     expect(messages.list.get()[0].diagnostics).toHaveLength(1000);
@@ -60,7 +60,7 @@ describe('Messages', () => {
     );
     messages.report([], ['0.skel']);
     expect(messages.list.get().map(({ text }) => text)).toEqual([
-      '29 files: not opened. First, 1.skel:3: Expected a number, found "x".',
+      '29 files: not opened. The first: 1.skel:3: Expected a number, found "x".',
     ]);
     messages.report([], files.slice(0, 29));
     expect(messages.list.get().map(({ text }) => text)).toEqual([

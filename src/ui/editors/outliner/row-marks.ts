@@ -43,7 +43,7 @@ export function rowMarks(row: OutlineRow, { characterId, marks }: Marks, joints:
   const isTold = worst !== undefined && (worst !== 'agrees' || own === undefined);
   return [
     ...(own === undefined ? [] : [{ mark: own, text: MARK_TEXTS[own], isBelow: false }]),
-    ...(isTold ? [{ mark: worst, text: `${countsText(below)} in descendants`, isBelow: true }] : []),
+    ...(isTold ? [{ mark: worst, text: belowText(below), isBelow: true }] : []),
   ];
 }
 
@@ -54,8 +54,8 @@ function descendantsOf(joint: number, joints: readonly Joint[]): readonly [numbe
   return [joint + 1, end];
 }
 
-/** `2 own errors, 3 inherited`; `all agree`. */
-function countsText(marks: readonly JointMark[]): string {
+/** `2 own errors, 3 inherited in descendants`; `all descendants agree`. */
+function belowText(marks: readonly JointMark[]): string {
   const count = (mark: JointMark) => marks.filter((each) => each === mark).length;
   const [own, differs, inherited] = [count('own'), count('differs'), count('inherited')];
   const texts = [
@@ -63,7 +63,7 @@ function countsText(marks: readonly JointMark[]): string {
     ...(differs > 0 ? [`${differs} ${differs === 1 ? 'differs' : 'differ'}`] : []),
     ...(inherited > 0 ? [`${inherited} inherited`] : []),
   ];
-  return texts.length > 0 ? texts.join(', ') : 'all agree';
+  return texts.length > 0 ? `${texts.join(', ')} in descendants` : 'all descendants agree';
 }
 
 export function markElement({ mark, text, isBelow }: RowMark): HTMLElement {

@@ -147,7 +147,7 @@ describeShared('the tables of a comparison', () => {
     const apart = Math.hypot(...[0, 1, 2].map((k) => theirs[3 * index + k] - ours[3 * index + k]));
     expect(apart).toBeGreaterThan(error * frame.size);
     const told = new RegExp(
-      `^vertex ${index}: ${numberText(apart)} apart, ${numberText(error * frame.size)} along [xyz], of a size of `,
+      `^vertex ${index}: ${numberText(apart)} apart, ${numberText(error * frame.size)} along [xyz], for a size of `,
     );
     expect(largestText(result)).toMatch(told);
     expect(largestText(resultOf(WASP, 'd008.txt', 1.5).result)).toMatch(/ in its rotation$| apart, /);

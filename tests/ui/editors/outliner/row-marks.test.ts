@@ -30,25 +30,25 @@ describe('the marks of the outliner’s rows', () => {
   });
 
   it('a collapsed row also sums up those of its hierarchy, and of no other', () => {
-    expect(marked(hip, MARKS, [hip])).toEqual(['agrees', '1 own error, 1 inherited below']);
+    expect(marked(hip, MARKS, [hip])).toEqual(['agrees', '1 own error, 1 inherited in descendants']);
     expect(marked(hip, ['agrees', 'own', 'agrees', 'agrees', 'own'], [hip])).toEqual(['own error']);
     expect(marked(hip, ['differs', 'differs', 'differs', 'differs', 'agrees'], [hip])).toEqual([
       'differs',
-      '2 differ below',
+      '2 differ in descendants',
     ]);
   });
 
   it('a collapsed character or list of joints sums up all of them, also if they agree', () => {
     const group = groupKey(id, 'joint');
-    expect(marked(group, MARKS, [group])).toEqual(['2 own errors, 1 inherited below']);
-    expect(marked(id, MARKS, [id])).toEqual(['2 own errors, 1 inherited below']);
+    expect(marked(group, MARKS, [group])).toEqual(['2 own errors, 1 inherited in descendants']);
+    expect(marked(id, MARKS, [id])).toEqual(['2 own errors, 1 inherited in descendants']);
     expect(
       marked(
         id,
         joints.map((): JointMark => 'agrees'),
         [id],
       ),
-    ).toEqual(['all agree below']);
+    ).toEqual(['all descendants agree']);
   });
 
   it('another character has none, nor has one whose joints were not compared', () => {

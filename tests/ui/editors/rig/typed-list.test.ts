@@ -10,6 +10,6 @@ describe('the DOFs of a compound joint, typed', () => {
   it.each([
     ['', 'at least one'],
     ['rx rx', 'twice'],
-    ['rx qw', 'none of'],
+    ['rx qw', 'not one of'],
   ])('“%s” is refused', (text, why) => expect(typedList(text, COMPOUND_DOFS)).toContain(why));
 });
