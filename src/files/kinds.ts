@@ -40,7 +40,7 @@ export interface Saving {
   /** Whether a character has anything to save in this kind of file. */
   has(character: Character): boolean;
   /** Why a character can't be saved in it although it has the content; a sentence. */
-  whyNot?(character: Character): string | undefined;
+  obstacle?(character: Character): string | undefined;
   /** Whether its files hold the character's own parts; otherwise they are copies, and saving marks nothing as saved. */
   isOwn(character: Character): boolean;
 }
@@ -68,7 +68,7 @@ export const KINDS = {
     save: {
       label: 'Axis-angle skeleton (.axskel)',
       has: ({ skeleton }) => skeleton !== undefined && axisAngleObstacle(skeleton) === undefined,
-      whyNot: ({ skeleton }) => skeleton && axisAngleObstacle(skeleton),
+      obstacle: ({ skeleton }) => skeleton && axisAngleObstacle(skeleton),
       isOwn: (c) => !hasSkeleton(c) || isAxisAngle(c),
     },
   },

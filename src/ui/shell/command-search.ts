@@ -80,7 +80,7 @@ export function searchActions(wb: Uses<'actions'>, typed: string): readonly Acti
 
 function row(wb: Uses<'actions' | 'settings'>, action: Action, run: () => void): HTMLElement {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
-  const reason = isEnabled(wb, action) ? undefined : reasonNot(wb, action);
+  const reason = reasonNot(wb, action);
   const made = element(
     'li',
     { role: 'option', id: uniqueId('command'), 'aria-disabled': reason !== undefined && 'true' },

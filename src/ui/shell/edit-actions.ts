@@ -8,11 +8,10 @@ import { DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
 import { currentCharacter } from '../state/actions/action.ts';
-import { NO_CHARACTER, needs } from '../state/actions/needs.ts';
+import { needs, needsCharacter } from '../state/actions/needs.ts';
 import { addKeyed } from '../state/add-keys.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
-const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
 const idsOf = (wb: Uses<'store'>) => wb.store.document.characters.map((c) => c.id);
 const hasSeveral = (wb: Uses<'store'>) => wb.store.document.characters.length > 1;
 const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;
@@ -34,7 +33,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     shortcuts: ['Ctrl+Z'],
     repeats: true,
-    enabled: needs('There is nothing to undo.', (wb) => wb.store.undoLabel !== undefined),
+    refuses: needs('There is nothing to undo.', (wb) => wb.store.undoLabel !== undefined),
     run: (wb) => travel(wb, 'undo'),
   },
   {
@@ -45,7 +44,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     shortcuts: ['Ctrl+Shift+Z', 'Ctrl+Y'],
     repeats: true,
-    enabled: needs('There is nothing to redo.', (wb) => wb.store.redoLabel !== undefined),
+    refuses: needs('There is nothing to redo.', (wb) => wb.store.redoLabel !== undefined),
     run: (wb) => travel(wb, 'redo'),
   },
   {
@@ -56,7 +55,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 1,
     shortcuts: ['Shift+R'],
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: (wb) => reset(wb, 'file'),
   },
   {
@@ -66,7 +65,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 1,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: (wb) => reset(wb, 'zero'),
   },
   {
@@ -75,7 +74,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 1,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     checked: (wb) => currentCharacter(wb)?.clampsToLimits ?? false,
     run(wb) {
       const character = currentCharacter(wb);
@@ -89,7 +88,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 2,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run(wb) {
       const character = currentCharacter(wb);
       if (!character) return;
@@ -108,7 +107,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 2,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run(wb) {
       const character = currentCharacter(wb);
       if (character) wb.store.apply(setHidden, { ids: [character.id], hidden: !character.isHidden });
@@ -123,7 +122,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 2,
     also: 'scale size normalise compare',
-    enabled: needsSeveral,
+    refuses: needsSeveral,
     run(wb) {
       const character = currentCharacter(wb);
       if (!character) return;
@@ -140,7 +139,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 2,
     also: 'scale size centimetres metres hundred compare',
-    enabled: needsSeveral,
+    refuses: needsSeveral,
     run(wb) {
       const character = currentCharacter(wb);
       if (!character) return;
@@ -156,7 +155,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 2,
     also: 'scale size reset original',
-    enabled: needsSeveral,
+    refuses: needsSeveral,
     run(wb) {
       wb.store.apply(ownHeights, { characterIds: idsOf(wb) });
       wb.viewport.frameAll();
@@ -171,7 +170,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     section: 2,
     shortcuts: ['Delete'],
     panel: 'outliner',
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run(wb) {
       const character = currentCharacter(wb);
       if (!character) return;

@@ -6,7 +6,7 @@ import { needs } from '../state/actions/needs.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './start/kept-text.ts';
 
-const hasCharacters = needs(
+const needsCharacters = needs(
   'There is no character to save. Open one first.',
   (wb: Uses<'store'>) => wb.store.document.characters.length > 0,
 );
@@ -38,7 +38,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     section: 1,
     // Ctrl+R stays the browser's.
     shortcuts: ['Alt+R'],
-    enabled: needs('The character’s files can’t be reread. Open or drop them again.', (wb) => {
+    refuses: needs('The character’s files can’t be reread. Open or drop them again.', (wb) => {
       const character = currentCharacter(wb);
       return character !== undefined && wb.files.canReload(character.id);
     }),
@@ -54,7 +54,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     menu: 'Save',
     shortcuts: ['Ctrl+S'],
     icon: 'save',
-    enabled: needs(
+    refuses: needs(
       'There is nothing to save. Open a character first.',
       ({ store }: Uses<'store'>) => store.document.characters.length > 0 || store.document.review !== undefined,
     ),
@@ -71,7 +71,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Save',
     shortcuts: ['Ctrl+Shift+S'],
-    enabled: hasCharacters,
+    refuses: needsCharacters,
     run: (wb) => wb.dialog.set('save'),
   },
   ...SAVED_KINDS.map(
@@ -81,15 +81,13 @@ export const FILE_ACTIONS: readonly Action[] = [
       group: 'Files',
       menu: 'Save',
       section: 1,
-      enabled: needs('The character has nothing to save in this format.', (wb) => {
+      refuses(wb) {
+        const { has, obstacle }: Saving = KINDS[kind].save;
         const character = currentCharacter(wb);
-        return character !== undefined && KINDS[kind].save.has(character);
-      }),
-      whyNot(wb) {
-        const { whyNot }: Saving = KINDS[kind].save;
-        const character = currentCharacter(wb);
-        return character && whyNot?.(character);
+        if (character && has(character)) return undefined;
+        return (character && obstacle?.(character)) ?? 'The character has nothing to save in this format.';
       },
+      explained: 'obstacle' in KINDS[kind].save,
       run(wb) {
         const character = currentCharacter(wb);
         if (character) wb.files.save(character.id, kind);
@@ -102,7 +100,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Save',
     section: 2,
-    enabled: hasCharacters,
+    refuses: needsCharacters,
     run: (wb) => wb.dialog.set('glb'),
   },
   {
@@ -111,7 +109,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Save',
     section: 2,
-    enabled: hasCharacters,
+    refuses: needsCharacters,
     run(wb) {
       const character = currentCharacter(wb);
       if (character) wb.files.saveAll(character.id);
@@ -124,7 +122,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Save',
     section: 3,
-    enabled: hasCharacters,
+    refuses: needsCharacters,
     run: (wb) => wb.dialog.set('picture'),
   },
   {
@@ -134,7 +132,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Save',
     section: 3,
-    enabled: hasCharacters,
+    refuses: needsCharacters,
     run: (wb) => wb.dialog.set('video'),
   },
 ];

@@ -4,13 +4,9 @@ import { NOTHING_SELECTED } from '../../model/session.ts';
 import { withJoints } from '../../model/skeleton/selected-joints.ts';
 import type { Joint } from '../../model/skeleton/skeleton.ts';
 import { currentCharacter } from '../state/actions/action.ts';
-import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../state/actions/needs.ts';
+import { needs, needsCharacter, needsJoint, needsSkeleton } from '../state/actions/needs.ts';
 import { selectedJoints, selectedJointsOf } from '../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../state/workbench.ts';
-
-const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
-const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
-const hasJoint = needs(NO_JOINT, (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
 
 export const SELECT_ACTIONS: readonly Action[] = [
   {
@@ -21,7 +17,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     menu: 'Edit/Select',
     shortcuts: ['Up'],
     repeats: true,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: (wb) => walk(wb, (joints, joint) => joints[joint].parent),
   },
   {
@@ -32,7 +28,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     menu: 'Edit/Select',
     shortcuts: ['Down'],
     repeats: true,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     // Pre-order: a first child directly follows its parent.
     run: (wb) => walk(wb, (joints, joint) => (joints[joint + 1]?.parent === joint ? joint + 1 : -1)),
   },
@@ -44,7 +40,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     menu: 'Edit/Select',
     shortcuts: ['Shift+Left'],
     repeats: true,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, -1)),
   },
   {
@@ -55,7 +51,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     menu: 'Edit/Select',
     shortcuts: ['Shift+Right'],
     repeats: true,
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, 1)),
   },
   {
@@ -66,7 +62,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     group: 'Select',
     menu: 'Edit/Select',
     section: 1,
-    enabled: hasJoint,
+    refuses: needsJoint,
     run: selectHierarchy,
   },
   {
@@ -77,7 +73,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     group: 'Select',
     menu: 'Edit/Select',
     section: 1,
-    enabled: hasJoint,
+    refuses: needsJoint,
     run: selectMirrored,
   },
   {
@@ -89,7 +85,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     section: 1,
     shortcuts: ['Ctrl+A'],
     panel: 'outliner',
-    enabled: hasSkeleton,
+    refuses: needsSkeleton,
     run: selectAll,
   },
   {
@@ -98,7 +94,7 @@ export const SELECT_ACTIONS: readonly Action[] = [
     group: 'Select',
     menu: 'Edit/Select',
     section: 2,
-    enabled: needs('Nothing is selected.', (wb) => wb.store.selection.characterId !== undefined),
+    refuses: needs('Nothing is selected.', (wb) => wb.store.selection.characterId !== undefined),
     run: (wb) => wb.store.select(NOTHING_SELECTED),
   },
 ];

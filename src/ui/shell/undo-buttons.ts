@@ -1,7 +1,6 @@
 /** Undo and redo, in the menu bar at all sizes: on a touch screen there are no keys for them. */
 
-import { actionLabel, findAction, isEnabled, tryAction } from '../state/actions/action.ts';
-import { reasonOf } from '../state/actions/needs.ts';
+import { actionLabel, findAction, reasonNot, tryAction } from '../state/actions/action.ts';
 import { setActionTooltip } from '../state/actions/tooltips.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { button, element, keepsFocusElsewhere } from '../widgets/dom.ts';
@@ -25,14 +24,14 @@ function stepButton(
   const made = keepsFocusElsewhere(button(action.id, { class: 'tool' }, icon(name), () => tryAction(wb, action)));
   let shown: string | undefined;
   const show = () => {
-    const isOn = isEnabled(wb, action);
+    const reason = reasonNot(wb, action);
     const label = actionLabel(wb, action);
     if (label === shown) return;
     shown = label;
     // Not `disabled`: a press then tells the reason.
-    made.setAttribute('aria-disabled', String(!isOn));
+    made.setAttribute('aria-disabled', String(reason !== undefined));
     made.setAttribute('aria-label', label);
-    setActionTooltip(wb, made, action.id, isOn ? label : (reasonOf(action.enabled, wb.actions.page) ?? label));
+    setActionTooltip(wb, made, action.id, reason ?? label);
   };
   wb.store.subscribe(show);
   show();

@@ -130,10 +130,10 @@ export interface Action extends Bindable {
   readonly inDialogs?: boolean;
   /** What is said if it changed nothing. */
   readonly unchanged?: string;
-  /** Absent: always enabled. */
-  enabled?(wb: Workbench): boolean;
-  /** Why it is disabled, in a sentence, shown in place of the detail. */
-  whyNot?(wb: Workbench): string | undefined;
+  /** Why it can't be done now, as a sentence, told when it is tried; undefined if it can. Absent: it always can. */
+  refuses?(wb: Workbench): string | undefined;
+  /** Its menu shows the reason too, in place of the detail: for what would surprise. */
+  explained?: boolean;
   /** Shows a check mark, or a dash for `mixed`: of some of what is selected; `radio` for alternatives. */
   checked?(wb: Workbench): boolean | 'mixed';
   readonly radio?: boolean;

@@ -67,7 +67,7 @@ describe('the list of actions', () => {
   it('the list of actions can be queried without a character', () => {
     const { wb } = workbench();
     for (const action of actionsOf(wb)) {
-      expect(() => [action.enabled?.(wb), action.checked?.(wb)], action.id).not.toThrow();
+      expect(() => [action.refuses?.(wb), action.checked?.(wb)], action.id).not.toThrow();
     }
   });
 });
@@ -265,7 +265,7 @@ describe('what is drawn', () => {
       wb,
       enabled: (id: string) => {
         const action = findAction(wb, id);
-        return action?.enabled?.(wb) ?? true;
+        return action?.refuses?.(wb) === undefined;
       },
     };
   };

@@ -27,7 +27,7 @@ export const COMPARE_ACTIONS: readonly Action[] = [
     menu: 'Open',
     section: 2,
     also: 'dump close end',
-    enabled: needs(NO_DUMP, (wb) => wb.comparing.get() !== undefined),
+    refuses: needs(NO_DUMP, (wb) => wb.comparing.get() !== undefined),
     run: (wb) => endComparison(wb),
   },
 ];

@@ -5,7 +5,7 @@ import { needs } from '../../state/actions/needs.ts';
 import type { Action } from '../../state/workbench.ts';
 import { aboutKeysInHand, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
-import { hasKeys, hasTake } from '../timeline/key-actions.ts';
+import { needsKeys, needsTake } from '../timeline/key-actions.ts';
 import { showCurves } from './show-curves.ts';
 
 const MENU = 'Keys/Dope sheet';
@@ -32,7 +32,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 16,
     panel: 'timeline',
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) =>
       showCurves(
         wb,
@@ -57,7 +57,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 17,
     panel: 'timeline',
-    enabled: hasTake,
+    refuses: needsTake,
     run(wb) {
       const take = currentTake(wb);
       if (take) wb.timeline.change({ unfolded: allFolds(take.character, take.clip) });
@@ -70,7 +70,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 17,
     panel: 'timeline',
-    enabled: needs('All rows are collapsed.', (wb) => wb.timeline.view.get().unfolded.length > 0),
+    refuses: needs('All rows are collapsed.', (wb) => wb.timeline.view.get().unfolded.length > 0),
     run: (wb) => wb.timeline.change({ unfolded: [] }),
   },
 ];
@@ -85,7 +85,7 @@ function ripple(id: string, label: string, shortcut: string, frames: number): Ac
     shortcuts: [shortcut],
     panel: 'timeline',
     repeats: true,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run(wb) {
       const take = currentTake(wb);
       if (!take) return;

@@ -3,7 +3,7 @@
 import { defaultIk } from '../../../model/ik.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
-import { NO_SKELETON, needs } from '../../state/actions/needs.ts';
+import { needs, needsJoint, needsSkeleton } from '../../state/actions/needs.ts';
 import { selectedJoint, selectedJoints, selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { type ChosenReach, REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
@@ -15,11 +15,7 @@ const ikOfCurrent = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character?.skeleton && (character.ik ?? defaultIk(character.skeleton));
 };
-const hasPins = (wb: Uses<'store'>) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0;
-const NO_PINS = 'The character has no pins.';
-const NO_JOINT = 'No joint is selected.';
-
-const hasJoint = (wb: Uses<'store'>) => selectedJoints(wb) !== undefined;
+const needsPins = needs('The character has no pins.', (wb: Uses<'store'>) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0);
 const isEach = (wb: Uses<'store'>, is: (joint: number) => boolean | undefined) =>
   selectedJoints(wb)?.joints.every((joint) => is(joint) ?? false) ?? false;
 /** Whether each of the selected joints is. */
@@ -76,8 +72,8 @@ export const IK_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 1,
     shortcuts: ['Y'],
-    enabled: hasJoint,
-    whyNot: () => NO_JOINT,
+    refuses: needsJoint,
+    explained: true,
     async run(wb) {
       const { togglePins } = await edits();
       const found = selectedJoints(wb);
@@ -92,8 +88,8 @@ export const IK_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 1,
     shortcuts: ['Shift+Y'],
-    enabled: hasJoint,
-    whyNot: () => NO_JOINT,
+    refuses: needsJoint,
+    explained: true,
     checked: areLocked,
     async run(wb) {
       const { toggleLocks } = await edits();
@@ -108,7 +104,7 @@ export const IK_ACTIONS: readonly Action[] = [
     group: 'Pose',
     menu: MENU,
     section: 2,
-    enabled: needs(NO_SKELETON, (wb) => ikOfCurrent(wb) !== undefined),
+    refuses: needsSkeleton,
     checked: (wb) => ikOfCurrent(wb)?.rootIsFree ?? false,
     async run(wb) {
       const { freeRoot } = await edits();
@@ -123,8 +119,8 @@ export const IK_ACTIONS: readonly Action[] = [
     group: 'Pose',
     menu: MENU,
     section: 2,
-    enabled: hasPins,
-    whyNot: () => NO_PINS,
+    refuses: needsPins,
+    explained: true,
     async run(wb) {
       const { letAllGo } = await edits();
       const character = currentCharacter(wb);
@@ -138,8 +134,8 @@ export const IK_ACTIONS: readonly Action[] = [
     group: 'Pose',
     menu: MENU,
     section: 3,
-    enabled: hasPins,
-    whyNot: () => NO_PINS,
+    refuses: needsPins,
+    explained: true,
     async run(wb) {
       const { solvePins } = await import('./solve-pins.ts');
       const character = currentCharacter(wb);
@@ -153,8 +149,8 @@ export const IK_ACTIONS: readonly Action[] = [
     group: 'Pose',
     menu: MENU,
     section: 3,
-    enabled: hasPins,
-    whyNot: () => NO_PINS,
+    refuses: needsPins,
+    explained: true,
     run: (wb) => wb.dialog.set('holdPins'),
   },
 ];

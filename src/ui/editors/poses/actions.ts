@@ -2,16 +2,12 @@
 
 import type { NamedPose } from '../../../model/poses.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
-import { NO_CHARACTER, NO_JOINT, NO_SKELETON, needs } from '../../state/actions/needs.ts';
-import { selectedJoints, selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { needs, needsCharacter, needsJoint, needsSkeleton } from '../../state/actions/needs.ts';
+import { selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pose';
 const edits = () => import('./pose-edits.ts');
-const hasCharacter = needs(NO_CHARACTER, (wb: Uses<'store'>) => currentCharacter(wb) !== undefined);
-const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
-
-const hasJoint = needs(NO_JOINT, (wb: Uses<'store'>) => selectedJoints(wb) !== undefined);
 
 /** In the library of the current character. */
 export function focusedPose(wb: Uses<'store' | 'posing'>): NamedPose | undefined {
@@ -26,7 +22,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 1,
     shortcuts: ['Ctrl+Shift+C'],
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: async (wb) => (await edits()).copyPose(wb),
   },
   {
@@ -40,9 +36,9 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 1,
     shortcuts: ['Ctrl+Shift+V'],
-    enabled: needs(
-      (wb) => (hasCharacter(wb) ? 'Copy a pose first.' : NO_CHARACTER),
-      (wb) => hasCharacter(wb) && wb.posing.copied.get() !== undefined,
+    refuses: needs(
+      (wb) => needsCharacter(wb) ?? 'Copy a pose first.',
+      (wb) => !needsCharacter(wb) && wb.posing.copied.get() !== undefined,
     ),
     run: async (wb) => (await edits()).pasteCopied(wb),
   },
@@ -54,7 +50,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: MENU,
     section: 1,
-    enabled: hasJoint,
+    refuses: needsJoint,
     run: async (wb) => (await edits()).copyJoints(wb),
   },
   {
@@ -66,7 +62,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 1,
     shortcuts: ['Alt+Shift+R'],
-    enabled: hasJoint,
+    refuses: needsJoint,
     run: async (wb) => (await edits()).resetJoints(wb),
   },
   {
@@ -77,7 +73,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 2,
     shortcuts: ['Alt+M'],
-    enabled: hasSkeleton,
+    refuses: needsSkeleton,
     run: async (wb) => (await edits()).mirror(wb, 'swap', false),
   },
   {
@@ -88,7 +84,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: MENU,
     section: 2,
-    enabled: hasJoint,
+    refuses: needsJoint,
     run: async (wb) => (await edits()).mirror(wb, 'swap', true),
   },
   {
@@ -99,7 +95,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 2,
     shortcuts: ['Alt+Shift+M'],
-    enabled: hasJoint,
+    refuses: needsJoint,
     run: async (wb) => (await edits()).mirror(wb, 'toOther', true),
   },
   {
@@ -110,7 +106,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 3,
     shortcuts: ['Alt+P'],
-    enabled: hasCharacter,
+    refuses: needsCharacter,
     run: async (wb) => (await edits()).keep(wb),
   },
   {
@@ -125,7 +121,7 @@ export const POSE_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: MENU,
     section: 3,
-    enabled: needs('The character has no saved poses.', (wb) => focusedPose(wb) !== undefined),
+    refuses: needs('The character has no saved poses.', (wb) => focusedPose(wb) !== undefined),
     async run(wb) {
       const { update } = await edits();
       const character = currentCharacter(wb);

@@ -99,12 +99,12 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
 }
 
 function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
-  const enabled = needs(
+  const refuses = needs(
     (wb: Uses<'store' | 'posing'>) =>
       hasDofs(wb) ? 'Select a joint with DOFs first.' : 'DOFs are rotated in Pose and FK modes.',
     (wb: Uses<'store' | 'posing'>) => hasDofs(wb) && activeDof(wb) !== undefined,
   );
-  return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
+  return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, refuses, run };
 }
 
 function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, factor: number): Action {
@@ -118,9 +118,12 @@ function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, facto
     section: 3,
     shortcuts: [key],
     repeats: true,
-    enabled: (wb) => hasGizmo(wb) && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
-    whyNot: (wb) =>
-      hasGizmo(wb) ? `The gizmo is already as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO,
+    refuses: needs(
+      (wb) =>
+        hasGizmo(wb) ? `The gizmo is already as ${what === 'larger' ? 'large' : 'small'} as it gets.` : NO_GIZMO,
+      (wb) => hasGizmo(wb) && next(wb.settings.get().gizmoScale) !== wb.settings.get().gizmoScale,
+    ),
+    explained: true,
     run: (wb) => wb.settings.update((s) => ({ ...s, gizmoScale: next(s.gizmoScale) })),
   };
 }

@@ -7,13 +7,13 @@ import { rangeOfKeys } from '../../../edit/takes.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
-import { NO_JOINT, NO_SKELETON, needs } from '../../state/actions/needs.ts';
+import { NO_JOINT, needs, needsSkeleton } from '../../state/actions/needs.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
 import { selectedJointsOf, selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
-import { hasTake } from '../timeline/key-actions.ts';
+import { needsTake } from '../timeline/key-actions.ts';
 import { deleteKeysNow, dofsOfJoints, keyNow, keysNow } from './pose-edits.ts';
 
 const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
@@ -22,7 +22,6 @@ const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>
   flat: 'Flat',
 };
 
-const canKey = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
 const shownTake = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character && shownClip(character);
@@ -36,7 +35,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys',
     shortcuts: ['K'],
     icon: 'key',
-    enabled: canKey,
+    refuses: needsSkeleton,
     run: keyChanged,
   },
   {
@@ -45,7 +44,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Shift+K'],
-    enabled: canKey,
+    refuses: needsSkeleton,
     run: (wb) => withCharacter(wb, (character) => keyAndTell(wb, character)),
   },
   {
@@ -55,7 +54,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Ctrl+Alt+K'],
-    enabled: canKey,
+    refuses: needsSkeleton,
     run: (wb) => withJoints(wb, (character, dofs) => keyAndTell(wb, character, dofs)),
   },
   {
@@ -64,7 +63,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+K'],
-    enabled: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
+    refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
     run: (wb) => withCharacter(wb, (character) => deleteKeysNow(wb, character)),
   },
   {
@@ -74,7 +73,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+Shift+K'],
-    enabled: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
+    refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
     run: (wb) => withJoints(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
   },
   {
@@ -82,7 +81,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Discard unkeyed changes',
     group: 'Keys',
     menu: 'Keys',
-    enabled: needs('There are no unkeyed changes.', (wb) =>
+    refuses: needs('There are no unkeyed changes.', (wb) =>
       wb.store.document.characters.some((c) => c.unkeyed !== undefined),
     ),
     run: (wb) => wb.store.apply(discardUnkeyed, { exceptSeconds: null }),
@@ -117,7 +116,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: canKey,
+    refuses: needsSkeleton,
     run: (wb) =>
       withCharacter(wb, (character) =>
         wb.store.apply(createClip, { characterId: character.id, range: playedRange(wb, character) }),
@@ -129,7 +128,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: hasTake,
+    refuses: needsTake,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateClip, { characterId: id })),
   },
   {
@@ -138,7 +137,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: hasTake,
+    refuses: needsTake,
     run: (wb) => wb.timeline.takeRenameAsked.update((times) => times + 1),
   },
   {
@@ -148,7 +147,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
-    enabled: hasTake,
+    refuses: needsTake,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeClip, { characterId: id })),
   },
   {
@@ -159,7 +158,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 2,
-    enabled: hasTake,
+    refuses: needsTake,
     run: (wb) =>
       withCharacter(wb, (character) =>
         wb.store.apply(setClipRange, { characterId: character.id, range: playedRange(wb, character) }),
@@ -172,7 +171,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys/Take',
     section: 2,
-    enabled: needs('The take has no keys or samples.', (wb) => {
+    refuses: needs('The take has no keys or samples.', (wb) => {
       const take = shownTake(wb);
       return take !== undefined && rangeOfKeys(take) !== undefined;
     }),

@@ -15,7 +15,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 3,
-    enabled: needs(
+    refuses: needs(
       'Open two characters with skeletons, one of them with a take.',
       (wb) => possibleTargets(wb.store.document).length > 0,
     ),
@@ -29,7 +29,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 3,
-    enabled: needs('The character is not retargeted from another.', (wb) => currentCharacter(wb)?.driver !== undefined),
+    refuses: needs('The character is not retargeted from another.', (wb) => currentCharacter(wb)?.driver !== undefined),
     async run(wb) {
       const { bakeRetarget } = await commands();
       const character = currentCharacter(wb);
@@ -44,7 +44,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 3,
-    enabled: needs('The character is not retargeted from another.', (wb) => currentCharacter(wb)?.driver !== undefined),
+    refuses: needs('The character is not retargeted from another.', (wb) => currentCharacter(wb)?.driver !== undefined),
     async run(wb) {
       const { clearRetarget } = await commands();
       const character = currentCharacter(wb);

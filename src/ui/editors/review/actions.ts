@@ -7,8 +7,8 @@ import { chosenPaths, hasChosenTake, hasReview } from './meant-takes.ts';
 const MENU = 'Play/Review';
 const edits = () => import('./edits.ts');
 const NO_REVIEW = 'No takes to review. Drop a folder or a zip with more than 20 takes.';
-const hasTakes = needs(NO_REVIEW, hasReview);
-const hasChosen = needs(
+const needsTakes = needs(NO_REVIEW, hasReview);
+const needsChosen = needs(
   (wb: Uses<'store' | 'timeline'>) => (hasReview(wb) ? 'Select a take in the Review tab first.' : NO_REVIEW),
   hasChosenTake,
 );
@@ -20,7 +20,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 1,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run(wb) {
       openPanel(wb, 'timeline', true);
       wb.timeline.change({ tab: 'review' });
@@ -35,7 +35,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     panel: 'review',
     shortcuts: ['J', 'PageDown'],
     repeats: true,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: async (wb) => (await edits()).stepReview(wb, 1),
   },
   {
@@ -47,7 +47,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     panel: 'review',
     shortcuts: ['Shift+J', 'PageUp'],
     repeats: true,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: async (wb) => (await edits()).stepReview(wb, -1),
   },
   {
@@ -85,7 +85,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     section: 4,
     panel: 'review',
     shortcuts: ['Ctrl+Enter'],
-    enabled: hasChosen,
+    refuses: needsChosen,
     run: async (wb) => (await edits()).openTakes(wb, chosenPaths(wb)),
   },
   {
@@ -95,7 +95,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 4,
-    enabled: needs('No take has the verdict good.', ({ store }: Uses<'store'>) =>
+    refuses: needs('No take has the verdict good.', ({ store }: Uses<'store'>) =>
       (store.document.review ?? []).some(({ verdict }) => verdict === 'good'),
     ),
     async run(wb) {
@@ -111,7 +111,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     menu: MENU,
     alsoIn: { menu: 'Save', section: 4 },
     section: 5,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: async (wb) => (await edits()).saveList(wb, 'csv'),
   },
   {
@@ -120,7 +120,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 5,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: async (wb) => (await edits()).saveList(wb, 'json'),
   },
   {
@@ -131,7 +131,7 @@ export const REVIEW_ACTIONS: readonly Action[] = [
     section: 6,
     panel: 'review',
     shortcuts: ['Delete'],
-    enabled: hasChosen,
+    refuses: needsChosen,
     run: async (wb) => (await edits()).removeTakes(wb),
   },
 ];
@@ -143,7 +143,7 @@ function judging(key: string | undefined, run: (wb: Workbench) => Promise<void>)
     section: 3,
     panel: 'review',
     ...(key !== undefined && { shortcuts: [key] }),
-    enabled: hasChosen,
+    refuses: needsChosen,
     run,
   };
 }

@@ -2,25 +2,19 @@
 
 import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
-import { NO_JOINT, NO_SKELETON, needs, reasonOf } from '../../state/actions/needs.ts';
-import { selectedJoint, selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { needsJoint, needsSkeleton } from '../../state/actions/needs.ts';
+import { selectedJointsText } from '../../state/joints/selected-joint.ts';
 import { isPanelOpen, openPanel } from '../../state/panels/panels.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const edits = () => import('./rig-edits.ts');
 
 const inRigMode = (wb: Uses<'posing'>) => wb.posing.mode.get() === 'rig';
-const hasSkeleton = needs(NO_SKELETON, (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined);
-const hasJoint = needs(NO_JOINT, (wb: Uses<'store'>) => selectedJoint(wb) !== undefined);
 
 function inRig(action: Action): Action {
   return {
     ...action,
-    enabled: needs(
-      (wb) => (inRigMode(wb) ? (reasonOf(action.enabled, wb) ?? '') : 'Switch to rig mode first.'),
-      (wb) => inRigMode(wb) && (action.enabled?.(wb) ?? true),
-    ),
-    whyNot: (wb) => (inRigMode(wb) ? action.whyNot?.(wb) : undefined),
+    refuses: (wb) => (inRigMode(wb) ? action.refuses?.(wb) : 'Switch to rig mode first.'),
   };
 }
 
@@ -30,8 +24,8 @@ function ofJoint(action: Omit<Action, 'group' | 'menu'> & Partial<Action>): Acti
     group: 'Rig',
     menu: 'Rig',
     ...action,
-    enabled: hasJoint,
-    whyNot: (wb) => (hasJoint(wb) ? undefined : 'Select a joint first'),
+    refuses: needsJoint,
+    explained: true,
   });
 }
 
@@ -66,7 +60,7 @@ export const RIG_ACTIONS: readonly Action[] = [
       wb.posing.rig.adding.update((on) => !on);
       const character = currentCharacter(wb);
       // Selects a parent for the first click.
-      if (wb.posing.rig.adding.get() && character?.skeleton && !hasJoint(wb)) {
+      if (wb.posing.rig.adding.get() && character?.skeleton && needsJoint(wb)) {
         wb.store.select({ characterId: character.id, joint: 0 });
       }
     },
@@ -162,7 +156,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     group: 'Rig',
     menu: 'Rig',
     section: 5,
-    enabled: hasSkeleton,
+    refuses: needsSkeleton,
     run: async (wb) => (await edits()).takeFilePose(wb, 'shown'),
   }),
   inRig({
@@ -171,7 +165,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     group: 'Rig',
     menu: 'Rig',
     section: 5,
-    enabled: hasSkeleton,
+    refuses: needsSkeleton,
     run: async (wb) => (await edits()).takeFilePose(wb, 'rest'),
   }),
 ];

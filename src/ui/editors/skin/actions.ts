@@ -2,7 +2,6 @@
 
 import { shownSkin } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
-import { needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 
 const skinOf = (wb: Uses<'store'>) => {
@@ -19,15 +18,13 @@ export const SKIN_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 4,
     alsoIn: { menu: 'Rig', section: 6 },
-    enabled: needs(
-      'Open a character with a skeleton and a skin first.',
-      (wb) => skinOf(wb) !== undefined && currentCharacter(wb)?.skeleton !== undefined,
-    ),
-    whyNot(wb) {
+    refuses(wb) {
       const character = currentCharacter(wb);
-      if (!character) return undefined;
+      if (!character) return 'Open a character with a skeleton and a skin first.';
+      if (character.skeleton && skinOf(wb)) return undefined;
       return `${character.name} has no ${character.skeleton ? 'skin' : 'skeleton'}.`;
     },
+    explained: true,
     run: (wb) => wb.dialog.set('skinWeights'),
   },
 ];

@@ -1,4 +1,4 @@
-/** Actions on takes: playing one or several, when and where. */
+/** Actions on takes: playing one or needsSeveral, when and where. */
 
 import type { Arrangement } from '../../../edit/commands/takes.ts';
 import { needs } from '../../state/actions/needs.ts';
@@ -7,14 +7,14 @@ import { openPanel } from '../../state/panels/panels.ts';
 import type { Action, TakeToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { endComparison } from './compared-takes.ts';
-import { editsFrames, editsTakes, joinsTakes, playsTake } from './edited.ts';
+import { needsFrames, needsPlayedTake, needsTakesToEdit, needsTakesToJoin } from './edited.ts';
 import {
   align,
   charactersMeant,
   chosenTakes,
   currentPlace,
-  hasTakes,
   listOfTakes,
+  needsTakes,
   playAlone,
   playTogether,
   putTakes,
@@ -32,7 +32,7 @@ const EDIT_MENU = 'Edit/Edit takes';
 const TWO_TAKES = `Select two takes in the Takes tab: ${isMac ? 'Cmd' : 'Ctrl'}+click the second. Or right-click one: Compare with.`;
 const SEVERAL = 'This needs two characters with takes: select them in the Takes tab, or show all.';
 const isComparing = (wb: Uses<'timeline'>) => wb.timeline.takes.comparison.get() !== undefined;
-const several = needs(SEVERAL, (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1);
+const needsSeveral = needs(SEVERAL, (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1);
 
 export const TAKE_ACTIONS: readonly Action[] = [
   {
@@ -43,7 +43,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     section: 4,
     shortcuts: ['PageDown', 'J'],
     repeats: true,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: (wb) => stepTake(wb, 1),
   },
   {
@@ -54,7 +54,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     section: 4,
     shortcuts: ['PageUp', 'Shift+J'],
     repeats: true,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: (wb) => stepTake(wb, -1),
   },
   {
@@ -75,7 +75,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 5,
     icon: 'play',
-    enabled: hasTakes,
+    refuses: needsTakes,
     run(wb) {
       const rows = listOfTakes(wb);
       const [row = rows[Math.max(0, currentPlace(wb, rows))]] = chosenTakes(wb);
@@ -89,7 +89,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     // H toggles the heat map elsewhere, and Space must play here too.
     panel: 'takes',
     shortcuts: ['H'],
-    enabled: needs('Select a take first.', (wb) => takesAtHand(wb).length > 0),
+    refuses: needs('Select a take first.', (wb) => takesAtHand(wb).length > 0),
     run: (wb) => toggleShown(wb, ...takesAtHand(wb)),
   },
   {
@@ -102,7 +102,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 5,
-    enabled: needs('Select two takes or more first.', (wb) => chosenTakes(wb).length > 1),
+    refuses: needs('Select two takes or more first.', (wb) => chosenTakes(wb).length > 1),
     run: (wb) => playTogether(wb, chosenTakes(wb)),
   },
   {
@@ -111,7 +111,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 5,
-    enabled: needs('No character is hidden.', (wb) => wb.store.document.characters.some((c) => c.isHidden)),
+    refuses: needs('No character is hidden.', (wb) => wb.store.document.characters.some((c) => c.isHidden)),
     run: showAll,
   },
   {
@@ -121,8 +121,8 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 6,
-    whyNot: () => TWO_TAKES,
-    enabled: needs(
+    explained: true,
+    refuses: needs(
       TWO_TAKES,
       (wb) => wb.timeline.takes.comparison.get() !== undefined || takesToCompare(wb) !== undefined,
     ),
@@ -140,7 +140,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 7,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: align,
   },
   {
@@ -150,12 +150,12 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: MENU,
     section: 7,
-    enabled: hasTakes,
+    refuses: needsTakes,
     run: resetOffsets,
   },
   {
     ...put('grid', 'Side by side', 'In rows, without overlap'),
-    enabled: needs(
+    refuses: needs(
       (wb: Uses<'store' | 'timeline'>) =>
         isComparing(wb) ? 'Takes are being compared. Stop comparing first.' : SEVERAL,
       (wb: Uses<'store' | 'timeline'>) => !isComparing(wb) && charactersMeant(wb).length > 1,
@@ -171,7 +171,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: EDIT_MENU,
     section: 4,
-    enabled: editsTakes,
+    refuses: needsTakesToEdit,
     run: async (wb) => (await onDemand(wb.messages, 'Mirroring', () => import('./mirror-takes.ts')))?.runMirror(wb),
   },
   edited(
@@ -179,14 +179,14 @@ export const TAKE_ACTIONS: readonly Action[] = [
     'Check take…',
     'Check take',
     'Spikes, sliding feet and other problems in what is displayed',
-    playsTake,
+    needsPlayedTake,
   ),
-  edited('joinTakes', 'Join…', 'Join takes', 'Cross-fades the selected takes', joinsTakes),
-  edited('insertTake', 'Insert take or hold…', 'Insert take or hold', 'At the current time', editsFrames),
-  edited('cutOut', 'Cut out…', 'Cut out of take', 'Removes the playback range, or any other', editsFrames),
-  edited('loopTake', 'Make loop…', 'Make take loop', 'Blends the whole body', editsTakes),
-  edited('lockFeet', 'Lock feet…', 'Lock feet', 'Holds feet still while they are on the ground', editsTakes),
-  edited('takeSpeed', 'Change speed…', 'Change speed of take', 'Selected takes, or the current one', editsTakes),
+  edited('joinTakes', 'Join…', 'Join takes', 'Cross-fades the selected takes', needsTakesToJoin),
+  edited('insertTake', 'Insert take or hold…', 'Insert take or hold', 'At the current time', needsFrames),
+  edited('cutOut', 'Cut out…', 'Cut out of take', 'Removes the playback range, or any other', needsFrames),
+  edited('loopTake', 'Make loop…', 'Make take loop', 'Blends the whole body', needsTakesToEdit),
+  edited('lockFeet', 'Lock feet…', 'Lock feet', 'Holds feet still while they are on the ground', needsTakesToEdit),
+  edited('takeSpeed', 'Change speed…', 'Change speed of take', 'Selected takes, or the current one', needsTakesToEdit),
 ];
 
 /** A tool for whole takes, with a dialog. */
@@ -195,10 +195,10 @@ function edited(
   label: string,
   name: string,
   detail: string,
-  enabled: NonNullable<Action['enabled']>,
+  refuses: NonNullable<Action['refuses']>,
 ): Action {
   const dialog = (wb: Uses<'dialog'>) => wb.dialog.set(tool);
-  return { id: `take.${tool}`, label, name, detail, group: 'Play', menu: EDIT_MENU, section: 5, enabled, run: dialog };
+  return { id: `take.${tool}`, label, name, detail, group: 'Play', menu: EDIT_MENU, section: 5, refuses, run: dialog };
 }
 
 /** Loads what matches joints on first use. */
@@ -215,7 +215,7 @@ function put(how: Arrangement, label: string, detail: string): Action {
     group: 'Play',
     menu: MENU,
     section: 8,
-    enabled: several,
+    refuses: needsSeveral,
     run: (wb) => putTakes(wb, how),
   };
 }

@@ -37,19 +37,19 @@ export function takesToInsert(wb: Uses<'store'>): readonly TakeRow[] {
   );
 }
 
-export const editsTakes = needs(
+export const needsTakesToEdit = needs(
   'There is no take to edit: select one in the Takes tab.',
   (wb: Uses<'store' | 'timeline'>) => takesToEdit(wb).length > 0,
 );
-export const joinsTakes = needs(
+export const needsTakesToJoin = needs(
   'Select two takes or more in the Takes tab; they are joined in the order of the list.',
   (wb: Uses<'store' | 'timeline'>) => takesToJoin(wb).length > 1,
 );
-export const editsFrames = needs(
+export const needsFrames = needs(
   'The current take has no samples.',
   (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
 );
-export const playsTake = needs('The current character plays no take.', (wb: Uses<'store'>) => {
+export const needsPlayedTake = needs('The current character plays no take.', (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character?.skeleton !== undefined && playedClip(character) !== undefined;
 });

@@ -178,6 +178,6 @@ export function selectCharacter(wb: Uses<'store'>, characterId: string): void {
 }
 
 /** Whether any take plays. */
-export const hasTakes = needs('There are no takes. Open an .anim or .bvh file, or key a pose.', (wb: Uses<'store'>) =>
+export const needsTakes = needs('There are no takes. Open an .anim or .bvh file, or key a pose.', (wb: Uses<'store'>) =>
   wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined),
 );

@@ -1,21 +1,21 @@
 /** Actions for the timeline's display and options, and the tools for whole curves. */
 
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
-import { NO_JOINT, needs } from '../../state/actions/needs.ts';
-import { selectedJoint, selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { needs, needsJoint } from '../../state/actions/needs.ts';
+import { selectedJointsText } from '../../state/joints/selected-joint.ts';
 import { openPanel } from '../../state/panels/panels.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsToEdit, currentTake, selectedKeysInView } from './current-take.ts';
 import { OUTSIDE_LABELS } from './cycle-text.ts';
-import { hasKeys, hasTake, inView } from './key-actions.ts';
+import { needsCurveInView, needsKeys, needsTake } from './key-actions.ts';
 import type { SampleTool } from './sample-tools.ts';
 
-const inHand = needs(
+const needsChannels = needs(
   'No curve is shown: select a joint that has keys, or show all channels.',
   (wb: Uses<'store' | 'timeline'>) => channelsToEdit(wb).length > 0,
 );
-const hasSamples = needs(
+const needsSamples = needs(
   'The take has no samples.',
   (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
 );
@@ -88,7 +88,7 @@ function choice<K extends 'list' | 'handles' | 'onCollision'>(
 /** Sample tools with a dialog. */
 function sampleTools(tools: readonly (readonly [CurveToolName, string])[]): Action[] {
   return tools.map(([name, label]) =>
-    curves(name, label, [], { menu: 'Keys/Samples', section: 15, enabled: hasSamples, run: tool(name) }),
+    curves(name, label, [], { menu: 'Keys/Samples', section: 15, refuses: needsSamples, run: tool(name) }),
   );
 }
 
@@ -97,7 +97,7 @@ function sampled(name: SampleTool, label: string): Action {
   return curves(`samples.${name}`, label, [], {
     menu: 'Keys/Samples',
     section: 16,
-    enabled: hasSamples,
+    refuses: needsSamples,
     run: async (wb) => (await import('./sample-tools.ts')).runSampleTool(wb, name),
   });
 }
@@ -114,7 +114,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     group: 'Curves',
     menu: 'View',
     section: 3,
-    enabled: needs(NO_JOINT, (wb) => selectedJoint(wb) !== undefined),
+    refuses: needsJoint,
     run(wb) {
       openPanel(wb, 'timeline', true);
       wb.timeline.isolate(undefined);
@@ -124,46 +124,47 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('simplify', 'Simplify…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: needsKeyedCurve,
+    refuses: needsKeyedCurve,
     run: tool('simplify'),
   }),
   curves('resample', 'Resample…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: needsKeyedCurve,
+    refuses: needsKeyedCurve,
     run: tool('resample'),
   }),
   curves('bake', 'Bake extrapolation to keys…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: needsKeyedCurve,
+    refuses: needsKeyedCurve,
     run: tool('bake'),
   }),
   curves('scaleKeys', 'Scale keys…', ['Shift+T'], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: tool('scaleKeys'),
   }),
   curves('scaleDrag', 'Scale selected keys (hold and drag)', ['S'], {
-    enabled: needs(
+    refuses: needs(
       'Select keys in the curve editor first.',
-      (wb) => hasKeys(wb) && wb.timeline.view.get().tab === 'curves',
+      (wb) => !needsKeys(wb) && wb.timeline.view.get().tab === 'curves',
     ),
     run: (wb) => wb.timeline.scaling.set(true),
   }),
   curves('euler', 'Euler filter', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: needsCurve,
+    refuses: needsCurve,
     run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'euler'),
   }),
   curves('loop', 'Make loop', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: needsKeyedCurve,
     // The other loop, of whole takes, is what someone with a capture looks for.
-    whyNot: () => 'No curve with keys is shown. For a whole take: Edit > Edit takes > Make loop…',
+    refuses: (wb) =>
+      needsKeyedCurve(wb) && 'No curve with keys is shown. For a whole take: Edit > Edit takes > Make loop…',
+    explained: true,
     run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'loop'),
   }),
   ...sampleTools([
@@ -205,19 +206,19 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('pin', 'Pin channels', ['Shift+P'], {
     menu: 'Keys/Channels',
     section: 17,
-    enabled: inHand,
+    refuses: needsChannels,
     run: (wb) => wb.timeline.change({ pinned: union(wb.timeline.view.get().pinned, channelsToEdit(wb)) }),
   }),
   curves('unpinAll', 'Unpin all', [], {
     menu: 'Keys/Channels',
     section: 17,
-    enabled: needs('No channel is pinned.', (wb) => wb.timeline.view.get().pinned.length > 0),
+    refuses: needs('No channel is pinned.', (wb) => wb.timeline.view.get().pinned.length > 0),
     run: (wb) => wb.timeline.change({ pinned: [] }),
   }),
   curves('isolate', 'Isolate channels of selected keys', ['Q'], {
     menu: 'Keys/Channels',
     section: 18,
-    enabled: needs('Select keys first.', (wb) => hasKeys(wb) || wb.timeline.view.get().isolated !== undefined),
+    refuses: needs('Select keys first.', (wb) => !needsKeys(wb) || wb.timeline.view.get().isolated !== undefined),
     checked: (wb) => wb.timeline.view.get().isolated !== undefined,
     run(wb) {
       const { isolated } = wb.timeline.view.get();
@@ -227,7 +228,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('hide', 'Hide channels of selected keys', ['Shift+H'], {
     menu: 'Keys/Channels',
     section: 18,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run(wb) {
       const gone = selectedKeysInView(wb).map((k) => k.channel);
       wb.timeline.change({ hidden: union(wb.timeline.view.get().hidden, gone) });
@@ -236,7 +237,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('showAll', 'Show all channels', ['Alt+H'], {
     menu: 'Keys/Channels',
     section: 18,
-    enabled: hasTake,
+    refuses: needsTake,
     run(wb) {
       wb.timeline.isolate(undefined);
       wb.timeline.change({ hidden: [], filter: '' });
@@ -246,14 +247,14 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     menu: 'Keys/Scroll and zoom',
     section: 15,
     icon: 'frame',
-    enabled: inView,
+    refuses: needsCurveInView,
     run: (wb) => wb.timeline.tab?.fitSelected(),
   }),
   curves('fitAll', 'Fit all', ['A'], {
     menu: 'Keys/Scroll and zoom',
     section: 15,
     icon: 'fitAll',
-    enabled: hasTake,
+    refuses: needsTake,
     run: (wb) => wb.timeline.tab?.fitAll(),
   }),
   {

@@ -44,17 +44,17 @@ function noTakeText(wb: Uses<'store'>): string {
   return character ? `${character.name} has no take: pose a joint and press K to start one.` : NO_CHARACTER;
 }
 
-export const hasKeys = needs(
-  (wb) => (hasTake(wb) ? 'Select keys first.' : noTakeText(wb)),
+export const needsKeys = needs(
+  (wb) => (!needsTake(wb) ? 'Select keys first.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => selectedKeysInView(wb).length > 0,
 );
-export const hasTake = needs(noTakeText, (wb: Uses<'store'>) => currentTake(wb) !== undefined);
-const hasCopied = needs(
-  (wb) => (hasTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
-  (wb: Uses<'store' | 'timeline'>) => hasTake(wb) && wb.timeline.copied !== undefined,
+export const needsTake = needs(noTakeText, (wb: Uses<'store'>) => currentTake(wb) !== undefined);
+const needsCopied = needs(
+  (wb) => (!needsTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
+  (wb: Uses<'store' | 'timeline'>) => !needsTake(wb) && wb.timeline.copied !== undefined,
 );
-export const inView = needs(
-  (wb) => (hasTake(wb) ? 'No curve is shown: select a joint that has keys, or show all channels.' : noTakeText(wb)),
+export const needsCurveInView = needs(
+  (wb) => (!needsTake(wb) ? 'No curve is shown: select a joint that has keys, or show all channels.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0,
 );
 
@@ -77,20 +77,20 @@ const edits: readonly Action[] = [
     menu: 'Keys',
     section: 10,
     icon: 'insertKey',
-    enabled: inView,
+    refuses: needsCurveInView,
     run: (wb) => insertAtPlayhead(wb),
   }),
   key('delete', 'Delete selected keys', ['Delete', 'Backspace'], {
     menu: 'Keys',
     section: 10,
     icon: 'deleteKey',
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: deleteKeys,
   }),
   key('cut', 'Cut keys', ['Ctrl+X'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run(wb) {
       if (copyToTray(wb)) deleteKeys(wb);
     },
@@ -98,38 +98,38 @@ const edits: readonly Action[] = [
   key('copy', 'Copy keys', ['Ctrl+C'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => void copyToTray(wb),
   }),
   key('paste', 'Paste keys at current time', ['Ctrl+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: hasCopied,
+    refuses: needsCopied,
     run: (wb) => paste(wb, 'merge'),
   }),
   key('pasteInsert', 'Ripple paste (push later keys)', ['Ctrl+Shift+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: hasCopied,
+    refuses: needsCopied,
     run: (wb) => paste(wb, 'insert'),
   }),
   key('pasteInto', 'Paste into all listed channels', ['Ctrl+Alt+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: hasCopied,
+    refuses: needsCopied,
     run: (wb) => paste(wb, 'merge', pastableChannels(wb)),
   }),
   key('duplicate', 'Duplicate at current time', ['Ctrl+D'], {
     menu: 'Keys/Copy and paste',
     section: 10,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: duplicate,
   }),
   key('snapToFrames', 'Snap keys to frames', ['Shift+S'], {
     unchanged: 'The selected keys are already on frames.',
     menu: 'Keys',
     section: 10,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: snapToFrames,
   }),
 ];
@@ -138,20 +138,20 @@ const selecting: readonly Action[] = [
   key('selectAll', 'All visible keys', ['Ctrl+A'], {
     menu: 'Keys/Select',
     section: 12,
-    enabled: inView,
+    refuses: needsCurveInView,
     run: (wb) => selectWhere(wb, channelsInView(wb), () => true),
   }),
   key('selectNone', 'Deselect keys', ['Escape', 'Ctrl+Shift+A'], {
     quiet: true,
     menu: 'Keys/Select',
     section: 12,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => selectKeys(wb, []),
   }),
   key('invert', 'Invert selection', ['Ctrl+I'], {
     menu: 'Keys/Select',
     section: 12,
-    enabled: inView,
+    refuses: needsCurveInView,
     run: invertSelection,
   }),
   walk('nextKey', 'Next key in channel', ['Ctrl+Right', ']'], 1, false),
@@ -163,25 +163,25 @@ const selecting: readonly Action[] = [
   key('selectBefore', 'Keys before current time', [], {
     menu: 'Keys/Select',
     section: 14,
-    enabled: inView,
+    refuses: needsCurveInView,
     run: (wb) => selectWhere(wb, channelsInView(wb), (time) => time < now(wb) - SAME_SECONDS),
   }),
   key('selectHere', 'Keys at current time', [], {
     menu: 'Keys/Select',
     section: 14,
-    enabled: inView,
+    refuses: needsCurveInView,
     run: (wb) => selectWhere(wb, channelsInView(wb), (time) => Math.abs(time - now(wb)) <= SAME_SECONDS),
   }),
   key('selectAfter', 'Keys after current time', [], {
     menu: 'Keys/Select',
     section: 14,
-    enabled: inView,
+    refuses: needsCurveInView,
     run: (wb) => selectWhere(wb, channelsInView(wb), (time) => time > now(wb) + SAME_SECONDS),
   }),
   key('selectChannels', 'All keys of these channels', ['Shift+L'], {
     menu: 'Keys/Select',
     section: 14,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => selectWhere(wb, channelsToEdit(wb), () => true),
   }),
 ];
@@ -209,7 +209,7 @@ function step(
     menu: 'Keys/Select',
     section: 13,
     repeats: true,
-    enabled: inView,
+    refuses: needsCurveInView,
     run(wb) {
       const take = currentTake(wb);
       if (!take) return;
@@ -236,9 +236,9 @@ function arrow(id: string, label: string, shortcut: string, frames: number, step
     menu: 'Keys/Move',
     section: 12,
     repeats: true,
-    enabled: needs('Select keys first.', (wb) => hasKeys(wb) || Math.abs(frames) >= 1),
+    refuses: needs('Select keys first.', (wb) => !needsKeys(wb) || Math.abs(frames) >= 1),
     run(wb) {
-      if (hasKeys(wb)) nudge(wb, frames, steps);
+      if (!needsKeys(wb)) nudge(wb, frames, steps);
       else wb.transport.update((p) => stepFrames(p, frames));
     },
   });
@@ -265,7 +265,7 @@ const tangents: readonly Action[] = [
       menu: 'Keys/Tangents',
       section: 12,
       icon: kind,
-      enabled: hasKeys,
+      refuses: needsKeys,
       checked: (wb) => hasTangents(wb, kind, 'both'),
       run: (wb) => makeTangents(wb, kind, 'both'),
     }),
@@ -274,14 +274,14 @@ const tangents: readonly Action[] = [
     menu: 'Keys/Tangents',
     section: 13,
     icon: 'unify',
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => joinTangents(wb, 'unify'),
   }),
   key('break', 'Break: separate slopes', ['B'], {
     menu: 'Keys/Tangents',
     section: 13,
     icon: 'break',
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => joinTangents(wb, 'break'),
   }),
   ...(['in', 'out'] as const).flatMap((side) =>
@@ -289,7 +289,7 @@ const tangents: readonly Action[] = [
       key(`tangents.${side}.${kind}`, `${TANGENT_LABELS[kind]}, ${side === 'in' ? 'before' : 'after'} the key`, [], {
         menu: 'Keys/Tangents',
         section: side === 'in' ? 14 : 15,
-        enabled: hasKeys,
+        refuses: needsKeys,
         checked: (wb) => hasTangents(wb, kind, side),
         run: (wb) => makeTangents(wb, kind, side),
       }),
@@ -305,7 +305,7 @@ const extrapolations: readonly Action[] = (['both', 'in', 'out'] as const).flatM
       section: { both: 12, in: 13, out: 14 }[side],
       icon: extrapolationIcon(extrapolation),
       radio: true,
-      enabled: inView,
+      refuses: needsCurveInView,
       checked: (wb) => allExtrapolate(wb, side, extrapolation),
       run: (wb) => extrapolate(wb, side, extrapolation),
     }),

@@ -23,12 +23,12 @@ export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
 
 export const RATES = [-4, -2, -1, -0.5, -0.25, 0.25, 0.5, 1, 2, 4] as const;
 
-const hasKeys = needs(
+const needsKeys = needs(
   'There are no keys to go to.',
   (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0,
 );
 
-const hasTake = needs('Markers belong to a take. Show one first.', (wb: Uses<'store'>) => {
+const needsTake = needs('Markers belong to a take. Show one first.', (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character !== undefined && shownClip(character) !== undefined;
 });
@@ -66,7 +66,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     shortcuts: [','],
     icon: 'previousKey',
     repeats: true,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => toKey(wb, previousKey),
   },
   {
@@ -79,7 +79,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     shortcuts: ['.'],
     icon: 'nextKey',
     repeats: true,
-    enabled: hasKeys,
+    refuses: needsKeys,
     run: (wb) => toKey(wb, nextKey),
   },
   at('play.toStart', 'Go to range start', ['Home'], 1, 'start', (p) => ({ ...p, timeSeconds: p.range[0] })),
@@ -99,7 +99,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     menu: 'Play',
     section: 2,
     shortcuts: ['Shift+I'],
-    enabled: needs('There is no take to fit the range to.', (wb) => clipsRange(wb.store.document) !== undefined),
+    refuses: needs('There is no take to fit the range to.', (wb) => clipsRange(wb.store.document) !== undefined),
     run(wb) {
       const range = clipsRange(wb.store.document);
       if (!range) return;
@@ -114,7 +114,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     menu: 'Play/Markers',
     section: 2,
     shortcuts: ['M'],
-    enabled: hasTake,
+    refuses: needsTake,
     run: async (wb) => (await markerEdits(wb))?.addMarkerHere(wb),
   },
   {
@@ -123,7 +123,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: 'Play/Markers',
     section: 2,
-    enabled: hasTake,
+    refuses: needsTake,
     run: async (wb) => (await markerEdits(wb))?.addSpanOfRange(wb),
   },
   {
@@ -133,7 +133,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     group: 'Play',
     menu: 'Play/Markers',
     section: 2,
-    enabled: hasTake,
+    refuses: needsTake,
     run: (wb) => wb.dialog.set('markers'),
   },
   toMarker('marker.previous', 'Go to previous marker', (times, now) =>
@@ -274,7 +274,7 @@ function toMarker(
     menu: 'Play/Markers',
     section: 3,
     unchanged: 'There is no marker in that direction.',
-    enabled: needs('The take has no markers. M adds one.', (wb: Uses<'store'>) => shownMarkers(wb).length > 0),
+    refuses: needs('The take has no markers. M adds one.', (wb: Uses<'store'>) => shownMarkers(wb).length > 0),
     run(wb) {
       const times = shownMarkers(wb).map(({ timeSeconds }) => timeSeconds);
       wb.transport.update((p) => {

@@ -5,6 +5,7 @@ import { baseName, sameName } from '../../../model/files.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
 import { hasBoxes } from '../../../model/skeleton/boxes.ts';
 import { looksOf } from '../../../view/skin/skin-looks.ts';
+import { needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import type { IconName } from '../../widgets/icons.ts';
 
@@ -62,6 +63,9 @@ export function drawnSkin(wb: Uses<'store' | 'settings'>): SkinStyle {
 
 export const NO_SKIN = 'No visible character has a skin.';
 export const NO_BOXES = 'No visible character has boxes; they are drawn as bones.';
+const needsSkin = needs(NO_SKIN, isSkinVisible);
+const needsTexture = needs('No visible skin has a texture or colours.', isAnyTextured);
+const needsBoxed = needs(NO_BOXES, areBoxesVisible);
 
 /** Without boxes only the choice of bones matters. */
 const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
@@ -119,8 +123,8 @@ export const VIEW_ACTIONS: readonly Action[] = [
       radio: true,
       also: 'material shading wireframe texture heat map influences',
       ...(skin === 'heat' && { shortcuts: ['H'] }),
-      enabled: (wb) => isSkinVisible(wb) && (skin !== 'textured' || isAnyTextured(wb)),
-      whyNot: (wb) => (isSkinVisible(wb) ? 'No visible skin has a texture or colours.' : NO_SKIN),
+      refuses: (wb) => needsSkin(wb) ?? (skin === 'textured' ? needsTexture(wb) : undefined),
+      explained: true,
       checked: (wb) => drawnSkin(wb) === skin,
       run: (wb) => setDisplay(wb, { skin }),
     }),
@@ -130,8 +134,8 @@ export const VIEW_ACTIONS: readonly Action[] = [
     label: 'Next skin style',
     group: 'Draw',
     shortcuts: ['S'],
-    enabled: isSkinVisible,
-    whyNot: () => NO_SKIN,
+    refuses: needsSkin,
+    explained: true,
     run: (wb) => setDisplay(wb, { skin: following(skinStyles(wb), drawnSkin(wb)) }),
   },
   ...BOX_STYLES.map(
@@ -142,7 +146,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
       menu: 'View/Boxes',
       section: 1,
       radio: true,
-      ...(needsBoxes(boxes) && { enabled: areBoxesVisible, whyNot: () => NO_BOXES }),
+      ...(needsBoxes(boxes) && { refuses: needsBoxed, explained: true }),
       checked: (wb) => wb.settings.get().display.boxes === boxes,
       run: (wb) => setDisplay(wb, { boxes }),
     }),

@@ -7,7 +7,6 @@ import type { GroupName } from '../menus.ts';
 import type { IsOver } from '../messages.ts';
 import type { Action, Uses } from '../workbench.ts';
 import { watchEffect } from './effect.ts';
-import { reasonOf } from './needs.ts';
 
 type ActionsOnPage = Uses<'actions'>;
 
@@ -25,7 +24,7 @@ export function actionLabel({ actions }: ActionsOnPage, { label }: Action): stri
 }
 
 export function isEnabled({ actions }: ActionsOnPage, action: Action): boolean {
-  return action.enabled?.(actions.page) ?? true;
+  return action.refuses?.(actions.page) === undefined;
 }
 
 /** Undefined if it isn't checkable. */
@@ -33,14 +32,9 @@ export function isChecked({ actions }: ActionsOnPage, action: Action): boolean |
   return action.checked?.(actions.page);
 }
 
-/** Why it is disabled, in a sentence, if menus show it. */
-export function whyNot({ actions }: ActionsOnPage, action: Action): string | undefined {
-  return action.whyNot?.(actions.page);
-}
-
-/** Why it is disabled, also if menus don't show it; undefined for one that says nothing. */
-export function reasonNot(wb: ActionsOnPage, action: Action): string | undefined {
-  return action.quiet ? undefined : (whyNot(wb, action) ?? reasonOf(action.enabled, wb.actions.page));
+/** Why it is disabled, as a sentence; undefined for one that says nothing. */
+export function reasonNot({ actions }: ActionsOnPage, action: Action): string | undefined {
+  return action.quiet ? undefined : action.refuses?.(actions.page);
 }
 
 /** The default character: the selected one, else the first. */

@@ -4,7 +4,7 @@ import type { MenuEntry, MenuItem } from '../../widgets/menu.ts';
 import type { MenuName } from '../menus.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../shortcuts.ts';
 import type { Action, Uses } from '../workbench.ts';
-import { actionLabel, actionsOf, isChecked, isEnabled, tryAction, whyNot } from './action.ts';
+import { actionLabel, actionsOf, isChecked, tryAction } from './action.ts';
 
 /** A menu's current entries: build them when it opens. */
 export function menuEntries(wb: Uses<'actions' | 'settings'>, menu: MenuName): MenuEntry[] {
@@ -81,14 +81,14 @@ export function sectionsOf(
 
 export function itemOf(wb: Uses<'actions' | 'settings'>, action: Action): MenuItem {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
-  const enabled = isEnabled(wb, action);
+  const reason = action.refuses?.(wb.actions.page);
   return {
     kind: 'item',
     label: actionLabel(wb, action),
-    detail: (enabled ? undefined : whyNot(wb, action)) ?? action.detail,
+    detail: (action.explained ? reason : undefined) ?? action.detail,
     shortcut: shortcut && shortcutText(shortcut, isMac),
     ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
-    enabled,
+    enabled: reason === undefined,
     checked: isChecked(wb, action),
     radio: action.radio,
     run: () => tryAction(wb, action),

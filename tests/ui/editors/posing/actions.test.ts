@@ -17,7 +17,7 @@ function posing(more: Parameters<typeof character>[0] = {}) {
   const press = (key: string, panel?: string) => {
     const { wb } = made;
     const action = actionFor([key], actionsOf(wb), panel, wb.settings.get());
-    if (action && (action.enabled?.(wb) ?? true)) action.run(wb);
+    if (action && action.refuses?.(wb) === undefined) action.run(wb);
   };
   return { ...made, turns, press };
 }
@@ -74,14 +74,13 @@ describe('the keys of posing', () => {
     for (let i = 0; i < 6; i++) press(']');
     expect(size()).toBe(2);
     const larger = actionsOf(wb).find(({ id }) => id === 'gizmo.larger');
-    expect(larger?.enabled?.(wb)).toBe(false);
-    expect(larger?.whyNot?.(wb)).toContain('as large as it gets');
+    expect(larger?.refuses?.(wb)).toContain('as large as it gets');
     for (let i = 0; i < 9; i++) press('[');
     expect(size()).toBe(0.5);
     wb.posing.mode.set('rig');
     press(']');
     expect(size()).toBe(0.5);
-    expect(larger?.whyNot?.(wb)).toBe('Only Pose, FK and IK modes have a gizmo.');
+    expect(larger?.refuses?.(wb)).toBe('Only Pose, FK and IK modes have a gizmo.');
     wb.posing.mode.set('ik');
     press(']');
     expect(size()).toBeGreaterThan(0.5);

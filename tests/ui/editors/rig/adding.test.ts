@@ -6,9 +6,9 @@ describe('adding joints', () => {
     const { RIG_ACTIONS } = await import('../../../../src/ui/editors/rig/actions.ts');
     const add = RIG_ACTIONS.find(({ id }) => id === 'rigging.addJoints');
     const { wb } = workbench(documentOf(character({ skeleton: skeleton(['root', -1], ['leg', 0]) })));
-    expect(add?.enabled?.(wb)).toBe(false);
+    expect(add?.refuses?.(wb)).toBe('Switch to rig mode first.');
     wb.posing.mode.set('rig');
-    expect(add?.enabled?.(wb)).toBe(true);
+    expect(add?.refuses?.(wb)).toBeUndefined();
     add?.run(wb);
     expect(wb.store.selection).toEqual({ characterId: 'c1', joint: 0 });
     add?.run(wb);

@@ -3,7 +3,7 @@ import type { Character } from '../../../../src/model/document.ts';
 import { compareEntries, compareWith } from '../../../../src/ui/editors/takes/compare-menu.ts';
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { takesToCompare, takeToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
-import { findAction, isEnabled, runAction, whyNot } from '../../../../src/ui/state/actions/action.ts';
+import { findAction, isEnabled, reasonNot, runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
@@ -92,7 +92,7 @@ it('of several takes two must be selected, and the action says how', () => {
   const wb = bench(take('a'), ...others);
   const action = findAction(wb, 'take.compare');
   expect(action && isEnabled(wb, action)).toBe(false);
-  expect(action && whyNot(wb, action)).toMatch(/(Ctrl|Cmd)\+click the second/);
+  expect(action && reasonNot(wb, action)).toMatch(/(Ctrl|Cmd)\+click the second/);
   expect(takesToCompare(wb)).toBeUndefined();
   wb.timeline.takes.change({ chosen: new Set(['a/0', 'twin/0']) });
   expect(takesToCompare(wb)?.map(({ name }) => name)).toEqual(['a', 'twin']);

@@ -5,7 +5,7 @@ import { takeEntries } from '../../../../src/ui/editors/outliner/row-menu.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from '../../../../src/ui/editors/takes/edited.ts';
 import { takeKey } from '../../../../src/ui/editors/takes/rows.ts';
 import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
-import { actionLabel, findAction, isEnabled, whyNot } from '../../../../src/ui/state/actions/action.ts';
+import { actionLabel, findAction, isEnabled, reasonNot } from '../../../../src/ui/state/actions/action.ts';
 import { menuEntries } from '../../../../src/ui/state/actions/menu-entries.ts';
 import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
 import { sliding } from '../../../edit/hold/sliding.ts';
@@ -53,7 +53,7 @@ describe('which takes are edited', () => {
       return found;
     };
     expect(isEnabled(wb, action('timeline.loop'))).toBe(false);
-    expect(whyNot(wb, action('timeline.loop'))).toContain('Edit > Edit takes > Make loop');
+    expect(reasonNot(wb, action('timeline.loop'))).toContain('Edit > Edit takes > Make loop');
     expect(isEnabled(wb, action('take.loopTake'))).toBe(true);
     expect(actionLabel(wb, action('retarget.open'))).toBe('Retarget take…');
     wb.store.apply(setRetarget, { characterId: 'b', sourceId: 'a' });

@@ -14,7 +14,6 @@ import {
 } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
 import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/actions/action.ts';
-import { reasonOf } from '../../../../src/ui/state/actions/needs.ts';
 import { comparedIn, drawnDocument } from '../../../../src/ui/state/takes.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
@@ -194,7 +193,7 @@ describe('two takes that are compared', () => {
       const action = findAction(wb, id);
       if (action) tryAction(wb, action);
       expect(wb.store.document).toBe(document);
-      expect(reasonOf(action?.enabled, wb)).toContain('Stop comparing first');
+      expect(action?.refuses?.(wb)).toContain('Stop comparing first');
       runAction(wb, 'take.compare');
       expect(action && isEnabled(wb, action)).toBe(true);
     }

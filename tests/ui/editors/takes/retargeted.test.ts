@@ -16,7 +16,6 @@ import { listOfTakes, playAlone, removeTakeRows, startAt } from '../../../../src
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
 import { followSelection, takesToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
 import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/actions/action.ts';
-import { reasonOf } from '../../../../src/ui/state/actions/needs.ts';
 import { comparedIn, drawnDocument, playedName } from '../../../../src/ui/state/takes.ts';
 import { person, take } from '../../../evaluate/retarget/people.ts';
 import { character, documentOf } from '../../../helpers/builders.ts';
@@ -168,7 +167,7 @@ describe('comparing after retargeting', () => {
     const { document } = wb.store;
     tryAction(wb, sideBySide);
     expect(wb.store.document).toBe(document);
-    expect(reasonOf(sideBySide.enabled, wb)).toContain('Stop comparing first');
+    expect(sideBySide.refuses?.(wb)).toContain('Stop comparing first');
     runAction(wb, 'take.compare');
     expect(isEnabled(wb, sideBySide)).toBe(true);
   });

@@ -74,8 +74,8 @@ describe.each(WAYS)('keys of a curve that is %s', (how, hide) => {
 it('edits no keys if all selected ones are out of view', () => {
   selectKeys(wb, [HIDDEN]);
   wb.timeline.change({ hidden: [1] });
-  const enabled = ACTIONS.find((a) => a.id === 'timeline.delete')?.enabled;
-  expect(enabled?.(wb)).toBe(false);
+  const refuses = ACTIONS.find((a) => a.id === 'timeline.delete')?.refuses;
+  expect(refuses?.(wb)).toBe('Select keys first.');
 });
 
 it('edits all selected keys in the dope sheet, which draws all keys', () => {

@@ -2,9 +2,9 @@ import { mkdirSync, mkdtempSync, realpathSync, rmSync, writeFileSync } from 'nod
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { queryOf, tableOf } from '../plugins/given-files.ts';
-import { findGiven } from '../src/cli/paths.ts';
-import { filesInQuery } from '../src/io/address.ts';
+import { queryOf, tableOf } from '../../plugins/given-files.ts';
+import { findGiven } from '../../src/cli/paths.ts';
+import { filesInQuery } from '../../src/io/address.ts';
 
 let folder = '';
 beforeAll(() => {
