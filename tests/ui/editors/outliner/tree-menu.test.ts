@@ -69,5 +69,5 @@ it('an entry of a menu that outlives its character is refused in words', () => {
   const entries = jointEntries(wb, wb.store.document.characters[0], 1, () => {});
   wb.store.replace('Open another', documentOf());
   for (const entry of entries) if (entry.kind === 'item' && entry.label.endsWith('(IK)')) entry.run();
-  expect(wb.messages.passing.get()).toBe('No joint is selected.');
+  expect(wb.messages.passing.get()).toBe('Select a joint first.');
 });
