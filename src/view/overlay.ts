@@ -5,12 +5,17 @@
 import type { Object3D, OrthographicCamera, PerspectiveCamera } from 'three';
 import type { StageTheme } from './theme.ts';
 
+/** Left, top, right, bottom, in CSS pixels of the viewport. */
+export type ScreenBox = readonly [left: number, top: number, right: number, bottom: number];
+
 export interface Overlay {
   /** In the scene: world coordinates. */
   readonly object: Object3D;
   /** Call before each frame, with poses and camera as they will be drawn. @param heightPx CSS pixels of the viewport */
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void;
   setTheme(theme: StageTheme): void;
+  /** Where no label may be, as of the last update. */
+  readonly covers?: readonly ScreenBox[];
   dispose(): void;
 }
 
@@ -33,6 +38,11 @@ export class Overlays {
 
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
     for (const overlay of this.list) overlay.update(camera, heightPx);
+  }
+
+  /** Where no label may be. */
+  get covers(): readonly ScreenBox[] {
+    return [...this.list].flatMap(({ covers }) => covers ?? []);
   }
 
   setTheme(theme: StageTheme): void {

@@ -237,7 +237,7 @@ export class ShownDocument {
     if (!annotations) return;
     const { labels, cover } = annotations;
     if (display.names) cover.fill(skeletons.drawn, camera, isOpaque(display.skin), skeletons.hasSolidBoxes);
-    labels.draw(camera, skeletons.positions, display.names ? cover : undefined);
+    labels.draw(camera, skeletons.positions, display.names ? cover : undefined, this.overlays.covers);
   }
 
   dispose(): void {

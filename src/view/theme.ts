@@ -33,6 +33,10 @@ export interface StageTheme {
   readonly axisX: string;
   readonly axisY: string;
   readonly axisZ: string;
+  /** Handles that move along an axis: those that turn about it have the axis' own colour. */
+  readonly moveX: string;
+  readonly moveY: string;
+  readonly moveZ: string;
   /** Names of joints. */
   readonly label: string;
   /** Outline of labels, so that they are readable on anything. */
@@ -83,6 +87,9 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     axisX: '#ff8078',
     axisY: '#85cf63',
     axisZ: '#7fb2ff',
+    moveX: '#ff94c2',
+    moveY: '#4fd3a6',
+    moveZ: '#5fcde4',
     label: '#b9c0c8',
     labelHalo: '#25282c',
     bone: '#cfd3d8',
@@ -119,6 +126,9 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     axisX: '#b5271f',
     axisY: '#2a6b17',
     axisZ: '#1f56bd',
+    moveX: '#a81c66',
+    moveY: '#0a674a',
+    moveZ: '#0a6075',
     label: '#4a535d',
     labelHalo: '#eceef1',
     bone: '#97a1ac',

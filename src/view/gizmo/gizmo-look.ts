@@ -27,12 +27,13 @@ export interface Look {
   readonly color: string;
 }
 
-export function lookOf({ id, hue }: Shape, { active, hovered, dragged }: GizmoState, theme: StageTheme): Look {
+export function lookOf({ id, form, hue }: Shape, { active, hovered, dragged }: GizmoState, theme: StageTheme): Look {
   const isDragged = sameHandle(id, dragged?.id);
   const isLit = isDragged || sameHandle(id, hovered);
-  const ofAxis = [theme.axisX, theme.axisY, theme.axisZ];
+  const isActive = sameHandle(id, active);
+  const ofAxis = form === 'arrow' ? [theme.moveX, theme.moveY, theme.moveZ] : [theme.axisX, theme.axisY, theme.axisZ];
   const own = hue === undefined ? theme.label : hue === 'other' ? theme.vertex : ofAxis[hue];
-  return { isActive: sameHandle(id, active), isDragged, isLit, color: isLit ? theme.selected : own };
+  return { isActive, isDragged, isLit, color: isLit || isActive ? theme.selected : own };
 }
 
 /** A dot with a dark outline. */
@@ -52,6 +53,13 @@ export function drawKnob(
   pen.strokeStyle = theme.labelHalo;
   pen.stroke();
 }
+
+/** Widths of lines, in CSS pixels: of a handle, of one in use, and of the ground's colour around both. */
+export const LINE = 2.5;
+export const LINE_IN_USE = 3.5;
+export const EDGE = 2.5;
+/** Opacity of that edge. */
+export const EDGE_OPACITY = 0.55;
 
 /** Half length of a tick: CSS pixels. */
 export const TICK = 7;

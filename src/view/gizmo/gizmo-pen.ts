@@ -1,9 +1,11 @@
 /**
  * How a gizmo looks:
  *
- *     ring       in its axis' colour, the far half faint; the active DOF is thicker, with a needle at its value
- *     limits     unreachable parts are dashed and faint; the active DOF has ticks at its limits
- *     dragged    orange, with the swept sector filled; at a limit its tick has the warning colour
+ *     ring       in its axis' colour, the half turned away thin and dashed; the active DOF is orange and thicker, with a
+ *                needle at its value
+ *     arrow      in the colour of moves along its axis, outside the rings
+ *     limits     unreachable parts are hairlines; the active DOF has ticks at its limits
+ *     dragged    orange, with the arc turned through; at a limit its tick has the warning colour
  */
 import { sameHandle } from '../../evaluate/handles/joint-handles.ts';
 import type { StageTheme } from '../theme.ts';
@@ -50,11 +52,12 @@ export class GizmoPen {
   private disc({ pivot, radius }: Layout, shape: Shape, state: GizmoState, theme: StageTheme): void {
     if (!lookOf(shape, state, theme).isLit) return;
     const { pen } = this;
-    pen.globalAlpha = 0.1;
-    pen.fillStyle = theme.label;
+    pen.globalAlpha = 0.6;
+    pen.lineWidth = 1;
+    pen.strokeStyle = theme.label;
     pen.beginPath();
     pen.arc(pivot[0], pivot[1], shape.points[0] - pivot[0] || radius, 0, 2 * Math.PI);
-    pen.fill();
+    pen.stroke();
     pen.globalAlpha = 1;
   }
 }

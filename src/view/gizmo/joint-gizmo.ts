@@ -4,7 +4,7 @@
  * Not three.js's TransformControls: it rotates about the axes of one object, while each of a joint's DOFs has its own
  * axis, so it would take one (of some fifty meshes) per DOF, each on a proxy. Its rings seen face on rotate by pointer
  * motion along one line, so that the pointer doesn't stay on the spot it grabbed. And it shows neither limits nor the
- * swept angle. Its conventions are kept: red, green and blue rings, arrows and boxes, the far half of rings faint,
+ * swept angle. Its conventions are kept: red, green and blue rings, arrows and boxes, the far half of rings dashed,
  * an outer ring for the view axis. Unlike its handles, these have the size of the joint on screen, within bounds.
  *
  * Drawn on a 2D canvas, as labels are: it is always on top anyway, its lines are antialiased, and it isn't in saved
@@ -13,7 +13,7 @@
 import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { JointHandles } from '../../evaluate/handles/joint-handles.ts';
 import { CameraProjection } from '../camera/camera-projection.ts';
-import type { Overlay } from '../overlay.ts';
+import type { Overlay, ScreenBox } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
 import type { GizmoState } from './gizmo-look.ts';
 import { GizmoPen } from './gizmo-pen.ts';
@@ -37,6 +37,11 @@ export interface GizmoSource {
   state(): GizmoState;
   /** Factor of the gizmo's size. */
   scale(): number;
+  /**
+   * Each frame, with the gizmo as drawn; undefined: it isn't. Returns what else of it is over the viewport.
+   * @param width of the viewport, CSS pixels
+   */
+  drawn?(layout: Layout | undefined, width: number, height: number): ScreenBox | undefined;
 }
 
 export class JointGizmo implements Overlay {
@@ -56,6 +61,7 @@ export class JointGizmo implements Overlay {
   private radius = 1;
   /** Whether a handle was being dragged in the last frame. */
   private isDragged = false;
+  covers: readonly ScreenBox[] = [];
 
   /** @param container the element that contains the viewport */
   constructor(
@@ -88,6 +94,7 @@ export class JointGizmo implements Overlay {
       this.layout = handles && layOut(handles, this.projection, this.radius);
     }
     const { layout } = this;
+    this.covers = this.coveredBy(layout);
     if (canvas.hidden !== (layout === undefined)) canvas.hidden = layout === undefined;
     if (!layout || !pen) return;
     this.resize(layout.radius);
@@ -125,6 +132,15 @@ export class JointGizmo implements Overlay {
 
   dispose(): void {
     this.canvas.remove();
+  }
+
+  private coveredBy(layout: Layout | undefined): readonly ScreenBox[] {
+    const { width, height } = this.projection;
+    const beside = this.source.drawn?.(layout, width, height);
+    if (!layout) return [];
+    const { pivot, outer } = layout;
+    const own: ScreenBox = [pivot[0] - outer, pivot[1] - outer, pivot[0] + outer, pivot[1] + outer];
+    return beside ? [own, beside] : [own];
   }
 
   private resize(radius: number): void {

@@ -1,11 +1,23 @@
 /** Draws rings: far half, limits, the DOF's value, the swept sector. */
 import type { StageTheme } from '../theme.ts';
-import { type DraggedHandle, drawKnob, type GizmoState, lookOf, TICK } from './gizmo-look.ts';
+import {
+  type DraggedHandle,
+  drawKnob,
+  EDGE,
+  EDGE_OPACITY,
+  type GizmoState,
+  LINE,
+  LINE_IN_USE,
+  lookOf,
+  TICK,
+} from './gizmo-look.ts';
 import { hasArc, isAllowed, type Shape } from './shapes.ts';
 
-const FAINT = 0.28;
-/** The far half of the ring in use: with limits, all that it can reach may be there. */
-const FAR_IN_USE = 0.6;
+/** The half that is turned away: a thin dashed line, which is over the body like all of the gizmo. */
+const FAR = { width: 1.25, dash: [2, 4], opacity: 0.75 } as const;
+
+/** Width of the arc that was turned through, CSS pixels. */
+const SWEPT = 11;
 
 export class RingPen {
   constructor(private readonly pen: CanvasRenderingContext2D) {}
@@ -14,20 +26,20 @@ export class RingPen {
   draw(shape: Shape, state: GizmoState, theme: StageTheme, behind: boolean): void {
     const { id, points, isBehind, step, range } = shape;
     const { isActive, isDragged, isLit, color } = lookOf(shape, state, theme);
-    const width = isLit || isActive ? 3 : 1.75;
+    const width = isLit || isActive ? LINE_IN_USE : LINE;
     const limited = hasArc(range);
     const inReach = (i: number) => !limited || isAllowed(range, (i + 0.5) * step);
     if (!behind) {
       if (isDragged && id.kind === 'dof') this.swept(shape, state.dragged, theme);
       // A dark line beside a light one is visible on any skin.
-      this.pieces(points, (i) => !isBehind[i] && inReach(i), width + 2, theme.labelHalo, 0.45);
+      this.pieces(points, (i) => !isBehind[i] && inReach(i), width + EDGE, theme.labelHalo, EDGE_OPACITY);
     }
-    const far = isLit || isActive ? FAR_IN_USE : FAINT;
-    const alpha = behind ? far : id.kind === 'view' && !isLit ? 0.6 : 1;
+    const alpha = behind ? FAR.opacity : id.kind === 'view' && !isLit ? 0.6 : 1;
+    const dash = behind ? FAR.dash : [];
     const own = (i: number) => isBehind[i] === behind;
-    this.pieces(points, (i) => own(i) && inReach(i), behind ? 0.7 * width : width, color, alpha);
+    this.pieces(points, (i) => own(i) && inReach(i), behind ? FAR.width : width, color, alpha, dash);
     // Beyond the limits a hairline: dashes between short arcs can't be told from another ring behind them.
-    if (limited) this.pieces(points, (i) => own(i) && !inReach(i), 1, color, behind ? 0.25 : 0.5);
+    if (limited) this.pieces(points, (i) => own(i) && !inReach(i), 1, color, behind ? 0.35 : 0.5, dash);
     if (behind || id.kind !== 'dof' || !(isActive || isLit)) return;
     if (limited) {
       this.tick(shape, range.min - range.value, state.dragged?.stop === 'min' && isDragged, color, theme);
@@ -42,8 +54,10 @@ export class RingPen {
     width: number,
     color: string,
     alpha: number,
+    dash: readonly number[] = [],
   ): void {
     const { pen } = this;
+    pen.setLineDash([...dash]);
     pen.strokeStyle = color;
     pen.lineWidth = width;
     pen.globalAlpha = alpha;
@@ -59,29 +73,30 @@ export class RingPen {
       isDown = true;
     }
     pen.stroke();
+    pen.setLineDash([]);
     pen.globalAlpha = 1;
   }
 
-  /** The sector from the DOF's value at the press to the current one. */
+  /** The arc from the DOF's value at the press to the current one, and a line to where it began. */
   private swept(shape: Shape, dragged: DraggedHandle | undefined, theme: StageTheme): void {
     const { pen } = this;
     if (!dragged) return;
     const back = Math.max(-2 * Math.PI, Math.min(2 * Math.PI, dragged.from - shape.range.value));
     if (Math.abs(back) < 1e-6) return;
     const steps = Math.max(2, Math.ceil(Math.abs(back) / shape.step));
-    const middle = centreOf(shape);
+    pen.strokeStyle = theme.selected;
+    // Broad and pale around the ring's own line: a filled sector would cover what is being turned.
     pen.beginPath();
-    pen.moveTo(...middle);
     for (let i = 0; i <= steps; i++) pen.lineTo(...placeOn(shape, (back * i) / steps));
-    pen.closePath();
-    pen.globalAlpha = 0.22;
-    pen.fillStyle = theme.selected;
-    pen.fill();
+    pen.globalAlpha = 0.35;
+    pen.lineWidth = SWEPT;
+    pen.lineCap = 'butt';
+    pen.stroke();
+    pen.lineCap = 'round';
     pen.globalAlpha = 0.6;
     pen.lineWidth = 1;
-    pen.strokeStyle = theme.selected;
     pen.beginPath();
-    pen.moveTo(...middle);
+    pen.moveTo(...centreOf(shape));
     pen.lineTo(...placeOn(shape, back));
     pen.stroke();
     pen.globalAlpha = 1;

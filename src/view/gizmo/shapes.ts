@@ -12,14 +12,14 @@ import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/v
  * Radius of the rings, in CSS pixels: the outer ring is a fifth larger. Smaller ones can't be hit, larger ones cover the
  * joints around.
  */
-const MIN_RADIUS = 30;
-const MAX_RADIUS = 90;
+const MIN_RADIUS = 44;
+const MAX_RADIUS = 110;
 /** As a part of the joint's size: the rings stay clear of the next joint. */
-const SIZE_PART = 0.6;
+const SIZE_PART = 0.9;
 /** At most this part of the viewport's width and height. */
 const VIEW_PART = 0.24;
 /** As a part of the radius, if there are rings too: outside of them. */
-const ARROW_PART = 1.25;
+const ARROW_PART = 1.35;
 /** Where an arrow comes out of the rings, as a part of its length. */
 export const RINGS_END = 1 / ARROW_PART;
 const VIEW_RING_PART = 1.2;
@@ -64,6 +64,8 @@ export interface Layout {
   /** On screen. */
   readonly pivot: readonly [number, number];
   readonly radius: number;
+  /** Radius of the outermost ring. */
+  readonly outer: number;
   readonly shapes: readonly Shape[];
 }
 
@@ -96,7 +98,7 @@ export function layOut(joint: JointHandles, view: Projection, radius: number): L
     shapes.push(circle({ kind: 'view' }, 'ring', at, VIEW_RING_PART * radius));
     shapes.push(circle({ kind: 'ball' }, 'disc', at, BALL_PART * radius));
   }
-  return { pivot: [at[0], at[1]], radius, shapes };
+  return { pivot: [at[0], at[1]], radius, outer: joint.freeTurn ? VIEW_RING_PART * radius : radius, shapes };
 }
 
 /** World length of a point in front of the pivot. */

@@ -1,6 +1,15 @@
 /** Draws arrows and boxes, with the limits of their range. */
 import type { StageTheme } from '../theme.ts';
-import { type DraggedHandle, type GizmoState, lookOf, TICK } from './gizmo-look.ts';
+import {
+  type DraggedHandle,
+  EDGE,
+  EDGE_OPACITY,
+  type GizmoState,
+  LINE,
+  LINE_IN_USE,
+  lookOf,
+  TICK,
+} from './gizmo-look.ts';
 import { RINGS_END, type Shape } from './shapes.ts';
 
 const AWAY = 0.2;
@@ -31,10 +40,12 @@ export class StraightPen {
     const [bx, by] = [points[2], points[3]];
     const [ax, ay] = [points[0] + from * (bx - points[0]), points[1] + from * (by - points[1])];
     pen.globalAlpha = isAway ? AWAY : 1;
-    for (const [width, stroke] of [
-      [isLit || isActive ? 5 : 4, theme.labelHalo],
-      [isLit || isActive ? 3 : 1.75, color],
+    const own = isLit || isActive ? LINE_IN_USE : LINE;
+    for (const [width, stroke, opacity] of [
+      [own + EDGE, theme.labelHalo, EDGE_OPACITY],
+      [own, color, 1],
     ] as const) {
+      pen.globalAlpha = (isAway ? AWAY : 1) * opacity;
       pen.lineWidth = width;
       pen.strokeStyle = stroke;
       pen.beginPath();

@@ -1,5 +1,7 @@
 /** Which labels are drawn: none over another, what is uncovered first, and of these the nearest. Allocates nothing. */
 
+import type { ScreenBox } from './overlay.ts';
+
 /** CSS pixels. */
 export const LINE_HEIGHT = 15;
 /** Maximum number of labels at once. */
@@ -16,6 +18,13 @@ export class LabelLayout {
 
   begin(): void {
     this.count = 0;
+  }
+
+  /** Keeps a box free of labels; left, top, right and bottom. */
+  block([left, top, right, bottom]: ScreenBox): void {
+    if (this.isFull) return;
+    this.boxes.set([left, top, right, bottom], 4 * this.count);
+    this.owners[this.count++] = -1;
   }
 
   get isFull(): boolean {

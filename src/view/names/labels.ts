@@ -15,6 +15,7 @@ import { MIN_Y, nameLeft, placeName } from './character-names.ts';
 import type { LabelCover } from './label-cover.ts';
 import { type Candidates, LabelChoice, LabelLayout, LINE_HEIGHT } from './label-layout.ts';
 import { type Name, NameSprites } from './name-sprites.ts';
+import type { ScreenBox } from '../overlay.ts';
 
 /** Positions tried for a character's name in a crowd before it is left out. */
 const NAME_LINES = 6;
@@ -64,6 +65,8 @@ export class Labels {
   private hoveredCharacter: string | undefined;
   private readonly place = new Float64Array(4);
   private wrote = false;
+  /** Kept free of names in this frame. */
+  private free: readonly ScreenBox[] = [];
   private readonly toClip = new Matrix4();
   /** Screen x, y and depth of each candidate. */
   private readonly screen = new Float32Array(3 * CANDIDATES);
@@ -122,11 +125,14 @@ export class Labels {
    *
    * @param positions x y z of each instance of the skeleton drawing
    * @param cover filled for this frame; undefined if nothing covers joints
+   * @param free kept free of names
    */
-  draw(camera: Camera, positions: Float64Array, cover: LabelCover | undefined): void {
+  draw(camera: Camera, positions: Float64Array, cover: LabelCover | undefined, free: readonly ScreenBox[] = []): void {
     const { pen, theme, layout } = this;
     const nothing = !this.showsAll && this.always.length === 0 && this.characterNames.length === 0;
     layout.begin();
+    for (const box of free) layout.block(box);
+    this.free = free;
     if (!theme || (nothing && !this.wrote)) return;
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
     // Chromium may keep showing the old content of a canvas that is only cleared.
@@ -282,9 +288,12 @@ export class Labels {
     if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
     const color = instance === this.selected ? theme.selectedLabel : theme.label;
     const o = 3 * (CANDIDATES - 1);
+    const [x, y] = [this.screen[o], this.screen[o + 1]];
+    // What is kept free, such as the rings of the joint that is turned, has the names of joints in it at its side.
+    const around = this.free.find(([left, top, right, bottom]) => x > left && x < right && y > top && y < bottom);
     // Below a character's name that is already there.
     for (let line = 0; line < JOINT_LINES; line++) {
-      if (this.write(name, this.screen[o] + BESIDE, this.screen[o + 1] + line * LINE_HEIGHT, color)) return;
+      if (this.write(name, (around?.[2] ?? x) + BESIDE, y + line * LINE_HEIGHT, color)) return;
     }
   }
 

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { lookOf } from '../../../src/view/gizmo/gizmo-look.ts';
 import { hasArc, isAllowed, layOut, type Projection, ringRadius } from '../../../src/view/gizmo/shapes.ts';
+import { STAGE_THEMES } from '../../../src/view/theme.ts';
 import { FREE, facing, handle, joint, laid, onEdge, view } from './on-screen.ts';
 
 describe('a gizmo on the screen', () => {
@@ -28,19 +30,19 @@ describe('a gizmo on the screen', () => {
 
   it('a gizmo on the screen has the size of its joint, within bounds and times what the user wants', () => {
     const radius = (size: number, scale = 1, sight = view) => ringRadius(joint([facing], false, size), sight, scale);
-    expect(radius(1)).toBeCloseTo(60, 9);
-    expect(radius(0.6)).toBeCloseTo(36, 9);
-    expect([radius(0), radius(0.01), radius(100)]).toEqual([30, 30, 90]);
-    expect(radius(1, 0.5)).toBeCloseTo(30, 9);
-    expect(radius(100, 1.5)).toBeCloseTo(135, 9);
+    expect(radius(1)).toBeCloseTo(90, 9);
+    expect(radius(0.6)).toBeCloseTo(54, 9);
+    expect([radius(0), radius(0.01), radius(100)]).toEqual([44, 44, 110]);
+    expect(radius(1, 0.5)).toBeCloseTo(45, 9);
+    expect(radius(100, 1.25)).toBeCloseTo(137.5, 9);
     // Never most of a small viewport.
     expect(radius(100, 2, { ...view, height: 200 })).toBeCloseTo(48, 9);
   });
 
   it('a gizmo on the screen is smaller where its joint is farther away', () => {
     const far: Projection = { ...view, unitsPerPixel: () => 0.02 };
-    expect(ringRadius(joint([facing]), far, 1)).toBeCloseTo(30, 9);
-    expect(ringRadius(joint([facing], false, 2), far, 1)).toBeCloseTo(60, 9);
+    expect(ringRadius(joint([facing]), far, 1)).toBeCloseTo(45, 9);
+    expect(ringRadius(joint([facing], false, 2), far, 1)).toBeCloseTo(90, 9);
   });
 
   it('a gizmo on the screen has a handle for what has no axis, and one that goes with a shear', () => {
@@ -53,6 +55,27 @@ describe('a gizmo on the screen', () => {
     // Another one on the same arm doesn't overlap.
     const other = laid([handle(0, 'shear', [0, 0, 1], [0, 1, 0], { arm: [0, 1, 0], hue: 1 })]).shapes[0];
     expect(other.points[3]).toBeGreaterThan(210 + 12);
+  });
+});
+
+describe('the parts of a gizmo', () => {
+  it('arrows end outside the rings, at 1.35 radii, and nothing is outside the canvas', () => {
+    const layout = laid([facing, handle(3, 'slide', [1, 0, 0], [0, 1, 0])], true);
+    const arrow = layout.shapes.find(({ form }) => form === 'arrow');
+    expect(arrow && arrow.points[2] - layout.pivot[0]).toBeCloseTo(1.35 * layout.radius, 9);
+    expect(layout.outer).toBeCloseTo(1.2 * layout.radius, 9);
+    expect(laid([facing]).outer).toBe(laid([facing]).radius);
+  });
+
+  it('turns and moves along one axis have different colours, and what is active is orange', () => {
+    const layout = laid([facing, handle(3, 'slide', [1, 0, 0], [0, 1, 0])]);
+    const state = { active: undefined, hovered: undefined, dragged: undefined };
+    for (const theme of Object.values(STAGE_THEMES)) {
+      const [ring, arrow] = layout.shapes.map((shape) => lookOf(shape, state, theme).color);
+      expect([ring, arrow]).toEqual([theme.axisX, theme.moveX]);
+      const active = layout.shapes.map((shape) => lookOf(shape, { ...state, active: { kind: 'dof', dof: 1 } }, theme));
+      expect(active.map(({ color }) => color)).toEqual([theme.selected, theme.moveX]);
+    }
   });
 });
 

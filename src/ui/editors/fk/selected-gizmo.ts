@@ -1,15 +1,17 @@
 /** The gizmo of the selected joint, with its readout and the drags of its handles: for FK, and for IK's rings. */
 import { type HandleId, type JointHandles, sameHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import type { DraggedHandle, GizmoState } from '../../../view/gizmo/gizmo-look.ts';
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
-import { dofValueText, limitNote } from '../../state/joints/dof-text.ts';
+import { dofValueText, limitNote, limitRange } from '../../state/joints/dof-text.ts';
 import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/joints/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { Readout } from '../../widgets/numbers/readout.ts';
 import { shownDofs } from '../posing/active-dof.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import { type ChipText, GizmoChip } from './gizmo-chip.ts';
 import { type DraggedJoint, handDrag } from './hand-drag.ts';
 import { KnownHandles } from './known-handles.ts';
 import { type DragResult, type FkGrip, handleMover, handlesOf, type Mover } from './movers.ts';
@@ -41,7 +43,7 @@ export interface GizmoDrag {
 export class SelectedGizmo {
   private gizmo: JointGizmo | undefined;
   private readonly known = new KnownHandles();
-  private readout: Readout | undefined;
+  private chip: GizmoChip | undefined;
   private hovered: HandleId | undefined;
   private dragged: DraggedHandle | undefined;
   private stops: (() => void)[] = [];
@@ -57,8 +59,9 @@ export class SelectedGizmo {
       handles: () => this.handles(),
       state: () => this.state(),
       scale: () => wb.settings.get().gizmoScale,
+      drawn: (layout, width, height) => this.chip?.place(layout, this.chipText(), width, height),
     });
-    this.readout = new Readout(wb.viewportElement);
+    this.chip = new GizmoChip(wb.viewportElement);
     this.stops = [
       wb.viewport.addOverlay(this.gizmo),
       wb.settings.subscribe((now, before) => {
@@ -70,8 +73,8 @@ export class SelectedGizmo {
   leave(): void {
     for (const stop of this.stops) stop();
     this.stops = [];
-    this.readout?.remove();
-    this.gizmo = this.readout = undefined;
+    this.chip?.remove();
+    this.gizmo = this.chip = undefined;
     this.hovered = this.dragged = undefined;
   }
 
@@ -91,10 +94,10 @@ export class SelectedGizmo {
     return this.gizmo?.isOnPivot(at.clientX, at.clientY, at.pointerType === 'touch' ? FINGER : 0) ?? false;
   }
 
-  /** Lights up a handle, and shows its value beside the pointer. */
+  /** Lights up a handle, and shows its value beside the rings. */
   light(id: HandleId | undefined, at: CanvasPointer | undefined): void {
-    if (at && id?.kind === 'dof') this.showValue(id.dof, at);
-    else if (!this.dragged) this.readout?.hide();
+    if (at && id?.kind === 'dof') this.showValue(id.dof);
+    else if (!this.dragged) this.chip?.hide();
     if (sameHandle(id, this.hovered)) return;
     this.hovered = id;
     this.wb.viewport.requestRender();
@@ -125,10 +128,10 @@ export class SelectedGizmo {
         const grip = this.gripAt(at);
         return grip && make(grip);
       },
-      moved: (moved, now) => this.show(moved, now),
+      moved: (moved) => this.show(moved),
       ended: (now, isUnmoved) => {
         this.dragged = undefined;
-        this.readout?.hide();
+        this.chip?.hide();
         wb.viewport.canvas.style.cursor = '';
         wb.viewport.requestRender();
         ended?.(now, isUnmoved);
@@ -149,7 +152,7 @@ export class SelectedGizmo {
     return { selected, others, dofs, placement, sight: wb.viewport.eye, radius, at };
   }
 
-  private show(moved: DragResult, at: CanvasPointer): void {
+  private show(moved: DragResult): void {
     const { wb } = this;
     this.dragged = moved.handle;
     wb.viewport.requestRender();
@@ -171,16 +174,31 @@ export class SelectedGizmo {
     });
     const others = new Set(moved.others.map(({ index }) => all[index].joint));
     if (others.size > 0) told.push(`${1 + others.size} joints`);
-    if (told.length || held.length) this.readout?.show(at.clientX, at.clientY, told.join('  '), held.join(', '));
+    if (told.length || held.length) this.chip?.show(told.join('  '), held.join(', '));
   }
 
-  private showValue(dof: number, at: CanvasPointer): void {
+  private showValue(dof: number): void {
     const selected = selectedJoint(this.wb);
     if (!selected) return;
     const { character, skeleton } = selected;
     const value = shownDofs(this.wb, character)[dof];
     const text = dofValueText(characterDofs(skeleton, [])[dof], value, character, this.wb.settings.get().angles);
-    this.readout?.show(at.clientX, at.clientY, text);
+    this.chip?.show(text);
+    this.wb.viewport.requestRender();
+  }
+
+  private chipText(): ChipText | undefined {
+    const selected = selectedJoint(this.wb);
+    if (!selected) return undefined;
+    const { character, skeleton, joint } = selected;
+    const name = jointName(skeleton, joint);
+    const active = this.options.active?.();
+    const facts = this.wb.viewport.character(character.id);
+    if (active?.kind !== 'dof' || !facts) return { name, value: '', limits: '' };
+    const dof = characterDofs(skeleton, [])[active.dof];
+    const { angles } = this.wb.settings.get();
+    const value = dofValueText(dof, facts.dofs[active.dof], character, angles);
+    return { name, value, limits: limitRange(dof, character, angles) };
   }
 
   private state(): GizmoState {

@@ -52,8 +52,8 @@ class IkTool implements ModeTool {
 
   enter(): void {
     const { wb } = this;
-    this.hand.enter();
     this.rings.enter();
+    this.hand.enter();
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
     this.listening = new AbortController();

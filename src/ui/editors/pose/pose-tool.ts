@@ -52,8 +52,8 @@ class PoseTool implements ModeTool {
 
   enter(): void {
     const { wb } = this;
-    this.hand.enter();
     this.gizmo.enter();
+    this.hand.enter();
     this.controls ??= ikControls(wb, 'pose');
     wb.posing.controls.set(this.controls);
     this.stop = wb.posing.chosenDof.subscribe(() => wb.viewport.requestRender());

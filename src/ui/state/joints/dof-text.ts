@@ -1,5 +1,6 @@
 /** Values of DOFs as told during a drag or by keys: `rx 34.2°`, `limit 90°`. */
 import type { Character } from '../../../model/document.ts';
+import { isUnlimited } from '../../../model/skeleton.ts';
 import type { CharacterDof } from '../../../model/skeleton/dofs.ts';
 import { aligned, shown } from '../../widgets/numbers/number-text.ts';
 import type { Settings } from '../settings.ts';
@@ -28,6 +29,18 @@ export function limitNote(
 /** `90°`, `2 m`. */
 export function limitValueText(dof: Unit, limit: number, character: Character, angles: Settings['angles']): string {
   return `${shown(limit * shownPerUnit(dof.unit, angles), 2)}${unitOf(dof, character, angles)}`;
+}
+
+/** `−97 … 80°`; empty without limits. */
+export function limitRange(
+  dof: Pick<CharacterDof, 'name' | 'unit' | 'limit'>,
+  character: Character,
+  angles: Settings['angles'],
+): string {
+  const { min, max } = dof.limit;
+  if (min > max || isUnlimited(dof.limit)) return '';
+  const low = shown(min * shownPerUnit(dof.unit, angles), 2);
+  return `${low} … ${limitValueText(dof, max, character, angles)}`;
 }
 
 function unitOf({ unit }: Unit, character: Character, angles: Settings['angles']): string {
