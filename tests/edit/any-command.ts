@@ -138,6 +138,15 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     timeSeconds: time(dice),
     tangents: dice.pick(['smooth', 'linear', 'flat']),
   }),
+  'keys.forMoment': ({ dice, character }) => ({
+    characterId: character.id,
+    timeSeconds: time(dice),
+    dofs: dice
+      .some([...characterDofs(character.skeleton, character.morphs).keys()], 0.3)
+      .map((index) => ({ index, value: dice.pick([0, 0.5, -1]) })),
+    easeIn: dice.pick([0.1, 0.5]),
+    easeOut: dice.pick([0.1, 2]),
+  }),
   'ik.pin': ({ dice, character }) => ({
     characterId: character.id,
     joint: dice.below(character.skeleton?.joints.length ?? 1),

@@ -146,6 +146,10 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'pose.setClamping': alone({ ...WHO, clamps: false }, { ...WHO, clamps: true }),
   'pose.dropUnkeyed': { document: UNKEYED, args: { exceptSeconds: null }, idle: { exceptSeconds: 1 } },
   'pose.key': alone({ ...NOW, dofs: [3, 4], tangents: 'linear' }, { ...NOW, dofs: [] }),
+  'keys.forMoment': alone(
+    { ...NOW, dofs: [{ index: 3, value: 0.9 }], easeIn: 0.2, easeOut: 0.3 },
+    { ...NOW, dofs: [], easeIn: 0.2, easeOut: 0.3 },
+  ),
   'clip.create': alone({ ...WHO, range: [0, 3] }, { ...WHO, range: [3, 0] }),
   'clip.rename': alone({ ...WHO, name: 'stroll' }, { ...WHO, name: 'hero_walk' }),
   'clip.duplicate': alone(WHO, { ...WHO, clip: 2 }),

@@ -8,6 +8,7 @@ import * as hold from './hold.ts';
 import * as ik from './ik.ts';
 import * as keys from './keys.ts';
 import * as markers from './markers.ts';
+import * as moment from './moment.ts';
 import * as paste from './paste.ts';
 import * as poses from './poses.ts';
 import * as retarget from './retarget.ts';
@@ -25,7 +26,7 @@ import * as tangents from './tangents.ts';
 /** By their ids. */
 export const ALL_COMMANDS: ReadonlyMap<string, AnyCommand> = new Map([
   ...COMMANDS_AT_HAND,
-  ...commandsIn([keys, paste, tangents, review, takes, takeEdits, takeJoins, markers, channels, samples]),
+  ...commandsIn([keys, paste, tangents, review, takes, takeEdits, takeJoins, markers, moment, channels, samples]),
   ...commandsIn([retarget, poses, ik, hold, rig, rigJoint, couples, rigLimits, skinWeights, heights]),
 ]);
 

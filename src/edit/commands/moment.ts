@@ -1,0 +1,108 @@
+/** Keying a pose for a moment, over motion that goes on. */
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import { columnOf } from '../../model/samples.ts';
+import { indexIn } from '../arguments.ts';
+import type { Edit } from '../change.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
+import { CommandError } from '../command-error.ts';
+import { type Moment, samplesWithMoment, withMoment } from '../keys/moment.ts';
+import { findKey } from '../keys/same-time.ts';
+import { refuseMoved } from '../refuse-moved.ts';
+import { NOW, range } from '../schema/parts.ts';
+import { index, list, number, optional, record } from '../schema/shape.ts';
+import { dofsIn } from '../step-names.ts';
+import { requireTake, withChannels, withTake } from '../takes.ts';
+import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
+import { withinLimit } from './pose.ts';
+
+/** Of easing, in seconds: less is a jump. */
+const LEAST_EASE = 1e-3;
+
+/**
+ * Keys DOFs at a time for a moment: the take is offset by what was posed, eased in and out around that time, and is what
+ * it was outside. Repetitions that the moment is in become keys first. Also over samples, whose frames change.
+ */
+export const keyForMoment = command({
+  id: 'keys.forMoment',
+  args: {
+    ...NOW,
+    /** Values to be keyed, by index into the character's DOFs; default: the unkeyed changes at that time. */
+    dofs: optional(list(record({ index, value: number }))),
+    /** Seconds before and after the time. */
+    easeIn: number,
+    easeOut: number,
+    /** Playback range, in seconds of the transport: repetitions become keys over at least this. */
+    playedRange: optional(range),
+  },
+  label: (document, { characterId, dofs, timeSeconds }) => {
+    const character = requireCharacter(document, characterId);
+    const indices = dofs?.map((dof) => dof.index) ?? [...unkeyedAt(character, timeSeconds).keys()];
+    return `Key ${dofsIn(character, indices)} for a moment`;
+  },
+  run(document, { characterId, dofs, timeSeconds, easeIn, easeOut, playedRange }): Document | Edit {
+    if (!(easeIn >= LEAST_EASE && easeOut >= LEAST_EASE && easeIn + easeOut < Infinity)) {
+      throw new CommandError('"easeIn" and "easeOut" must be seconds, at least 0.001 each.');
+    }
+    const character = requireCharacter(document, characterId);
+    const values = valuesOf(character, timeSeconds, dofs);
+    if (values.size === 0) return document;
+    if ([...values.keys()].some((dof) => dof < silentChannels(character))) refuseMoved(character);
+    const offset = character.timeOffsetSeconds;
+    const at = timeSeconds + offset;
+    const moment = { at, easeIn, easeOut };
+    const { range: own } = requireTake(character);
+    const baked = playedRange ? ([playedRange[0] + offset, playedRange[1] + offset] as const) : own;
+    const { character: changed, keys } = changedFor(character, values, moment, timeSeconds, baked);
+    return { document: changeCharacter(document, characterId, () => changed), keys };
+  },
+});
+
+function valuesOf(
+  character: Character,
+  timeSeconds: number,
+  dofs: readonly { readonly index: number; readonly value: number }[] | undefined,
+): ReadonlyMap<number, number> {
+  if (!dofs) return unkeyedAt(character, timeSeconds);
+  const all = characterDofs(character.skeleton, character.morphs);
+  return new Map(
+    dofs.map(({ index: dof, value }) => {
+      indexIn(dof, 0, all.length, 'DOF');
+      return [dof, character.clampsToLimits ? withinLimit(all[dof], value) : value];
+    }),
+  );
+}
+
+function changedFor(
+  character: Character,
+  values: ReadonlyMap<number, number>,
+  moment: Moment,
+  timeSeconds: number,
+  baked: readonly [number, number],
+) {
+  const taking = withChannels(character, baked);
+  const take = shownClip(taking);
+  if (!take) return { character, keys: [] };
+  const channels = [...take.channels];
+  const sampled = new Map<number, number>();
+  const keys = [];
+  for (const [dof, value] of [...values].sort(([a], [b]) => a - b)) {
+    const channel = channels[dof];
+    if (channel.kind === 'samples' && take.samples && columnOf(take.samples, dof) >= 0) sampled.set(dof, value);
+    else {
+      const keyed = withMoment(channel, moment, value, baked);
+      channels[dof] = keyed;
+      keys.push({ channel: dof, indices: [findKey(keyed, moment.at)] });
+    }
+  }
+  const driven = new Float64Array(dofCountOf(taking));
+  if (sampled.size > 0) poseAt(withoutUnkeyed(taking), timeSeconds, driven);
+  const samples = take.samples && samplesWithMoment(take.samples, moment, sampled, (dof) => driven[dof]);
+  const next = { ...take, channels, ...(samples && sampled.size > 0 && { samples }) };
+  const byHand = unkeyedAt(taking, timeSeconds);
+  for (const dof of values.keys()) byHand.delete(dof);
+  return { character: withUnkeyed(withTake(taking, taking.shownClip, next), timeSeconds, byHand), keys };
+}
