@@ -15,7 +15,18 @@ function contrast(a: string, b: string): number {
   return (high + 0.05) / (low + 0.05);
 }
 
-const READ: readonly (keyof StageTheme)[] = ['axisX', 'axisY', 'axisZ', 'moveX', 'moveY', 'moveZ', 'label', 'selectedLabel', 'pin', 'pinGap'];
+const READ: readonly (keyof StageTheme)[] = [
+  'axisX',
+  'axisY',
+  'axisZ',
+  'moveX',
+  'moveY',
+  'moveZ',
+  'label',
+  'selectedLabel',
+  'pin',
+  'pinGap',
+];
 const NAMES: readonly ThemeName[] = ['light', 'dark'];
 const CASES = NAMES.flatMap((name) => READ.map((part) => ({ name, part })));
 
