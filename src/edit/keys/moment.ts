@@ -14,8 +14,8 @@
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, repeats } from '../../model/clip.ts';
-import { columnOf, type Samples } from '../../model/samples.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, repeats } from '../../model/takes/clip.ts';
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { keyAt, tangent, withKeyList } from './columns.ts';
 import { withRepeatsBaked } from './cycle.ts';
 import { insertKey } from './insert.ts';

@@ -1,6 +1,6 @@
 /** Which labels are drawn: none over another, what is uncovered first, and of these the nearest. Allocates nothing. */
 
-import type { ScreenBox } from './overlay.ts';
+import type { ScreenBox } from '../overlay.ts';
 
 /** CSS pixels. */
 export const LINE_HEIGHT = 15;

@@ -9,13 +9,13 @@ import { type Camera, Matrix4 } from 'three';
 import type { Display, Selection } from '../../model/session.ts';
 import { jointName } from '../../model/skeleton/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { ScreenBox } from '../overlay.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from '../skeleton/drawn-skeletons.ts';
 import type { StageTheme } from '../theme.ts';
 import { MIN_Y, nameLeft, placeName } from './character-names.ts';
 import type { LabelCover } from './label-cover.ts';
 import { type Candidates, LabelChoice, LabelLayout, LINE_HEIGHT } from './label-layout.ts';
 import { type Name, NameSprites } from './name-sprites.ts';
-import type { ScreenBox } from '../overlay.ts';
 
 /** Positions tried for a character's name in a crowd before it is left out. */
 const NAME_LINES = 6;

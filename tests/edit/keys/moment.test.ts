@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { samplesWithMoment, weightAt, withMoment } from '../../../src/edit/keys/moment.ts';
-import { sampleColumn } from '../../../src/evaluate/sampling.ts';
+import { sampleColumn } from '../../../src/evaluate/samples/sampling.ts';
 import { swing } from '../samples/made.ts';
 import { between, channelOf, channels, pointsOf, valueAt } from './channels.ts';
 

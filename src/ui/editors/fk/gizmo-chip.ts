@@ -4,7 +4,7 @@
  */
 import type { Layout } from '../../../view/gizmo/shapes.ts';
 import type { ScreenBox } from '../../../view/overlay.ts';
-import { element, setText } from '../../kit/dom.ts';
+import { element, setText } from '../../widgets/dom.ts';
 
 /** CSS pixels from the outermost ring, and from the viewport's edges. */
 const BESIDE = 18;

@@ -1,14 +1,13 @@
 /** The gizmo of the selected joint, with its readout and the drags of its handles: for FK, and for IK's rings. */
 import { type HandleId, type JointHandles, sameHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
-import { jointName } from '../../../model/joint-name.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
 import type { DraggedHandle, GizmoState } from '../../../view/gizmo/gizmo-look.ts';
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import { dofValueText, limitNote, limitRange } from '../../state/joints/dof-text.ts';
 import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/joints/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { Readout } from '../../widgets/numbers/readout.ts';
 import { shownDofs } from '../posing/active-dof.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { type ChipText, GizmoChip } from './gizmo-chip.ts';

@@ -1,7 +1,7 @@
 /** Values of DOFs as told during a drag or by keys: `rx 34.2°`, `limit 90°`. */
 import type { Character } from '../../../model/document.ts';
-import { isUnlimited } from '../../../model/skeleton.ts';
 import type { CharacterDof } from '../../../model/skeleton/dofs.ts';
+import { isUnlimited } from '../../../model/skeleton/skeleton.ts';
 import { aligned, shown } from '../../widgets/numbers/number-text.ts';
 import type { Settings } from '../settings.ts';
 import { shownPerUnit, unitText } from './angles.ts';
