@@ -15,7 +15,6 @@ import * as retarget from './retarget.ts';
 import * as review from './review.ts';
 import * as rig from './rig.ts';
 import * as rigJoint from './rig-joint.ts';
-import * as rigLimits from './rig-limits.ts';
 import * as samples from './samples.ts';
 import * as skinWeights from './skin-weights.ts';
 import * as takeEdits from './take-edits.ts';
@@ -27,7 +26,7 @@ import * as tangents from './tangents.ts';
 export const ALL_COMMANDS: ReadonlyMap<string, AnyCommand> = new Map([
   ...COMMANDS_AT_HAND,
   ...commandsIn([keys, paste, tangents, review, takes, takeEdits, takeJoins, markers, moment, channels, samples]),
-  ...commandsIn([retarget, poses, ik, hold, rig, rigJoint, couples, rigLimits, skinWeights, heights]),
+  ...commandsIn([retarget, poses, ik, hold, rig, rigJoint, couples, skinWeights, heights]),
 ]);
 
 /** The arguments of each command in words, for `marrow.commands()`. */

@@ -14,7 +14,7 @@ import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
-import { calledIn, findJoint, rigged } from '../rig/apply.ts';
+import { boundAnew, calledIn, findJoint, rigged } from '../rig/apply.ts';
 import { withTakenUp } from '../rig/bind.ts';
 import { changedTree } from '../rig/joint-map.ts';
 import { mirrored } from '../rig/mirror.ts';
@@ -23,9 +23,10 @@ import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
 import { type Kept, keepPlaces } from '../rig/places.ts';
 import { AXIS_LETTERS, SKIN_MODES } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
-import { filledText, index, oneOf, optional, text } from '../schema/shape.ts';
+import { filledText, index, number, oneOf, optional, text } from '../schema/shape.ts';
 import { JOINT, RIGGING, vector } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
+import { clearLimit, setLimit } from './limits.ts';
 
 /** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */
 export const createRig = command({
@@ -232,3 +233,18 @@ export const mirrorJoint = command({
 function sameJoints(a: readonly object[], b: readonly object[]): boolean {
   return a.length === b.length && a.every((joint, j) => joint === b[j]);
 }
+
+/** Limits: if they move a joint in the displayed pose, skins may be rebound. */
+export const limitRigged = command({
+  id: 'rig.setLimit',
+  args: { ...RIGGING, dof: index, min: number, max: number },
+  label: setLimit.label,
+  run: (document, args) => boundAnew(document, args, setLimit.runRead(document, args)),
+});
+
+export const clearLimitRigged = command({
+  id: 'rig.clearLimit',
+  args: { ...RIGGING, dof: index },
+  label: clearLimit.label,
+  run: (document, args) => boundAnew(document, args, clearLimit.runRead(document, args)),
+});

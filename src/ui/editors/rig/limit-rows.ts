@@ -1,5 +1,5 @@
 /** The limits of a joint's DOFs as two fields each; an empty one is no limit on that side. */
-import { limitRigged } from '../../../edit/commands/rig-limits.ts';
+import { limitRigged } from '../../../edit/commands/rig.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { matchingDofs } from '../../../edit/pose/same-change.ts';
 import { findCharacter } from '../../../model/document.ts';
