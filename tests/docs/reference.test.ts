@@ -7,6 +7,7 @@ import { type HelpPart, helpParts, usageLines } from '../../src/cli/options/help
 import type { ShellCommand } from '../../src/cli/options/shell-command.ts';
 import { COMMANDS } from '../../src/cli/run.ts';
 import { commandList } from '../../src/edit/commands/all.ts';
+import { ESSENTIALS } from '../../src/ui/shell/essential-shortcuts.ts';
 import { MOUSE_GESTURES } from '../../src/ui/shell/help/mouse-gestures.ts';
 import { actionLabel, actionsOf } from '../../src/ui/state/actions/action.ts';
 import { GROUPS } from '../../src/ui/state/menus.ts';
@@ -37,7 +38,8 @@ const table = (head: readonly string[], rows: readonly (readonly string[])[]) =>
 function shortcuts(): string {
   const { wb } = workbench();
   const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
-  const keysOf = ({ shortcuts = [] }: Action) => shortcuts.map((key) => `\`${shortcutText(key, false)}\``).join(' ');
+  const keysOf = ({ shortcuts = [] }: Pick<Action, 'shortcuts'>) =>
+    shortcuts.map((key) => `\`${shortcutText(key, false)}\``).join(' ');
   const labelOf = (action: Action) => action.name ?? actionLabel(wb, action);
   const sections = GROUPS.flatMap((group) => {
     const own = actions.filter((action) => action.group === group);
@@ -56,12 +58,22 @@ function shortcuts(): string {
     });
     return tables.length > 0 ? [`## ${group}\n\n${tables.join('\n\n')}`] : [];
   });
+  const firstKey = (id: string) =>
+    keysOf(actions.find((action) => action.id === id) ?? { shortcuts: [] }).split(' ')[0];
+  const essentials = ESSENTIALS.map(({ where, lines }) => {
+    const rows = lines.map(({ what, ids = [], how }) => [what, how ?? ids.map(firstKey).join(' ')]);
+    return table([where, 'keys'], rows);
+  });
   const mouse = MOUSE_GESTURES.map(({ where, lines }) => `### ${where}\n\n${table(['to', 'do'], lines)}`);
   return `${MADE}
 
 # Shortcuts
 
 \`?\` shows this page in Marrow, where single keys can be changed or switched off. On a Mac, Ctrl is ⌘ and Alt is ⌥.
+
+## Essentials
+
+${essentials.join('\n\n')}
 
 ${sections.join('\n\n')}
 

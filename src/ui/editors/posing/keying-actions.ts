@@ -62,6 +62,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Delete keys at current time',
     group: 'Keys',
     menu: 'Keys',
+    section: 1,
     shortcuts: ['Alt+K'],
     refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
     run: (wb) => withCharacter(wb, (character) => deleteKeysNow(wb, character)),
@@ -72,6 +73,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: (wb) => `Delete keys of ${selectedJointsText(wb)} at current time`,
     group: 'Keys',
     menu: 'Keys',
+    section: 1,
     shortcuts: ['Alt+Shift+K'],
     refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
     run: (wb) => withJoints(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
@@ -91,7 +93,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Auto-key',
     group: 'Keys',
     menu: 'Keys',
-    section: 1,
+    section: 2,
     shortcuts: ['Alt+A'],
     icon: 'record',
     checked: (wb) => wb.timeline.autoKey.get(),
@@ -104,7 +106,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
       label: () => TANGENT_LABELS[tangents],
       group: 'Keys',
       menu: 'Keys/Tangents of new keys',
-      section: 1,
+      section: 2,
       radio: true,
       checked: (wb) => wb.settings.get().newKeyTangents === tangents,
       run: (wb) => wb.settings.update((s) => ({ ...s, newKeyTangents: tangents })),
@@ -115,7 +117,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'New take',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 1,
+    section: 3,
     refuses: needsSkeleton,
     run: (wb) =>
       withCharacter(wb, (character) =>
@@ -127,7 +129,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Duplicate take',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 1,
+    section: 3,
     refuses: needsTake,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateClip, { characterId: id })),
   },
@@ -136,7 +138,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Rename take…',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 1,
+    section: 3,
     refuses: needsTake,
     run: (wb) => wb.timeline.takeRenameAsked.update((times) => times + 1),
   },
@@ -146,7 +148,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: (wb) => `Remove ${shownTake(wb)?.name ?? 'take'}`,
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 1,
+    section: 3,
     refuses: needsTake,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeClip, { characterId: id })),
   },
@@ -157,7 +159,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Set take range to playback range',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 2,
+    section: 4,
     refuses: needsTake,
     run: (wb) =>
       withCharacter(wb, (character) =>
@@ -170,7 +172,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Fit take range to keys and samples',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 2,
+    section: 4,
     refuses: needs('The take has no keys or samples.', (wb) => {
       const take = shownTake(wb);
       return take !== undefined && rangeOfKeys(take) !== undefined;

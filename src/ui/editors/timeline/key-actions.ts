@@ -82,7 +82,7 @@ const edits: readonly Action[] = [
   }),
   key('delete', 'Delete selected keys', ['Delete', 'Backspace'], {
     menu: 'Keys',
-    section: 10,
+    section: 1,
     icon: 'deleteKey',
     refuses: needsKeys,
     run: deleteKeys,

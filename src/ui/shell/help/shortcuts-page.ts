@@ -1,170 +1,256 @@
 /**
- * The `?` page: every action by group, with its shortcuts. Single keys can be remapped or switched off, one by one or
- * all at once; changed ones are marked and can be reset.
+ * The `?` page: the essential shortcuts first, then all by group, found by name or by pressing a key. All single keys can
+ * be switched off.
  */
 
-import { actionLabel, actionsOf } from '../../state/actions/action.ts';
+import { actionsOf } from '../../state/actions/action.ts';
 import { GROUPS } from '../../state/menus.ts';
-import { isSingleKey, shortcutsOf, shortcutText, withShortcut } from '../../state/shortcuts.ts';
+import { shortcutsFor, shortcutsOf, shortcutText } from '../../state/shortcuts.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, uniqueId } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
-import { icon } from '../../widgets/icons.ts';
+import { findActions } from '../command-search.ts';
+import { ESSENTIALS } from '../essential-shortcuts.ts';
+import { actionLine, keysOf, nameOf, type Refresh, shortcutLine } from '../shortcut-lines.ts';
 import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 
-/** Rebuilds the page, with a sentence about the last change. */
-type Refresh = (news?: string) => void;
+type Parts = Uses<'actions' | 'settings'>;
 
-export function shortcutsPage(wb: Uses<'actions' | 'settings'>): DialogContent {
-  const body = element('div', { class: 'shortcuts' });
+/** An entry of the list at the left, and what is beside it. */
+interface Chapter {
+  readonly name: string;
+  readonly count: number;
+  sections(): readonly HTMLElement[];
+}
+
+/** What is looked for; nothing: the chosen chapter is shown. */
+interface Search {
+  readonly text: string;
+  /** A pressed key, as possible shortcuts. */
+  readonly pressed?: readonly string[];
+}
+
+export function shortcutsPage(wb: Parts): DialogContent {
   const said = element('p', { class: 'shortcut-said', role: 'status' });
+  const foot = element('div', { class: 'shortcut-foot' });
+  const list = element('div', { class: 'shortcut-chapters', role: 'tablist', 'aria-orientation': 'vertical' });
+  const sections = element('div', { class: 'shortcut-sections' });
+  const shown = element('div', { class: 'shortcut-shown scrolls', role: 'tabpanel', tabindex: 0 }, sections);
+  shown.id = uniqueId('shortcuts');
+  let chosen = 0;
+  let search: Search = { text: '' };
+  const chapters = () => chaptersOf(wb, show);
   const show = (news = '') => {
     said.textContent = news;
-    body.replaceChildren(switches(wb, said, show), ...groups(wb, show), ...mouseGroups());
+    foot.replaceChildren(...footOf(wb, show), said);
+    const all = chapters();
+    const isSearching = search.text !== '';
+    const tabs = all.map(({ name, count }, i) => tabOf(name, count, !isSearching && i === chosen, shown.id));
+    tabs.forEach((tab, i) => {
+      tab.tabIndex = i === chosen ? 0 : -1;
+      tab.addEventListener('click', () => choose(i));
+    });
+    list.replaceChildren(...tabs);
+    shown.ariaLabel = isSearching ? 'Found shortcuts' : all[chosen].name;
+    sections.replaceChildren(...(isSearching ? foundSections(wb, search, show) : all[chosen].sections()));
   };
+  const choose = (index: number) => {
+    const count = list.children.length;
+    chosen = (index + count) % count;
+    field.value = '';
+    search = { text: '' };
+    show();
+    shown.scrollTop = 0;
+    // All were made anew.
+    list.querySelectorAll<HTMLElement>('[role=tab]')[chosen]?.focus();
+  };
+  list.addEventListener('keydown', (event) => {
+    const step = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
+    if (!step) return;
+    event.preventDefault();
+    choose(chosen + step);
+  });
+  const field = searchField((next) => {
+    search = next;
+    show();
+    shown.scrollTop = 0;
+  });
   show();
+  const body = element('div', { class: 'shortcuts' }, field, list, shown, foot);
   return { title: 'Shortcuts', body, kind: 'shortcuts-dialog' };
 }
 
-function switches(wb: Uses<'settings'>, said: HTMLElement, refresh: Refresh): HTMLElement {
+function tabOf(name: string, count: number, isChosen: boolean, controls: string): HTMLElement {
+  return element(
+    'button',
+    { type: 'button', role: 'tab', 'aria-selected': String(isChosen), 'aria-controls': controls },
+    name,
+    ' ',
+    element('span', { class: 'faint' }, String(count)),
+  );
+}
+
+/** Typed text is a name; keys that type nothing, and the first character, are also looked for as keys. */
+function searchField(found: (search: Search) => void): HTMLInputElement {
+  const field = element('input', {
+    type: 'search',
+    'aria-label': 'Search shortcuts by name or press a key',
+    placeholder: 'Search by name or press a key',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    autofocus: true,
+  });
+  /** The field has a key, not a name that is typed. */
+  let pressed: readonly string[] | undefined;
+  const look = () => found({ text: field.value, ...(pressed && { pressed }) });
+  field.addEventListener('keydown', (event) => {
+    const { key, ctrlKey, altKey, metaKey } = event;
+    if (event.isComposing || UNSOUGHT.test(key)) return;
+    // In a name they edit it.
+    if (field.value !== '' && !pressed) return;
+    const isTyped = key.length === 1 && key !== ' ' && !ctrlKey && !altKey && !metaKey;
+    if (isTyped && field.value.length === 1) {
+      // After a single character, another one: both begin a name.
+      pressed = undefined;
+      return;
+    }
+    if (key === 'Backspace' && field.value !== '') {
+      pressed = undefined;
+      field.value = '';
+    } else {
+      pressed = shortcutsOf(event, isMac);
+      field.value = isTyped ? '' : shortcutText(pressed[0] ?? '', isMac);
+    }
+    if (isTyped) return;
+    event.preventDefault();
+    look();
+  });
+  field.addEventListener('input', () => {
+    if (field.value === '') pressed = undefined;
+    look();
+  });
+  return field;
+}
+
+/** Keys that lead out of the field, or are only held. */
+const UNSOUGHT = /^(Shift|Control|Alt|AltGraph|Meta|CapsLock|Dead|Tab|Escape|Enter)$/;
+
+function chaptersOf(wb: Parts, refresh: Refresh): readonly Chapter[] {
+  const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
+  const groups = GROUPS.flatMap((group): Chapter[] => {
+    const own = actions.filter((action) => action.group === group);
+    if (own.length === 0) return [];
+    return [{ name: group, count: own.length, sections: () => panelSections(wb, own, refresh) }];
+  });
+  const gestures = MOUSE_GESTURES.reduce((sum, { lines }) => sum + lines.length, 0);
+  const essentials = ESSENTIALS.reduce((sum, { lines }) => sum + lines.length, 0);
+  return [
+    { name: 'Essentials', count: essentials, sections: () => essentialSections(wb, refresh) },
+    ...groups,
+    { name: 'Mouse and touch', count: gestures, sections: () => MOUSE_GESTURES.map(mouseSection) },
+  ];
+}
+
+function essentialSections(wb: Parts, refresh: Refresh): HTMLElement[] {
+  const actions = actionsOf(wb);
+  const keys = (id: string) => {
+    const action = actions.find((one) => one.id === id);
+    return action ? [...keysOf(wb, action, refresh, 1).children] : [];
+  };
+  return ESSENTIALS.map(({ where, lines }) =>
+    sectionOf(
+      where,
+      lines.map(({ what, ids = [], how }) =>
+        shortcutLine(
+          what,
+          how === undefined ? element('span', { class: 'shortcut-keys' }, ...ids.flatMap(keys)) : gestureText(how),
+        ),
+      ),
+    ),
+  );
+}
+
+/** Shortcuts of a single panel are listed under its name. */
+function panelSections(wb: Parts, actions: readonly Action[], refresh: Refresh): HTMLElement[] {
+  return [...new Set(actions.map(({ panel }) => panel))].map((panel) =>
+    sectionOf(
+      panel === undefined ? 'Anywhere' : `In the ${panel}`,
+      actions.filter((action) => action.panel === panel).map((action) => actionLine(wb, action, refresh)),
+    ),
+  );
+}
+
+function foundSections(wb: Parts, search: Search, refresh: Refresh): HTMLElement[] {
+  const { actions, gestures } = foundShortcuts(wb, search);
+  const groups = GROUPS.map((group) => ({ group, own: actions.filter((action) => action.group === group) }));
+  const made = groups.flatMap(({ group, own }) =>
+    own.length > 0
+      ? [
+          sectionOf(
+            group,
+            own.map((action) => actionLine(wb, action, refresh)),
+          ),
+        ]
+      : [],
+  );
+  const mouse = gestures.map(mouseSection);
+  if (made.length + mouse.length > 0) return [...made, ...mouse];
+  return [element('p', { class: 'empty' }, search.pressed ? 'This key does nothing yet' : 'No shortcut has this name')];
+}
+
+/** Actions and gestures by a pressed key, which nothing else is asked, or by the words of a name. */
+export function foundShortcuts(wb: Parts, { text, pressed }: Search) {
+  if (pressed) {
+    const settings = wb.settings.get();
+    const has = (action: Action) => shortcutsFor(action, settings).some((key) => pressed.includes(key));
+    return { actions: actionsOf(wb).filter(has), gestures: [] };
+  }
+  const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
+  const found = findActions(
+    actions,
+    text,
+    (action) => `${nameOf(wb, action)} ${action.group}`,
+    () => false,
+    ({ also = '' }) => also,
+  );
+  const gestures = MOUSE_GESTURES.flatMap(({ where, lines }) => {
+    const own = findActions(lines, text, ([what, how]) => `${what} ${how}`);
+    return own.length > 0 ? [{ where, lines: own }] : [];
+  });
+  return { actions: found, gestures };
+}
+
+function sectionOf(title: string, lines: readonly HTMLElement[]): HTMLElement {
+  return element('section', {}, element('h3', {}, title), ...lines);
+}
+
+function mouseSection({ where, lines }: (typeof MOUSE_GESTURES)[number]): HTMLElement {
+  return sectionOf(
+    where,
+    lines.map(([what, how]) => shortcutLine(what, gestureText(how))),
+  );
+}
+
+function gestureText(how: string): HTMLElement {
+  return element('span', { class: 'faint' }, isMac ? macText(how) : how);
+}
+
+function footOf(wb: Uses<'settings'>, refresh: Refresh): HTMLElement[] {
   const box = element('input', { type: 'checkbox' });
   box.checked = wb.settings.get().singleKeys;
   box.addEventListener('change', () => {
     wb.settings.update((s) => ({ ...s, singleKeys: box.checked }));
     refresh();
   });
-  const reset = button(
-    'Reset all to default',
-    { class: 'link', tooltip: 'Reset all shortcuts to default' },
-    'Reset all to default',
-    () => {
-      wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
-      refresh();
-    },
-  );
+  const reset = button('Reset all', { class: 'link', tooltip: 'Reset all shortcuts to default' }, 'Reset all', () => {
+    wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
+    refresh();
+  });
   reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
-  const hint = 'Click a single-key shortcut below and press a new key. Delete removes it.';
-  return element(
-    'div',
-    { class: 'shortcut-switches' },
+  return [
     element('label', {}, box, 'Single-key shortcuts'),
-    element('span', { class: 'faint' }, hint),
+    element('span', { class: 'faint' }, 'Click a single key and press a new one. Delete removes it.'),
     reset,
-    said,
-  );
-}
-
-/** A section per group; shortcuts of a single panel are listed under its name. */
-function groups(wb: Uses<'actions' | 'settings'>, refresh: Refresh): HTMLElement[] {
-  const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
-  return GROUPS.flatMap((group) => {
-    const own = actions.filter((action) => action.group === group);
-    const section = element('section', {}, element('h3', {}, group));
-    for (const panel of new Set([undefined, ...own.map((action) => action.panel)])) {
-      const held = own.filter((action) => action.panel === panel);
-      if (panel !== undefined) section.append(element('h4', {}, `In the ${panel}`));
-      section.append(...held.map((action) => line(wb, action, refresh)));
-    }
-    return own.length > 0 ? [section] : [];
-  });
-}
-
-function line(wb: Uses<'actions' | 'settings'>, action: Action, refresh: Refresh): HTMLElement {
-  const { keys, singleKeys } = wb.settings.get();
-  const now = keys[action.id] ?? action.shortcuts ?? [];
-  const label = action.name ?? actionLabel(wb, action);
-  const cell = element('span', { class: 'shortcut-keys' });
-  for (const shortcut of now) {
-    const text = shortcutText(shortcut, isMac);
-    if (isSingleKey(shortcut)) cell.append(changeable(wb, action, shortcut, text, singleKeys, refresh));
-    else cell.append(element('kbd', {}, text));
-  }
-  if (!now.length) cell.append(changeable(wb, action, undefined, 'none', singleKeys, refresh));
-  if (action.id in keys) {
-    const back = button(`Reset ${label} to default`, { class: 'tool small' }, icon('close'), () => {
-      const news = give(wb, action, action.shortcuts ?? []);
-      wb.settings.update((s) => ({ ...s, keys: without(s.keys, action.id) }));
-      refresh(news);
-    });
-    cell.append(back);
-  }
-  return element('div', { class: 'shortcut-line' }, element('span', {}, label), cell);
-}
-
-/** A button that waits for the new key once pressed. */
-function changeable(
-  wb: Uses<'actions' | 'settings'>,
-  action: Action,
-  shortcut: string | undefined,
-  text: string,
-  enabled: boolean,
-  refresh: Refresh,
-): HTMLElement {
-  const key = element('button', { type: 'button', class: 'key', 'aria-label': `${text}: press to change` }, text);
-  key.disabled = !enabled;
-  const replaceBy = (next: string | undefined) => {
-    const own = wb.settings.get().keys[action.id] ?? action.shortcuts ?? [];
-    const kept = own.filter((k) => k !== shortcut && k !== next);
-    refresh(give(wb, action, next ? [next, ...kept] : kept));
-  };
-  key.addEventListener('click', () => {
-    // A second click while it waits would have it told twice that the key is left.
-    if (key.classList.contains('waiting')) return;
-    key.textContent = 'press a key';
-    key.classList.add('waiting');
-    const wait = new AbortController();
-    const leave = () => {
-      wait.abort();
-      refresh();
-    };
-    key.addEventListener('blur', leave, { signal: wait.signal });
-    key.addEventListener(
-      'keydown',
-      (event) => {
-        if (/^(Shift|Control|Alt|Meta)$/.test(event.key)) return;
-        event.preventDefault();
-        event.stopPropagation();
-        if (event.key === 'Escape' || event.key === 'Tab') return leave();
-        wait.abort();
-        if (event.key === 'Delete' || event.key === 'Backspace') return replaceBy(undefined);
-        const next = shortcutsOf(event, isMac).find(isSingleKey);
-        if (next) replaceBy(next);
-        else refresh('Only a single key can be used here: a letter, digit or symbol, with or without Shift.');
-      },
-      { signal: wait.signal },
-    );
-  });
-  return key;
-}
-
-/** Assigns keys to an action; reports which action has lost them. */
-function give(wb: Uses<'actions' | 'settings'>, action: Action, own: readonly string[]): string {
-  const { keys, losers } = withShortcut(actionsOf(wb), wb.settings.get().keys, action, own);
-  wb.settings.update((s) => ({ ...s, keys }));
-  const name = (a: Action) => `“${a.name ?? actionLabel(wb, a)}”`;
-  const lost = losers.map((loser) => {
-    const had = loser.shortcuts?.find((key) => own.includes(key)) ?? own[0];
-    const left = keys[loser.id].length ? '' : ', which now has no shortcut';
-    return `${shortcutText(had, isMac)} was removed from ${name(loser)}${left}.`;
-  });
-  return lost.join(' ');
-}
-
-function without<T>(record: Readonly<Record<string, T>>, key: string): Record<string, T> {
-  return Object.fromEntries(Object.entries(record).filter(([k]) => k !== key));
-}
-
-function mouseGroups(): HTMLElement[] {
-  return MOUSE_GESTURES.map(({ where, lines }) =>
-    element(
-      'section',
-      {},
-      element('h3', {}, where),
-      ...lines.map(([what, how]) => {
-        const keys = element('span', { class: 'faint' }, isMac ? macText(how) : how);
-        return element('div', { class: 'shortcut-line' }, element('span', {}, what), keys);
-      }),
-    ),
-  );
+  ];
 }
