@@ -24,6 +24,7 @@ import type { Character } from './model/document.ts';
 import { startFirstPicture } from './ui/shell/first-picture.ts';
 import { restOfPage } from './ui/shell/rest-of-page.ts';
 import type { DumpComparison } from './ui/state/dump-comparison.ts';
+import type { GuideName } from './ui/state/guide.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
 import { Messages } from './ui/state/messages.ts';
 import { NOT_OFFLINE, type Offline } from './ui/state/offline.ts';
@@ -122,6 +123,7 @@ const workbench: Workbench = {
   kept: observable<KeptOffer | undefined>(undefined),
   offline: observable<Offline>(NOT_OFFLINE),
   comparing: observable<DumpComparison | undefined>(undefined),
+  guide: observable<GuideName | undefined>(undefined),
 };
 
 const faults = new Faults(workbench);

@@ -108,7 +108,7 @@ describe('the frame of the page', () => {
 });
 
 describe('what a newcomer is told', () => {
-  it('the first steps go for good when closed, and come back from the Help menu', () =>
+  it('the first steps go for good when closed, and the Help menu has longer ones', () =>
     withPage(
       async ({ page, url }) => {
         const steps = page.getByRole('region', { name: 'First steps' });
@@ -124,8 +124,8 @@ describe('what a newcomer is told', () => {
         await page.goto(url);
         await page.locator('.inspector .lil-gui').first().waitFor();
         await expect.poll(() => steps.isVisible()).toBe(false);
-        await page.evaluate(() => window.marrow.run('help.firstSteps'));
-        await steps.waitFor();
+        await page.evaluate(() => window.marrow.run('help.firstAnimation'));
+        await page.getByRole('region', { name: 'First animation' }).waitFor();
       },
       { firstVisit: true },
     ));

@@ -14,6 +14,7 @@ import { type Channel, type ChannelClip, type KeyedChannel, SAMPLED } from '../.
 import type { Samples } from '../../src/model/takes/samples.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { DumpComparison } from '../../src/ui/state/dump-comparison.ts';
+import type { GuideName } from '../../src/ui/state/guide.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { NOT_OFFLINE, type Offline } from '../../src/ui/state/offline.ts';
@@ -141,6 +142,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     kept: observable<KeptOffer | undefined>(undefined),
     offline: observable<Offline>(NOT_OFFLINE),
     comparing: observable<DumpComparison | undefined>(undefined),
+    guide: observable<GuideName | undefined>(undefined),
     files: {
       open: () => {},
       openSample: () => {},

@@ -56,6 +56,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     emptyStage(wb),
     head,
     fourAttachments(wb),
+    guide(wb),
     element(
       'div',
       { class: 'stage-foot' },
@@ -139,6 +140,25 @@ function fourAttachments(wb: Workbench): HTMLElement {
     });
   };
   show();
+  return place;
+}
+
+/** Guided first steps, loaded with their first use. */
+function guide(wb: Workbench): HTMLElement {
+  const place = element('div', { class: 'guide-place', hidden: true });
+  let shown: { readonly element: HTMLElement; end(): void } | undefined;
+  wb.guide.subscribe(async (name) => {
+    shown?.end();
+    shown = undefined;
+    place.hidden = true;
+    if (!name) return;
+    const module = await onDemand(wb.messages, 'The guide', () => import('./guides/guide-card.ts'));
+    // Closed meanwhile, or another was opened.
+    if (!module || wb.guide.get() !== name) return;
+    shown = module.guideCard(wb, name);
+    place.replaceChildren(shown.element);
+    place.hidden = false;
+  });
   return place;
 }
 

@@ -13,6 +13,53 @@ const EXPLAINED = {
 
 export const EXPLAINED_PAGES: readonly ManualPage[] = Object.values(EXPLAINED);
 
+/** Problems of files by their codes, and where the manual explains what is wrong with them. */
+const PROBLEMS: readonly { readonly text: string; readonly page: ManualPage; readonly codes: RegExp }[] = [
+  { text: 'About weights', page: 'guide/rigging.html#bind-a-skin', codes: /^(skin)?weights?-|^influences-|^binding/ },
+  { text: 'About cycles and extrapolation', page: EXPLAINED.cycle, codes: /^extrapol/ },
+  {
+    text: 'About keys and tangents',
+    page: 'guide/curves.html#curve-editor',
+    codes: /^keys?-|^tangents?-|^curves?-|^bad-curve/,
+  },
+  {
+    text: 'About captures',
+    page: 'guide/capture-and-review.html#open',
+    codes: /^frames?-|^rate-|^motion-|^channels?-/,
+  },
+  {
+    text: 'About numbers of other programs',
+    page: 'guide/check-your-program.html#what-can-be-compared',
+    codes: /^dump-|^ply-/,
+  },
+  {
+    text: 'About files of other programs',
+    page: 'guide/other-programs.html#in',
+    codes: /^(fbx|gltf|accessor|buffer|extension|import|scene|nodes|compressed)-|-in-blender$/,
+  },
+  { text: 'About units and axes', page: 'reference/files.html', codes: /^bad-(unit|axes)$/ },
+  { text: 'About limits', page: 'guide/posing.html#fk', codes: /^limits-|^couple-/ },
+  {
+    text: 'About the format',
+    page: 'reference/files.html',
+    codes:
+      /^(brace|keyword|number|name|count|index|offset|joint|parent|triangles|vertex|row|rows|range|pose|matrix|list)-/,
+  },
+];
+
+export const PROBLEM_PAGES: readonly ManualPage[] = PROBLEMS.map(({ page }) => page);
+
+/** A link to what the manual says about a problem with this code; undefined if it says nothing. */
+export function problemLink(code: string): HTMLAnchorElement | undefined {
+  const found = problemPage(code);
+  return found && manualAnchor(found.text, found.page);
+}
+
+/** The first that fits. */
+export function problemPage(code: string): { readonly text: string; readonly page: ManualPage } | undefined {
+  return PROBLEMS.find(({ codes }) => codes.test(code));
+}
+
 /** The one window that the manual is shown in. */
 const MANUAL_WINDOW = 'marrow-manual';
 
@@ -20,7 +67,12 @@ const addressOf = (page: ManualPage) => `./manual/${page}`;
 
 /** A link that opens the manual beside the page. @param text a question, or the name of the concept */
 export function manualLink(text: string, about: keyof typeof EXPLAINED): HTMLAnchorElement {
-  return element('a', { class: 'link', href: addressOf(EXPLAINED[about]), target: MANUAL_WINDOW }, text);
+  return manualAnchor(text, EXPLAINED[about]);
+}
+
+/** A link to a page of the manual, which opens beside this one. */
+export function manualAnchor(text: string, page: ManualPage): HTMLAnchorElement {
+  return element('a', { class: 'link', href: addressOf(page), target: MANUAL_WINDOW }, text);
 }
 
 /** Opens the manual beside the page. False if the browser doesn't allow it. */

@@ -13,6 +13,7 @@ import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../widgets/icons.ts';
 import type { Observable } from '../widgets/observable.ts';
 import type { DumpComparison } from './dump-comparison.ts';
+import type { GuideName } from './guide.ts';
 import type { KeptOffer } from './kept-offer.ts';
 import type { GroupName, MenuName } from './menus.ts';
 import type { Messages } from './messages.ts';
@@ -86,6 +87,8 @@ export interface Workbench {
   readonly offline: Observable<Offline>;
   /** A character compared with another program's numbers. */
   readonly comparing: Observable<DumpComparison | undefined>;
+  /** The guided first steps that are shown. */
+  readonly guide: Observable<GuideName | undefined>;
 }
 
 /**

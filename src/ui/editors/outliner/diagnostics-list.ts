@@ -3,6 +3,7 @@
  * a caret.
  */
 import type { Diagnostic } from '../../../model/diagnostic.ts';
+import { problemLink } from '../../state/manual-link.ts';
 import { caretPad, counts, groupByFile, type Message } from '../../state/messages.ts';
 import { offerButton } from '../../state/offer-button.ts';
 import { showInSource } from '../../state/panels/show-in-source.ts';
@@ -99,6 +100,7 @@ function diagnosticBlock(wb: Uses<'timeline' | 'settings'>, d: Diagnostic, withI
       element('span', { class: 'sentence' }, d.message, d.assumed && element('i', {}, ` (${d.assumed})`)),
     ),
     d.excerpt && excerpt(d.excerpt.text, d.excerpt.caret),
+    problemLink(d.code),
   );
 }
 

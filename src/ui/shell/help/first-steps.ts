@@ -18,7 +18,7 @@ interface Seen {
   readonly selection: Selection;
 }
 
-export function firstSteps(wb: Uses<'store' | 'settings' | 'posing'>): HTMLElement {
+export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>): HTMLElement {
   let done = 0;
   const leave = () => wb.settings.update((s) => ({ ...s, firstSteps: false }));
   const steps = Array.from({ length: LAST }, (_, i) => {
@@ -62,12 +62,14 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing'>): HTMLEleme
     if (now === 'fk' || (before === 'fk' && now === 'pose')) restart();
     else show();
   });
+  wb.guide.subscribe(show);
   show();
   return line;
 }
 
 /** Only in Pose and FK: in the other modes a click or a drag does something else. */
-export function areShown(wb: Uses<'store' | 'settings' | 'posing'>): boolean {
+export function areShown(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>): boolean {
+  if (wb.guide.get()) return false;
   return wb.settings.get().firstSteps && wb.store.document.characters.length > 0 && stepsMode(wb) !== undefined;
 }
 

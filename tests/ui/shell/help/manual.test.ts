@@ -2,12 +2,12 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { manualFiles } from '../../../../plugins/manual.ts';
 import { MANUAL_PAGES, openManual } from '../../../../src/ui/shell/help/manual.ts';
-import { EXPLAINED_PAGES } from '../../../../src/ui/state/manual-link.ts';
+import { EXPLAINED_PAGES, PROBLEM_PAGES } from '../../../../src/ui/state/manual-link.ts';
 import { workbench } from '../../builders.ts';
 
 const files = await manualFiles();
 
-it.each([...new Set([...MANUAL_PAGES, ...EXPLAINED_PAGES])])(
+it.each([...new Set([...MANUAL_PAGES, ...EXPLAINED_PAGES, ...PROBLEM_PAGES])])(
   '%s, which the page opens, is in the manual',
   (address) => {
     const [path = '', anchor] = address.split('#');
