@@ -250,7 +250,7 @@ function footOf(wb: Uses<'settings'>, refresh: Refresh): HTMLElement[] {
   reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
   return [
     element('label', {}, box, 'Single-key shortcuts'),
-    element('span', { class: 'faint' }, 'Click a single key and press a new one. Delete removes it.'),
+    element('span', { class: 'faint' }, 'Click a single-key shortcut and press a new key. Delete removes it.'),
     reset,
   ];
 }
