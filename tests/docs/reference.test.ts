@@ -7,7 +7,7 @@ import { type HelpPart, helpParts, usageLines } from '../../src/cli/options/help
 import type { ShellCommand } from '../../src/cli/options/shell-command.ts';
 import { COMMANDS } from '../../src/cli/run.ts';
 import { commandList } from '../../src/edit/commands/all.ts';
-import { ESSENTIALS } from '../../src/ui/shell/essential-shortcuts.ts';
+import { ESSENTIALS } from '../../src/ui/shell/help/essential-shortcuts.ts';
 import { MOUSE_GESTURES } from '../../src/ui/shell/help/mouse-gestures.ts';
 import { actionLabel, actionsOf } from '../../src/ui/state/actions/action.ts';
 import { GROUPS } from '../../src/ui/state/menus.ts';

@@ -19,7 +19,8 @@ it('the first animation is followed from playing to curves', () =>
       const drag = async (dx: number, dy: number) => {
         const world = await page.evaluate(() => window.marrow.worldMatrices());
         // The outliner shows only some of them.
-        const names = (await page.evaluate(() => window.marrow.save('walker.skel'))).match(/(?<=\w+joint )\w+/g) ?? [];
+        const text = await page.evaluate(() => window.marrow.save('walker.skel'));
+        const names: readonly string[] = text.match(/(?<=\w+joint )\w+/g) ?? [];
         const [x, y, z] = (world[names.indexOf('hand_r')] ?? []).slice(12, 15);
         const at = await page.evaluate((point) => window.marrow.pointOnPage(point), [x, y, z] as [
           number,

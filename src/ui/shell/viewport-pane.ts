@@ -152,7 +152,7 @@ function guide(wb: Workbench): HTMLElement {
     shown = undefined;
     place.hidden = true;
     if (!name) return;
-    const module = await onDemand(wb.messages, 'The guide', () => import('./guides/guide-card.ts'));
+    const module = await onDemand(wb.messages, 'The guide', () => import('./help/guides/guide-card.ts'));
     // Closed meanwhile, or another was opened.
     if (!module || wb.guide.get() !== name) return;
     shown = module.guideCard(wb, name);

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
-import { advanced, GUIDE_TEXTS, type GuideState } from '../../../src/ui/shell/guides/steps.ts';
+import { advanced, GUIDE_TEXTS, type GuideState } from '../../../src/ui/shell/help/guides/steps.ts';
 import { problemPage } from '../../../src/ui/state/manual-link.ts';
 import { character, clip, documentOf } from '../builders.ts';
 

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
-import { ESSENTIALS } from '../../../src/ui/shell/essential-shortcuts.ts';
+import { ESSENTIALS } from '../../../src/ui/shell/help/essential-shortcuts.ts';
 import { foundShortcuts } from '../../../src/ui/shell/help/shortcuts-page.ts';
 import { menuEntries } from '../../../src/ui/state/actions/menu-entries.ts';
 import { workbench } from '../builders.ts';

@@ -1,9 +1,9 @@
 /** The steps of each guide, and when each is done: by what changed since it began. */
-import type { Document } from '../../../model/document.ts';
-import type { Selection } from '../../../model/session.ts';
-import type { GuideName } from '../../state/guide.ts';
-import type { ManualPage } from '../../state/manual-link.ts';
-import type { TimelineTabName } from '../../state/timeline.ts';
+import type { Document } from '../../../../model/document.ts';
+import type { Selection } from '../../../../model/session.ts';
+import type { GuideName } from '../../../state/guide.ts';
+import type { ManualPage } from '../../../state/manual-link.ts';
+import type { TimelineTabName } from '../../../state/timeline.ts';
 
 /** What the steps are judged by. */
 export interface GuideState {

@@ -2,12 +2,12 @@
  * Lines of the `?` page: an action with its keys. Single keys can be remapped; changed ones are marked and can be reset.
  */
 
-import { actionLabel, actionsOf } from '../state/actions/action.ts';
-import { isSingleKey, shortcutsOf, shortcutText, withShortcut } from '../state/shortcuts.ts';
-import type { Action, Uses } from '../state/workbench.ts';
-import { button, element } from '../widgets/dom.ts';
-import { isMac } from '../widgets/focus/keyboard.ts';
-import { icon } from '../widgets/icons.ts';
+import { actionLabel, actionsOf } from '../../state/actions/action.ts';
+import { isSingleKey, shortcutsOf, shortcutText, withShortcut } from '../../state/shortcuts.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
+import { button, element } from '../../widgets/dom.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
+import { icon } from '../../widgets/icons.ts';
 
 /** Draws the page again, with a sentence about the last change. */
 export type Refresh = (news?: string) => void;

@@ -1,14 +1,14 @@
 /** The card of a guide in the viewport: its steps, which tick themselves off as the document changes. */
 
-import { tryById } from '../../state/actions/action.ts';
-import type { GuideName } from '../../state/guide.ts';
-import { manualAnchor } from '../../state/manual-link.ts';
-import { isPanelOpen } from '../../state/panels/panels.ts';
-import { onResult } from '../../state/shown-comparison.ts';
-import type { Workbench } from '../../state/workbench.ts';
-import { button, element } from '../../widgets/dom.ts';
-import { icon } from '../../widgets/icons.ts';
-import { touchWords } from '../../widgets/touch-words.ts';
+import { tryById } from '../../../state/actions/action.ts';
+import type { GuideName } from '../../../state/guide.ts';
+import { manualAnchor } from '../../../state/manual-link.ts';
+import { isPanelOpen } from '../../../state/panels/panels.ts';
+import { onResult } from '../../../state/shown-comparison.ts';
+import type { Workbench } from '../../../state/workbench.ts';
+import { button, element } from '../../../widgets/dom.ts';
+import { icon } from '../../../widgets/icons.ts';
+import { touchWords } from '../../../widgets/touch-words.ts';
 import { advanced, GUIDE_TEXTS, type GuideProgress, type GuideState, type GuideStep } from './steps.ts';
 
 export interface GuideCard {
