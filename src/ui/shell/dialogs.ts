@@ -20,7 +20,7 @@ const takeTools = () => import('../editors/takes/edit-dialogs.ts');
 
 const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   shortcuts: async () => (await import('./help/shortcuts-page.ts')).shortcutsPage,
-  search: async () => (await import('./command-search.ts')).commandSearch,
+  search: async () => (await import('./help/command-search.ts')).commandSearch,
   save: async () => (await import('./save-list.ts')).saveList,
   picture: async () => (await import('./dialogs/picture-dialogs.ts')).pictureDialog,
   video: async () => (await import('./dialogs/picture-dialogs.ts')).videoDialog,

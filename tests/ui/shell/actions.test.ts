@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
-import { findActions, searchActions } from '../../../src/ui/shell/command-search.ts';
+import { findActions, searchActions } from '../../../src/ui/shell/help/command-search.ts';
 import { actionsOf, findAction, isEnabled, reasonNot, runAction } from '../../../src/ui/state/actions/action.ts';
 import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
 import { capture, channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';

@@ -10,7 +10,7 @@ import type { Action, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { button, element, uniqueId } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
-import { findActions } from '../command-search.ts';
+import { findActions } from './command-search.ts';
 import { ESSENTIALS } from './essential-shortcuts.ts';
 import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 import { actionLine, keysOf, nameOf, type Refresh, shortcutLine } from './shortcut-lines.ts';

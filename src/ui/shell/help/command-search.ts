@@ -1,11 +1,11 @@
 /** The command search: a list box under a text field, built from the list of actions. */
 
-import { actionLabel, actionsOf, isEnabled, reasonNot, tryAction } from '../state/actions/action.ts';
-import { shortcutsFor, shortcutText } from '../state/shortcuts.ts';
-import type { Action, Uses } from '../state/workbench.ts';
-import type { DialogContent } from '../widgets/dialog.ts';
-import { element, uniqueId } from '../widgets/dom.ts';
-import { isMac } from '../widgets/focus/keyboard.ts';
+import { actionLabel, actionsOf, isEnabled, reasonNot, tryAction } from '../../state/actions/action.ts';
+import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
+import type { DialogContent } from '../../widgets/dialog.ts';
+import { element, uniqueId } from '../../widgets/dom.ts';
+import { isMac } from '../../widgets/focus/keyboard.ts';
 
 const MAX_SHOWN = 12;
 
