@@ -94,7 +94,8 @@ export default defineConfig(({ mode }) => {
     worker: { format: 'es', plugins: () => [draco()] },
     plugins: [givenFiles(), draco(), policy(), ...(building.plugins ?? [])],
     test: {
-      reporters: ['default', './tests/helpers/count-reporter.ts'],
+      // What passes is only counted where nobody watches.
+      reporters: [process.stdout.isTTY ? 'default' : 'minimal', './tests/helpers/count-reporter.ts'],
       projects: [
         // Quick, and reported first. Tests leave no global state, so a worker imports modules once. Properties try
         // hundreds of cases, which takes longer on a busy machine.
