@@ -1,17 +1,17 @@
 /**
  * A change that is previewed before it is confirmed, behind a dialog with Apply and Cancel. One undo step if kept, none
  * if reverted. If something else changes the document first, it is reverted too, since it was not confirmed, and the
- * trial ends: its result was computed for a document that no longer exists.
+ * preview ends: its result was computed for a document that no longer exists.
  */
 import type { Document } from '../model/document.ts';
 import type { Edit } from './change.ts';
 import type { Gesture, Store } from './store.ts';
 
-export class Trial {
+export class EditPreview {
   private readonly gesture: Gesture;
   private readonly unsubscribe: () => void;
 
-  /** @param ended called once if something else ended the trial, but not after `keep` or `putBack` */
+  /** @param ended called once if something else ended the preview, but not after `keep` or `putBack` */
   constructor(store: Store, label: string, ended: () => void) {
     this.gesture = store.begin(label, 'tried');
     this.unsubscribe = store.subscribe(() => {

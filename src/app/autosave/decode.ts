@@ -1,8 +1,6 @@
 /** Decodes a kept session: the inverse of `encode.ts`. */
 import type { ParsedFile } from '../../model/files.ts';
 import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encoded.ts';
-import { formerColumn, inPresentForm } from './former-channels.ts';
-import { formerMaterial, isFormerSkin, skinOf } from './former-skins.ts';
 
 /** A session that can't be restored; the message is a whole sentence. */
 export class RestoreError extends Error {
@@ -64,7 +62,7 @@ export function decode(tree: Encoded, { files, arrays, chunks }: Referred): unkn
   const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | StorableNumbers>): unknown => {
     switch (node.is) {
       case 'object':
-        return presentOf(Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)])));
+        return Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)]));
       case 'list':
         return node.of.map(valueAt);
       case 'plain':
@@ -87,20 +85,13 @@ export function decode(tree: Encoded, { files, arrays, chunks }: Referred): unkn
   return valueAt(tree);
 }
 
-/** In the form of this version. */
-function presentOf(value: Readonly<Record<string, unknown>>): object {
-  return isFormerSkin(value) ? skinOf(value) : inPresentForm(value);
-}
-
 function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
   let value: unknown = file;
   for (const key of path) {
     const at: unknown = value;
     if (typeof at !== 'object' || at === null) throw changed(file);
     // Own properties only; the value is checked in the next step.
-    value = Object.hasOwn(at, key)
-      ? (at as Record<string | number, unknown>)[key]
-      : (formerColumn(at, key) ?? formerMaterial(at, key));
+    value = Object.hasOwn(at, key) ? (at as Record<string | number, unknown>)[key] : undefined;
     if (value === undefined) throw changed(file);
   }
   return value;

@@ -154,7 +154,7 @@ export class Encoder {
     if (!node) {
       // Constructor names are the keys of the table.
       const type = array.constructor.name as NumbersType;
-      node = { is: 'numbers', type, piece: 0, offset: 0, bytes: array.byteLength };
+      node = { is: 'numbers', type, piece: 0, bytes: array.byteLength };
       this.arrays.set(array, node);
     }
     this.journal.push({ array, node });

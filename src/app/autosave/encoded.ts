@@ -36,8 +36,6 @@ export interface StoredNumbers {
   readonly is: 'numbers';
   readonly type: NumbersType;
   piece: number;
-  /** Bytes into the first piece; not 0 in versions before 3 only. */
-  offset: number;
   readonly bytes: number;
 }
 

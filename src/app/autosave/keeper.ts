@@ -12,12 +12,10 @@ import { KeptFiles } from './kept-files.ts';
 import { knownSkins } from './known-skins.ts';
 import type { Given, OriginFile, Origins } from './origins.ts';
 import { StoredPieces } from './pieces.ts';
-import { cardOf, type KeptState, SESSION_VERSION, type SessionState } from './session-state.ts';
+import { cardOf, type KeptState, type SessionState } from './session-state.ts';
 
 /** The session's record. */
 export interface SessionHead {
-  /** Absent: 1. */
-  readonly version?: number;
   /** Indexed by the `part`s of tree and chunks; null: a file that nothing comes from any more. */
   readonly files: readonly (HeadFile | null)[];
   /** Ids of stored files that those are read with, such as the buffers of a `.gltf`; absent: none. */
@@ -138,7 +136,6 @@ export class Keeper {
     const filePlan = this.files.plan(all);
     const piecePlan = this.pieces.plan(arrays);
     const head: SessionHead = {
-      version: SESSION_VERSION,
       files: Array.from(this.indices.keys(), (file) =>
         files.has(file) ? { given: file.given.id, path: file.path } : null,
       ),

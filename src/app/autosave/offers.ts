@@ -6,7 +6,7 @@ import type { SessionLocks } from '../../io/session-locks.ts';
 import type { SessionCard, SessionStore } from '../../io/session-store.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import type { Observable } from '../../ui/widgets/observable.ts';
-import { READABLE_VERSIONS } from './session-state.ts';
+import { SESSION_VERSION } from './session-state.ts';
 
 const MAX_KEPT = 5;
 const LONGEST_KEPT_MS = 30 * 24 * 3600 * 1000;
@@ -42,7 +42,7 @@ export class KeptOffers {
         try {
           if (tooMany || now - card.savedAtMs > LONGEST_KEPT_MS) await this.sessions.remove(card.id);
           // Sessions of another version may be read by that version.
-          else if (READABLE_VERSIONS.includes(card.version)) this.add(card);
+          else if (card.version === SESSION_VERSION) this.add(card);
         } finally {
           lock();
         }

@@ -12,7 +12,6 @@ export const PIECE_BYTES = 1 << 20;
 
 interface Place {
   readonly piece: number;
-  readonly offset: number;
   readonly bytes: number;
 }
 
@@ -45,7 +44,6 @@ export class StoredPieces {
       const place = this.storedPlace(array) ?? this.place(array, puts);
       for (const id of piecesOf(place)) needed.add(id);
       node.piece = place.piece;
-      node.offset = place.offset;
     }
     const gone = [...this.pieces.keys()].filter((id) => !needed.has(id));
     for (const id of gone) this.pieces.set(id, 'doomed');
@@ -90,7 +88,7 @@ export class StoredPieces {
   }
 
   private place(array: StorableNumbers, puts: PiecePut[]): Place {
-    const place: Place = { piece: this.nextId, offset: 0, bytes: array.byteLength };
+    const place: Place = { piece: this.nextId, bytes: array.byteLength };
     for (let from = 0; from < array.byteLength; from += PIECE_BYTES) {
       const size = Math.min(PIECE_BYTES, array.byteLength - from);
       puts.push({ id: this.nextId, size, bytes: () => bytesOf(array).slice(from, from + size) });
@@ -102,16 +100,14 @@ export class StoredPieces {
 }
 
 /** The pieces that a place extends over. */
-export function piecesOf({ piece, offset, bytes }: Place): readonly number[] {
-  const count = Math.max(1, Math.ceil((offset + bytes) / PIECE_BYTES));
+export function piecesOf({ piece, bytes }: Place): readonly number[] {
+  const count = Math.max(1, Math.ceil(bytes / PIECE_BYTES));
   return Array.from({ length: count }, (_, i) => piece + i);
 }
 
 /** Copies the part of an array that is in one of its pieces. */
 export function fill(array: StorableNumbers, place: Place, piece: number, bytes: Uint8Array): void {
-  const target = bytesOf(array);
-  if (piece === place.piece) target.set(bytes.subarray(place.offset, place.offset + place.bytes), 0);
-  else target.set(bytes, (piece - place.piece) * PIECE_BYTES - place.offset);
+  bytesOf(array).set(bytes, (piece - place.piece) * PIECE_BYTES);
 }
 
 function bytesOf(array: StorableNumbers): Uint8Array<ArrayBuffer> {

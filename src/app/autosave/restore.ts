@@ -12,8 +12,7 @@ import type { Encoded, StorableNumbers, StoredNumbers } from './encoded.ts';
 import { Keeper, type SessionHead } from './keeper.ts';
 import { givenOf, type Origins } from './origins.ts';
 import { fill, piecesOf } from './pieces.ts';
-import { type KeptState, SESSION_VERSION, type SessionState } from './session-state.ts';
-import { fromVersion1 } from './version-1.ts';
+import type { KeptState, SessionState } from './session-state.ts';
 
 export interface ReadOptions {
   readonly signal: AbortSignal;
@@ -42,7 +41,7 @@ export async function readSession(
 ): Promise<ReadSession> {
   const content = await store.read(id);
   if (!content) throw new RestoreError('The session no longer exists.');
-  // Written by Marrow, in the version that its card names.
+  // Written by `Keeper`, in the version that its card names.
   const head = content.head as SessionHead;
   const openings = await readOpenings(head, content.files, worker, options);
   const files = head.files.map((file) => {
@@ -57,9 +56,8 @@ export async function readSession(
   const chunks = await readChunks(id, store, content.chunks);
   const arrays = await readArrays(id, store, [head.tree, ...[...chunks.values()].flat()]);
   options.signal.throwIfAborted();
-  // `Keeper` wrote it; other versions are converted below.
-  const kept = decode(head.tree, { files, arrays, chunks }) as KeptState;
-  const { knownSkins = [], ...state } = head.version === undefined ? fromVersion1(kept) : kept;
+  // `Keeper` wrote it.
+  const { knownSkins, ...state } = decode(head.tree, { files, arrays, chunks }) as KeptState;
   if (state.document.characters.some(({ driver }) => driver)) await import('../../evaluate/retarget/driving.ts');
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
   return {
@@ -69,8 +67,7 @@ export async function readSession(
       keeper.isStored = true;
       for (const { given, files: read } of openings) origins.adopt(given, read);
       for (const file of content.files) keeper.files.adopt(file.id);
-      // Earlier versions stored several arrays in a piece.
-      if (head.version === SESSION_VERSION) for (const [place, array] of arrays) keeper.pieces.adopt(array, place);
+      for (const [place, array] of arrays) keeper.pieces.adopt(array, place);
       for (const piece of content.pieces) keeper.pieces.adoptWaste(piece);
       for (const chunk of content.chunks) keeper.chunks.adoptWaste(chunk);
       return keeper;
@@ -118,7 +115,7 @@ async function readArrays(
   // An array that several records refer to is one.
   const byPlace = new Map<string, StorableNumbers>();
   for (const place of storedNumbers(trees)) {
-    const key = `${place.piece} ${place.offset} ${place.bytes} ${place.type}`;
+    const key = `${place.piece} ${place.bytes} ${place.type}`;
     const array = byPlace.get(key) ?? emptyNumbers(place);
     byPlace.set(key, array);
     arrays.set(place, array);

@@ -27,20 +27,17 @@ export interface SessionState {
 export interface KeptMarks {
   readonly saved: readonly SavedCharacter[];
   readonly disk: readonly KeptDiskFile[];
-  /** What the last list says of takes in review; absent in sessions of earlier versions. */
+  /** What the last list says of takes in review. */
   readonly review?: readonly ReviewedTake[];
 }
 
 /** What is written: the state, and what would take long to compute again. */
 export interface KeptState extends SessionState {
-  /** Absent in sessions of earlier versions. */
-  readonly knownSkins?: readonly KnownSkin[];
+  readonly knownSkins: readonly KnownSkin[];
 }
 
-/** Version of the records' format, with everything in them. */
+/** Version of the records' format, with everything in them; others are left to the pages that wrote them. */
 export const SESSION_VERSION = 3;
-/** Versions that can be read; others are left to the pages that wrote them. */
-export const READABLE_VERSIONS: readonly number[] = [1, 2, SESSION_VERSION];
 
 export function cardOf(id: string, { document }: SessionState, savedAtMs: number): SessionCard {
   const characters = document.characters.map(

@@ -6,15 +6,13 @@ import type { Encoded, StorableNumbers } from '../../../src/app/autosave/encoded
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
-import { oneSurface } from '../../../src/model/skin.ts';
-import { keysOf, NO_KEYS, restChannel } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/clip.ts';
 import {
   animFile,
   character,
   clip,
   documentOf,
   file,
-  paintedSkin,
   skeleton,
   skelFile,
   skin,
@@ -23,8 +21,6 @@ import {
 import { encodeAll } from './encode-all.ts';
 
 const blob = (path: string) => ({ path, blob: new Blob([path]) });
-
-const only = (...files: readonly ParsedFile[]) => ({ files, arrays: new Map(), chunks: new Map() });
 
 /** Encodes and decodes; `files` are read again, so they are other objects. */
 function thereAndBack(session: object, origins = new Origins(), files: readonly ParsedFile[] = []): unknown {
@@ -136,42 +132,6 @@ describe('encoding a session', () => {
     expect(back.characters[0].clips[0].channels[1]).toBe(newAnim.clip.channels[1]);
     expect(keysOf(back.characters[0].clips[0].channels[2]).times).toBe(keysOf(newAnim.clip.channels[2]).times);
     expect([...keysOf(back.characters[0].clips[0].channels[2]).values]).toEqual([9]);
-  });
-
-  it('gives channels of earlier versions their kind', () => {
-    const extrapolations = { extrapolateIn: 'cycle', extrapolateOut: 'linear' } as const;
-    const keys = { ...NO_KEYS, times: Float64Array.of(1), values: Float64Array.of(2) };
-    const former = [keys, NO_KEYS, { ...NO_KEYS, rest: 3 }, NO_KEYS].map((c) => ({ ...extrapolations, ...c }));
-    const samples = { firstChannel: 3, scales: Float64Array.of(1), values: Float64Array.of(5) };
-    const back = thereAndBack({ clips: [{ name: 'walk', range: [0, 1], channels: former, samples }] });
-    const kinds = [
-      { kind: 'keys', ...keys },
-      { kind: 'rest', value: 0 },
-      { kind: 'rest', value: 3 },
-      { kind: 'samples' },
-    ];
-    const channels = kinds.map((c) => ({ ...extrapolations, ...c }));
-    expect(back).toEqual({ clips: [{ name: 'walk', range: [0, 1], channels, samples }] });
-  });
-
-  it("finds what earlier versions stored of a file's channel without keys", () => {
-    const walk = clip('walk', [1, 2]);
-    const read = animFile('walk.anim', { ...walk, channels: [walk.channels[0], restChannel()] });
-    const part = (key: string): Encoded => ({ is: 'part', file: 0, path: ['clip', 'channels', 1, key] });
-    const columns = { times: part('times'), values: part('values') };
-    const sides = { tangentsIn: part('tangentsIn'), tangentsOut: part('tangentsOut') };
-    const former = { rest: 3, extrapolateIn: 'constant', extrapolateOut: 'constant', ...columns, ...sides };
-    expect(decode({ is: 'object', of: former }, only(read))).toEqual(restChannel(3));
-  });
-
-  it('gives the one material of skins of earlier versions to all of their triangles', () => {
-    const { surfaces: _, ...rest } = skin();
-    const material = { name: 'face', texture: 'face.png' };
-    expect(thereAndBack({ ...rest, material })).toEqual({ ...rest, surfaces: oneSurface(rest.triangles, material) });
-    expect(thereAndBack(rest)).toEqual(skin());
-    const files = [skinFile('hero.skin', paintedSkin('hero', material))];
-    const part: Encoded = { is: 'part', file: 0, path: ['skin', 'material'] };
-    expect(decode(part, only(...files))).toBe(material);
   });
 
   it('refuses if a file reads differently than before', () => {

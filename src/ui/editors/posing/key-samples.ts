@@ -7,7 +7,7 @@ import { documentIn, type Edit } from '../../../edit/change.ts';
 import type { ArgsOf } from '../../../edit/command.ts';
 import { keyPose } from '../../../edit/commands/keying.ts';
 import { convertSteps } from '../../../edit/commands/samples.ts';
-import { Trial } from '../../../edit/edit-preview.ts';
+import { EditPreview } from '../../../edit/edit-preview.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { type Converted, usualTolerance } from '../../../edit/samples/convert.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
@@ -83,19 +83,19 @@ function convertAndKey(wb: Parts, args: ArgsOf<typeof keyPose> & { readonly dofs
   const wanted = wantedOf(store.document, characterId, dofs);
   if (!wanted) return;
   const label = `Convert to keys and key ${jointsOf(wanted.character, wanted.channels)}`;
-  const trial = new Trial(store, label, () => {
+  const preview = new EditPreview(store, label, () => {
     messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
   });
-  inSlices(converting(trial.base, wanted, args), {
-    isOver: () => trial.over,
+  inSlices(converting(preview.base, wanted, args), {
+    isOver: () => preview.over,
     progress: (part) => messages.note(`Converting to keys: ${Math.round(100 * part)} %`),
     done({ edit, report }) {
-      trial.show(edit);
-      trial.keep();
+      preview.show(edit);
+      preview.keep();
       messages.note(`${convertedText(wb, wanted.character, report)}, and keyed at ${shown(timeSeconds)} s.`);
     },
     failed(error) {
-      trial.putBack();
+      preview.putBack();
       messages.note(`${label}: ${sentenceOf(error)}`, 'warning');
     },
   });

@@ -7,7 +7,7 @@ import { CommandError } from '../../../edit/command-error.ts';
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
 import { cutName, SHORT_NAME } from '../../../edit/cut-name.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
-import { Trial } from '../../../edit/edit-preview.ts';
+import { EditPreview } from '../../../edit/edit-preview.ts';
 import { intoRange, pause, play } from '../../../edit/playback.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
 import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';
@@ -44,12 +44,12 @@ export function retargetDialog(
     const text = 'Open a take and another character with a skeleton first.';
     return { title: TITLE, kind, body: element('div', {}, element('p', {}, text)) };
   }
-  const trial = new Trial(store, TITLE, () => {
+  const preview = new EditPreview(store, TITLE, () => {
     wb.messages.note(`${TITLE} was not applied because the document has changed. Try again.`, 'warning');
     stop();
     close();
   });
-  const { base } = trial;
+  const { base } = preview;
   const opened = wb.transport.get();
   const wasInRange = intoRange(opened) === opened;
   let target = first;
@@ -124,14 +124,14 @@ export function retargetDialog(
     return (from && shownClip(from)?.name) || 'a take';
   };
   const attempt = (work: () => void) => {
-    if (trial.over) return;
+    if (preview.over) return;
     try {
       work();
       result.classList.remove('wrong');
       apply.disabled = bake.disabled = false;
     } catch (error) {
       if (!(error instanceof CommandError)) throw error;
-      trial.show(base);
+      preview.show(base);
       setText(result, error.message);
       result.classList.add('wrong');
       apply.disabled = bake.disabled = true;
@@ -140,7 +140,7 @@ export function retargetDialog(
   const preview = () =>
     attempt(() => {
       const after = made();
-      trial.show(after);
+      preview.show(after);
       const moved = findCharacter(after, target.id);
       if (!moved?.driver || !moved.skeleton) return;
       const plan = retargetPlan(moved.driver, moved, moved.skeleton);
@@ -180,15 +180,15 @@ export function retargetDialog(
     if (open !== 'retarget') end();
   });
   function end(keep?: () => Document, label?: string): void {
-    if (trial.over) return;
-    if (keep) attempt(() => trial.show(keep()));
+    if (preview.over) return;
+    if (keep) attempt(() => preview.show(keep()));
     if (apply.disabled && keep) return;
     stop();
     if (!keep) {
-      trial.putBack();
+      preview.putBack();
       return;
     }
-    trial.keep(label);
+    preview.keep(label);
     // What was made is in hand: its curves, and the ways to go on from it.
     if (store.selection.characterId !== target.id) store.select({ characterId: target.id });
     // The range may have become that of a shorter take.

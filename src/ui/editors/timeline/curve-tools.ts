@@ -1,7 +1,7 @@
 /** Curve tools without a dialog: they apply to the selected channels and report what they did. */
 import type { OfChannels } from '../../../edit/channel-edits.ts';
 import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/channels.ts';
-import { Trial } from '../../../edit/edit-preview.ts';
+import { EditPreview } from '../../../edit/edit-preview.ts';
 import { period } from '../../../edit/keys/cycle.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
@@ -42,23 +42,23 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
 function filterAngles(wb: Uses<'store' | 'timeline' | 'messages'>, args: OfChannels): void {
   const { store, messages } = wb;
   const label = eulerFilter.label(store.document, args);
-  const trial = new Trial(store, label, () => {
+  const preview = new EditPreview(store, label, () => {
     messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
   });
-  inSlices(eulerFilterSteps(trial.base, args), {
-    isOver: () => trial.over,
+  inSlices(eulerFilterSteps(preview.base, args), {
+    isOver: () => preview.over,
     progress: () => undefined,
     done({ edit, changed, notes }) {
       const { length } = changed;
       if (length > 0) {
-        trial.show(aboutKeysInHand(wb, { ...eulerFilter, run: () => edit }).run(trial.base, args));
-        trial.keep();
-      } else trial.putBack();
+        preview.show(aboutKeysInHand(wb, { ...eulerFilter, run: () => edit }).run(preview.base, args));
+        preview.keep();
+      } else preview.putBack();
       const text = length ? `${plural(length, 'curve')} filtered.` : 'Nothing to filter: no Euler flips.';
       messages.note([text, ...notes].join(' '));
     },
     failed(error) {
-      trial.putBack();
+      preview.putBack();
       throw error;
     },
   });

@@ -6,7 +6,7 @@ import {
   splitSamples,
   trimSamples,
 } from '../../../edit/commands/samples.ts';
-import { Trial } from '../../../edit/edit-preview.ts';
+import { EditPreview } from '../../../edit/edit-preview.ts';
 import { rangeOfSamples } from '../../../model/takes/samples.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
@@ -60,20 +60,20 @@ export function cutText(tool: 'crop' | 'trimStart' | 'trimEnd', before: Take, { 
 function reverse(wb: Uses<'store' | 'messages'>, characterId: string): void {
   const { store, messages } = wb;
   const label = reverseSamples.label(store.document, { characterId });
-  const trial = new Trial(store, label, () => {
+  const preview = new EditPreview(store, label, () => {
     messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
   });
-  inSlices(reverseSteps(trial.base, { characterId }), {
-    isOver: () => trial.over,
+  inSlices(reverseSteps(preview.base, { characterId }), {
+    isOver: () => preview.over,
     progress: () => undefined,
     done(document) {
-      trial.show(document);
-      trial.keep();
+      preview.show(document);
+      preview.keep();
       const clip = currentTake(wb)?.clip;
       messages.note(`Reversed ${clip?.name ?? 'the take'}: ${plural(clip?.samples?.frameCount ?? 0, 'frame')}.`);
     },
     failed(error) {
-      trial.putBack();
+      preview.putBack();
       throw error;
     },
   });

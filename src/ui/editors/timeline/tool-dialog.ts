@@ -6,7 +6,7 @@
 import type { Edit } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { CommandError } from '../../../edit/command-error.ts';
-import { Trial } from '../../../edit/edit-preview.ts';
+import { EditPreview } from '../../../edit/edit-preview.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
 import type { Document } from '../../../model/document.ts';
 import { unitsBehind } from '../../state/joints/angles.ts';
@@ -115,13 +115,13 @@ export function toolDialog<A>(
   };
   const name = tool.title.replace('…', '');
   const command = aboutKeysInHand(wb, asEdit(tool.command));
-  const trial = new Trial(store, name, () => {
+  const preview = new EditPreview(store, name, () => {
     wb.messages.note(`${name} was not applied because the document has changed. Try again.`, 'warning');
     unsubscribe();
     close();
   });
   // The original document is the reference, whatever is previewed.
-  const { base } = trial;
+  const { base } = preview;
   /** The undo step's name. */
   let called = name;
   /** Counts requests: steps of an older one stop. */
@@ -136,17 +136,17 @@ export function toolDialog<A>(
   const refuse = (error: unknown) => {
     if (!(error instanceof CommandError)) throw error;
     warn();
-    trial.show(base);
+    preview.show(base);
     setText(result, error.message);
     result.classList.add('wrong');
     apply.disabled = true;
   };
   const goOn = (steps: Steps<Stepped>, mine: number) =>
     inSlices(steps, {
-      isOver: () => trial.over || mine !== asked,
+      isOver: () => preview.over || mine !== asked,
       progress: (part) => setText(result, `Working… ${Math.floor(100 * part)}%`),
       done({ change, text, warning }) {
-        trial.show(change);
+        preview.show(change);
         setText(result, text);
         warn(warning);
         apply.disabled = store.document === base;
@@ -160,7 +160,7 @@ export function toolDialog<A>(
     });
   /** @param isAsked the user has requested a preview that takes long */
   const preview = (isAsked = false) => {
-    if (trial.over) return;
+    if (preview.over) return;
     try {
       const args = tool.args(answers);
       called = command.label(base, args);
@@ -172,7 +172,7 @@ export function toolDialog<A>(
         apply.disabled = !waits;
         if (waits) {
           asked++;
-          trial.show(base);
+          preview.show(base);
           setText(result, 'This takes a moment. Preview or apply it to see the result.');
           return;
         }
@@ -180,7 +180,7 @@ export function toolDialog<A>(
         return;
       }
       const edit = command.run(base, args);
-      trial.show(edit);
+      preview.show(edit);
       setText(result, tool.result(args, edit.document));
       result.classList.remove('wrong');
       apply.disabled = store.document === base;
@@ -192,12 +192,12 @@ export function toolDialog<A>(
     }
   };
   const end = (keep: boolean) => {
-    if (trial.over) return;
+    if (preview.over) return;
     // Steps are already done when their result is applied.
     if (keep && !tool.steps) preview();
     unsubscribe();
-    if (!keep) return trial.putBack();
-    trial.keep(called);
+    if (!keep) return preview.putBack();
+    preview.keep(called);
     tool.applied?.();
     if (warned.textContent) wb.messages.note(warned.textContent, 'warning');
   };
