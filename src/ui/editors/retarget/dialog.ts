@@ -137,7 +137,7 @@ export function retargetDialog(
       apply.disabled = bake.disabled = true;
     }
   };
-  const preview = () =>
+  const showPreview = () =>
     attempt(() => {
       const after = made();
       preview.show(after);
@@ -150,7 +150,7 @@ export function retargetDialog(
       setTooltip(reference, isFixed ? 'Both skeletons have the same bones: their file poses match' : '');
       setText(result, retargetText(moved.driver, moved.skeleton, measureRetarget(moved, MEASURED)));
     });
-  const soon = atMostEvery(PREVIEW_MS, preview);
+  const soon = atMostEvery(PREVIEW_MS, showPreview);
 
   const match = (pairs?: readonly JointPair[]) => {
     const from = findCharacter(base, sources.value);
@@ -240,7 +240,7 @@ export function retargetDialog(
   });
   targets.value = target.id;
   showSources();
-  preview();
+  showPreview();
   return { title: TITLE, body, kind };
 }
 

@@ -159,7 +159,7 @@ export function toolDialog<A>(
       failed: refuse,
     });
   /** @param isAsked the user has requested a preview that takes long */
-  const preview = (isAsked = false) => {
+  const showPreview = (isAsked = false) => {
     if (preview.over) return;
     try {
       const args = tool.args(answers);
@@ -194,7 +194,7 @@ export function toolDialog<A>(
   const end = (keep: boolean) => {
     if (preview.over) return;
     // Steps are already done when their result is applied.
-    if (keep && !tool.steps) preview();
+    if (keep && !tool.steps) showPreview();
     unsubscribe();
     if (!keep) return preview.putBack();
     preview.keep(called);
@@ -204,7 +204,7 @@ export function toolDialog<A>(
   const unsubscribe = wb.dialog.subscribe((shown) => {
     if (shown !== tool.name) end(false);
   });
-  const soon = atMostEvery(PREVIEW_MS, () => preview());
+  const soon = atMostEvery(PREVIEW_MS, () => showPreview());
   body.addEventListener('input', () => {
     showAsked();
     // The result is outdated.
@@ -217,7 +217,7 @@ export function toolDialog<A>(
     if (apply.disabled) return;
     if (waits) {
       keepsWhenDone = true;
-      preview(true);
+      showPreview(true);
       return;
     }
     end(true);
@@ -226,10 +226,10 @@ export function toolDialog<A>(
   tryOut.addEventListener('click', () => {
     // The button disappears, so move the focus.
     cancel.focus();
-    preview(true);
+    showPreview(true);
   });
   cancel.addEventListener('click', close);
-  preview();
+  showPreview();
   return { title: tool.title, body, kind: 'tool-dialog' };
 }
 
