@@ -28,6 +28,7 @@ import { zxyAngles } from './rotations/euler-angles.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints } from './samples/bvh-joints.ts';
 import { framesOfClip } from './samples/key-frames.ts';
 
+/** A character as a BVH figure, with what was lost on the way. */
 export interface BvhFigure {
   readonly figure: CapturedFigure;
   /** What BVH can't store. */

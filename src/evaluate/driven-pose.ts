@@ -20,6 +20,7 @@ export type DrivenPose = (
 
 let provided: DrivenPose | undefined;
 
+/** Installs the function that `drivenPose` calls; `retarget/driving.ts` does so when it is imported. */
 export function provideDrivenPose(pose: DrivenPose): void {
   provided = pose;
 }

@@ -2,6 +2,7 @@
 import { transformPoint, type Vec3 } from '../math/vec3.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 
+/** Where the end of a bone is in a pose. */
 export interface EndSitePosition {
   /** Index of its joint. */
   readonly joint: number;

@@ -44,6 +44,7 @@ export interface PoseSource {
   readonly joints: SampledJoints | undefined;
 }
 
+/** Everything that a character's pose is evaluated from, compiled once for all times. */
 export function poseSource(character: Character): PoseSource {
   const { skeleton } = character;
   const clip = skeleton && shownClip(character);

@@ -266,6 +266,7 @@ export class NumberList implements NumberSink {
     this.values = new Float64Array(Math.max(16, Math.ceil(first)));
   }
 
+  /** Grows the list, which keeps its numbers; see `nextLength`. */
   flush(): void {
     const grown = new Float64Array(nextLength(this.values.length, this.values.length + 1, this.expected ?? 0));
     grown.set(this.values);
@@ -312,6 +313,7 @@ export class WrongIndices {
     if (this.count++ === 0) this.note(index, t.placeOfSlot(slot));
   }
 
+  /** Counts an index that is out of range or fractional, at a known place; the first is kept for `tell`. */
   add(index: number, place: Place): void {
     if (this.count++ === 0) this.note(index, place);
   }

@@ -15,12 +15,14 @@ import { LF, tokenEnd } from './scan.ts';
  */
 export type TakePiece = (bytes: Uint8Array, from: number, to: number) => number;
 
+/** Cuts a stream of chunks into pieces that end between tokens. */
 export class BytePieces {
   private carry = new Uint8Array(0);
   private carried = 0;
   /** Whether the next piece has to end with a line. */
   private wantsLine = false;
 
+  /** Gives `take` the complete pieces of the next chunk, in order, and keeps the rest for the one after it. */
   feed(chunk: Uint8Array, take: TakePiece): void {
     let from = 0;
     while (from < chunk.length) {

@@ -52,6 +52,7 @@ interface Unfinished {
   readonly full: number;
 }
 
+/** Finds line, column and excerpt for byte offsets in a stream whose past pieces are gone. */
 export class Places {
   /** The current piece: bytes [from, to), the first at `base` in the file. */
   private bytes: Uint8Array = NOTHING;

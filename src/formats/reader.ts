@@ -20,12 +20,14 @@ export interface Reader<T> {
   end(): ReadResult<T>;
 }
 
+/** The result of reading a file: its content, unless there are errors, and what was found on the way. */
 export interface ReadResult<T> {
   /** Absent if and only if there is an error. */
   readonly value?: T;
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** The result of writing a text file. */
 export interface WriteResult {
   readonly text: string;
   /** Infos: names that had to be changed for the format. */

@@ -23,6 +23,7 @@ interface Entry {
   count: number;
 }
 
+/** Collects the diagnostics of one file, up to `MOST_KEPT` per severity. */
 export class Report {
   private readonly entries: Entry[] = [];
   private readonly folded = new Map<string, Entry>();
@@ -30,6 +31,7 @@ export class Report {
 
   constructor(private readonly file: string) {}
 
+  /** Whether an error was reported so far, so that the file won't be loaded. */
   get hasErrors(): boolean {
     return this.errorCount > 0;
   }
@@ -44,14 +46,26 @@ export class Report {
     return this.counts[severity] < MOST_KEPT;
   }
 
+  /**
+   * Reports an error: the file won't be loaded, though reading may continue.
+   * @param code stable, lower case, such as `number-expected`
+   */
   error(code: string, message: string, place: Place): void {
     this.add('error', code, message, place);
   }
 
+  /**
+   * Reports a warning.
+   * @param assumed what was used instead: "used 3"
+   */
   warn(code: string, message: string, place: Place, assumed?: string): void {
     this.add('warning', code, message, place, assumed);
   }
 
+  /**
+   * Reports something worth knowing.
+   * @param assumed what was used instead, if anything
+   */
   info(code: string, message: string, place: Place, assumed?: string): void {
     this.add('info', code, message, place, assumed);
   }

@@ -19,7 +19,9 @@
  */
 import { POWERS, parseDecimal, wide } from './decimal.ts';
 
+/** The byte of a line feed. */
 export const LF = 10;
+/** The byte of a carriage return. */
 export const CR = 13;
 /** Integers up to here are exact doubles. */
 const EXACT = Number.MAX_SAFE_INTEGER;
@@ -46,6 +48,7 @@ export const CLOSED = 2;
 /** … at a token that is neither a number nor one of the words. */
 export const STRANGE = 3;
 
+/** Where the number loop is in its input and output; updated in place by each call. */
 export interface Scan {
   /** Where to continue. */
   at: number;

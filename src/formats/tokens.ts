@@ -17,6 +17,7 @@ import { ParseError, Report } from './report.ts';
 import { AT_END, type BlockWords, CLOSED, CR, FULL, LF, type Scan, scanNumbers, tokenEnd } from './scan.ts';
 import { LONGEST_KEYWORD, textOf, whyNoNumber } from './words.ts';
 
+/** A word (a number is one too), a brace, or the end of the file. */
 export type TokenKind = 'word' | '{' | '}' | 'end';
 
 /** Words with a meaning in their context, in lower case, so that they are not taken as misspelt numbers. */
@@ -58,6 +59,7 @@ const QUOTE = 34;
 /** Bytes after a keyword that are searched for a FILE's extension. */
 const FILE_REACH = 1024;
 
+/** The tokens of one file, in order, with the report of its problems. Grammars ask for them one by one. */
 export class Tokens {
   readonly report: Report;
   /** The current token: bytes [start, stop) of the piece. */

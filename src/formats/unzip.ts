@@ -1,6 +1,7 @@
 /** Extracts files from a zip, by fflate. Unwanted entries are never unpacked. */
 import { strFromU8, unzipSync } from 'fflate';
 
+/** A file taken out of an archive. */
 export interface ZipEntry {
   /** The file's path in the archive. */
   readonly path: string;

@@ -23,6 +23,7 @@ const BATCH = 1024;
 /** Deeper nesting is not indented further: a chain of 100,000 joints would be 10 GB of tabs. */
 const DEEPEST = 40;
 
+/** Builds a text file line by line, in batches, and reports what the format can't hold. */
 export class Text {
   private subject = '';
   /** The row of the subject that is being written, from 1; 0 for none. */
@@ -41,6 +42,7 @@ export class Text {
     this.row = 0;
   }
 
+  /** Adds a line, indented by `depth` tabs, 40 at most. */
   line(depth: number, text: string): void {
     this.lines.push('\t'.repeat(Math.min(depth, DEEPEST)) + text);
     if (this.lines.length < BATCH) return;
@@ -62,6 +64,7 @@ export class Text {
     this.line(0, '}');
   }
 
+  /** The numbers, each as the shortest decimal that reads back the same, with blanks between. */
   numbers(values: readonly number[]): string {
     return values.map((v) => this.number(v)).join(' ');
   }
@@ -123,6 +126,7 @@ export class Text {
     return text;
   }
 
+  /** The text since the last `takeText`, with all diagnostics. */
   result(): WriteResult {
     const text = this.takeText();
     const diagnostics: readonly Diagnostic[] = this.report.finish();

@@ -75,6 +75,10 @@ export function fitEye(
   return { x: (right - left) / 2, y: (top - above * z + below * z - bottom) / 2, z, middle };
 }
 
+/**
+ * Near and far plane as distances along the camera's view, in scene units; an orthographic camera's `near` may be
+ * negative.
+ */
 export interface DepthRange {
   readonly near: number;
   readonly far: number;

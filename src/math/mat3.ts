@@ -58,11 +58,13 @@ export function backTurnVector(a: Float64Array, ao: number, v: Float64Array, vo:
   out[o + 2] = a[ao + 6] * x + a[ao + 7] * y + a[ao + 8] * z;
 }
 
+/** Writes the identity into the nine numbers of `out` from index `o`. */
 export function setIdentity3(out: Float64Array, o = 0): void {
   out.fill(0, o, o + 9);
   out[o] = out[o + 4] = out[o + 8] = 1;
 }
 
+/** Copies nine numbers from `from[fo …]` to `to[o …]`. */
 export function copy3(from: Float64Array, fo: number, to: Float64Array, o: number): void {
   for (let k = 0; k < 9; k++) to[o + k] = from[fo + k];
 }

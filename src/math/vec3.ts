@@ -1,6 +1,7 @@
 /** x, y, z. */
 export type Vec3 = readonly [number, number, number];
 
+/** The zero vector, shared; it must not be mutated. */
 export const ZERO: Vec3 = [0, 0, 0];
 
 /**
@@ -45,18 +46,22 @@ export function add(a: Vec3, b: Vec3, times = 1): Vec3 {
   return [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]];
 }
 
+/** a − b. */
 export function subtract(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
+/** by · a. */
 export function scaled(a: Vec3, by: number): Vec3 {
   return [a[0] * by, a[1] * by, a[2] * by];
 }
 
+/** The dot product a · b. */
 export function dot(a: Vec3, b: Vec3): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/** The cross product a × b. */
 export function cross(a: Vec3, b: Vec3): Vec3 {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }

@@ -41,6 +41,7 @@ export function moreThanKept(severity: Severity, found: number, file: string): r
   return [withoutPlace(severity, `more-${what}`, `And ${found - MOST_KEPT} more ${what}.`, file)];
 }
 
+/** A line of a file as it is shown under a message, with the place of the problem. */
 export interface Excerpt {
   readonly text: string;
   /** Position of the caret in `text`, from 0. */
@@ -59,6 +60,7 @@ export function withoutPlace(
   return { severity, code, message: cutMessage(message), file, line: 0, column: 0, ...used };
 }
 
+/** Whether at least one of the diagnostics is an error, so that the file is not loaded. */
 export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
   return diagnostics.some((d) => d.severity === 'error');
 }

@@ -17,6 +17,9 @@ import type { ChannelClip } from './takes/clip.ts';
 import type { JointPair, RetargetOptions } from './takes/retarget.ts';
 import type { ReviewedTake } from './takes/review.ts';
 
+/**
+ * Everything that is saved and undone: characters in the order of the outliner, files kept for later, reviewed takes.
+ */
 export interface Document {
   readonly characters: readonly Character[];
   /** Files read without errors that belong to nothing in the document yet. */
@@ -99,6 +102,7 @@ export interface DriverSource {
   readonly space?: Space;
 }
 
+/** Values set by hand over the take at one time and not keyed; discarded when the time changes. */
 export interface Unkeyed {
   readonly timeSeconds: number;
   /** Indices of DOFs (see `dofs.ts`), ascending. */
@@ -107,6 +111,7 @@ export interface Unkeyed {
   readonly values: readonly number[];
 }
 
+/** Where one instance of a character is in the scene: scaled, then rotated, then moved. The scene is in metres, y up. */
 export interface Placement {
   readonly position: Vec3;
   /** Radians about x, then y, then z. */
@@ -122,18 +127,22 @@ export interface UnusedFile {
   readonly waitsFor?: SourceFile;
 }
 
+/** The document of a page that has opened nothing. */
 export const EMPTY_DOCUMENT: Document = {
   characters: [],
   unused: [],
   isOpeningSample: false,
   charactersMade: 0,
 };
+/** The placement of a new character: at the scene's origin, neither turned nor scaled. */
 export const DEFAULT_PLACEMENT: Placement = { position: [0, 0, 0], turn: [0, 0, 0], scale: 1 };
 
+/** The skin that is drawn; undefined if the character has none. */
 export function shownSkin(character: Character): Skin | undefined {
   return character.skins[character.shownSkin];
 }
 
+/** The take that plays; undefined if there is none, or none is shown (`shownClip` is -1). */
 export function shownClip(character: Character): ChannelClip | undefined {
   return character.clips[character.shownClip];
 }
@@ -147,6 +156,7 @@ export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
 const FEW = 32;
 const byId = perObject((characters: readonly Character[]) => new Map(characters.map((c) => [c.id, c])));
 
+/** The character with this id; undefined if the document has none, or `id` is undefined. */
 export function findCharacter({ characters }: Document, id: string | undefined): Character | undefined {
   if (id === undefined) return undefined;
   return characters.length > FEW ? byId(characters).get(id) : characters.find((c) => c.id === id);

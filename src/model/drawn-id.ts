@@ -4,6 +4,7 @@
  */
 export type TwinId = `${string}#twin`;
 
+/** The view's id of a character's twin, the second of two compared takes. */
 export function twinOf(characterId: string): TwinId {
   return `${characterId}#twin`;
 }

@@ -6,8 +6,10 @@ import type { Vec3 } from '../math/vec3.ts';
 
 /** What a dump can hold. Positions are those of joints. */
 export const DUMP_KINDS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
+/** What a block of a dump contains; see `DUMP_KINDS`. */
 export type DumpKind = (typeof DUMP_KINDS)[number];
 
+/** The numbers of one dump, in blocks, with what the file says about their time and purpose. */
 export interface Dump {
   /** Without folders and extension. */
   readonly name: string;

@@ -24,7 +24,9 @@ export interface SourceFile {
 /** How messages name a file: by its name, or by its path where files of one name come from many folders. */
 export type FileNaming = (source: SourceFile) => string;
 
+/** Names a file without its folders: `walk.anim`. */
 export const byFileName: FileNaming = ({ name }) => name;
+/** Names a file with its folders, for files that share a name: `ada/walk.anim`. */
 export const byPath: FileNaming = ({ path }) => path;
 
 /** An image for a skin's material. The bytes are the file's own; the view decodes them. */
@@ -58,10 +60,12 @@ interface Contents {
   readonly dump: { readonly file: { readonly dump: Dump } };
 }
 
+/** The kind of content that a file can have: a key of `Contents`. */
 export type FileKind = keyof Contents;
 
 /** What reading a file of that kind results in. */
 export type ContentOf<K extends FileKind> = { readonly [C in K]: { readonly kind: C } & Contents[C]['file'] }[K];
+/** The content of a file of any kind, told by `kind`. */
 export type FileContent = ContentOf<FileKind>;
 
 /** Kinds of content that a character keeps as parts. */

@@ -7,6 +7,7 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 
+/** IK settings of a character. Joint indices are those of its skeleton. */
 export interface IkSetup {
   /** In creation order; no two hold the same point of the same joint. */
   readonly pins: readonly Pin[];
@@ -30,6 +31,7 @@ export interface Pin {
   readonly holdsOrientation: boolean;
 }
 
+/** A joint that IK bends less than others, or not at all. */
 export interface StiffJoint {
   readonly joint: number;
   /**

@@ -11,6 +11,7 @@ export interface Morph {
   readonly weight?: number;
 }
 
+/** The vertices that a morph target replaces, with their values: positions, or normals. */
 export interface MorphRows {
   /** Vertices of the base skin, each once: of several rows for a vertex the reader keeps the last. */
   readonly indices: Uint32Array;

@@ -42,7 +42,9 @@ export interface PartMarks {
   readonly poses?: PartMark;
 }
 
+/** The mark of a part that the store has not numbered yet. */
 export const UNMARKED: PartMark = { id: 0, revision: 0 };
+/** The marks of a character without parts. */
 export const NO_MARKS: PartMarks = { skins: [], morphs: [], clips: [] };
 
 /** The mark of a part just read from a file: the same id if it is the same file with new content. */

@@ -12,6 +12,10 @@ export interface PerObject<K extends WeakKey, V> {
   adopt(of: K, value: V): void;
 }
 
+/**
+ * Makes a function that calls `make` once per object and then returns the same value for as long as the object lives.
+ * Its `adopt` stores a value computed elsewhere.
+ */
 export function perObject<K extends WeakKey, V>(make: (of: K) => V): PerObject<K, V> {
   const known = new WeakMap<K, V>();
   const get = (of: K): V => {

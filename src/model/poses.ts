@@ -2,6 +2,7 @@
 import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 
+/** An entry of the pose library. */
 export interface NamedPose {
   /** Unique in its character. */
   readonly name: string;

@@ -24,6 +24,7 @@ export interface ChannelKeys {
   readonly indices: readonly number[];
 }
 
+/** The selection without a character, joint or key. */
 export const NOTHING_SELECTED: Selection = {};
 
 /**
@@ -34,7 +35,9 @@ export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'hea
 /** `bare`: solid, for characters drawn without a skin. */
 export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 
+/** Units of the distance between onion skins. */
 export const GHOST_UNITS = ['seconds', 'frames'] as const;
+/** Unit of the distance between onion skins; see `GHOST_UNITS`. */
 export type GhostUnit = (typeof GHOST_UNITS)[number];
 /** On each side of the current time. */
 export const MAX_GHOSTS = 20;
@@ -74,6 +77,7 @@ export interface Display {
   readonly inPlace: boolean;
 }
 
+/** The display settings of a first visit. */
 export const DEFAULT_DISPLAY: Display = {
   skin: 'textured',
   boxes: 'bare',

@@ -65,6 +65,7 @@ export function textureNames({ surfaces }: Skin): readonly string[] {
   return [...new Set(surfaces.flatMap(({ material }) => material?.texture ?? []))];
 }
 
+/** Number of vertices of a skin. */
 export function vertexCount(skin: Skin): number {
   return skin.positions.length / 3;
 }

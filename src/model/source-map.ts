@@ -66,6 +66,7 @@ export interface SourceMark extends LineRange {
   readonly isPose?: true;
 }
 
+/** The lines of one text file, and the parts of the model that they hold. */
 export interface SourceMap {
   readonly index: LineIndex;
   /** In the order of the file. */

@@ -26,8 +26,10 @@ export const LENGTH_UNITS = [
   'cmu',
   'own',
 ] as const;
+/** The length of one unit in a file; see `LENGTH_UNITS`. */
 export type LengthUnit = (typeof LENGTH_UNITS)[number];
 
+/** The space of a character whose file states none: y up, a unit taken as a metre, not lifted. */
 export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
 
 /** The space that comes with a file: stated by it, or guessed from the posture of its figures. */

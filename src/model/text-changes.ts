@@ -8,8 +8,10 @@ export interface LineHunk {
   readonly newTo: number;
 }
 
+/** Whether the lines of a hunk are only in the new text, only in the old one, or differ. */
 export type HunkKind = 'added' | 'removed' | 'changed';
 
+/** Kind of a hunk, by which of its two ranges of lines is empty. */
 export function kindOf({ oldFrom, oldTo, newFrom, newTo }: LineHunk): HunkKind {
   if (oldFrom === oldTo) return 'added';
   return newFrom === newTo ? 'removed' : 'changed';

@@ -14,6 +14,7 @@ import type { Space } from '../../model/space.ts';
 import { automaticPairs } from '../retarget/match.ts';
 import { isSameSkeleton, type JointMatch, matchJoints } from './joint-match.ts';
 
+/** The pairs of joints that are compared between two characters. */
 export interface ComparedJoints extends JointMatch {
   /** Why each pair is compared: `same name`, `left forearm, by name`, `retargeted`. */
   readonly reasons: readonly string[];

@@ -34,6 +34,7 @@ export interface FrameTimes {
   readonly frameCount: number;
 }
 
+/** Distances of matched joints over time, in the scene's units. */
 export interface Distances extends FrameTimes {
   /** The matched joints: row k belongs to `match.first[k]` and `match.second[k]`. */
   readonly match: JointMatch;

@@ -9,6 +9,7 @@
 import { length3 } from '../../math/vec3.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 
+/** Which joints of two skeletons correspond, by index. */
 export interface JointMatch {
   /** Joints of the first skeleton that have a match, ascending. */
   readonly first: readonly number[];
@@ -19,6 +20,7 @@ export interface JointMatch {
   readonly onlySecond: readonly number[];
 }
 
+/** Matches the joints of two skeletons by name and parent; a joint whose parent has no match has none. */
 export function matchJoints(a: Skeleton, b: Skeleton): JointMatch {
   // Names may contain any character; the key is still unique, since the number comes first.
   const key = (parent: number, name: string) => `${parent} ${name}`;

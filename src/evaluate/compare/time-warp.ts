@@ -10,6 +10,7 @@
  */
 import type { Steps } from '../steps.ts';
 
+/** The distance of two motions with time warp, and the frames that were compared for it. */
 export interface TimeWarp {
   /** Mean over the path, in the unit of the positions. */
   readonly distance: number;

@@ -36,6 +36,7 @@ export type DofKind = 'turn' | 'slide' | 'stretch' | 'grow' | 'shear';
 /** x, y or z, the DOF's colour everywhere (`model/dof-axis.ts`); `other`: none of them. */
 export type Hue = 0 | 1 | 2 | 'other';
 
+/** The axis of one DOF in the current pose, as a gizmo's handle needs it. */
 export interface DofAxis {
   /** Index into the character's DOFs (`model/dofs.ts`). */
   readonly dof: number;

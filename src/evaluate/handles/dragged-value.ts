@@ -1,5 +1,6 @@
 /** A DOF's value during a drag: follows the pointer, optionally slower or in steps, and stops at limits. */
 
+/** Modifier keys during a drag. */
 export interface HandWants {
   /** A tenth of the movement: Shift. */
   readonly fine: boolean;
@@ -7,6 +8,7 @@ export interface HandWants {
   readonly snap: boolean;
 }
 
+/** Range of a dragged value in the DOF's unit; min > max restricts nothing. */
 export interface ValueLimits {
   readonly min: number;
   readonly max: number;
@@ -14,6 +16,7 @@ export interface ValueLimits {
   readonly hold: boolean;
 }
 
+/** A value during a drag, and whether it met a limit. */
 export interface Dragged {
   readonly value: number;
   /** The limit that was reached; with limits that are not enforced, the one exceeded. */
@@ -22,6 +25,7 @@ export interface Dragged {
 
 const FINE = 0.1;
 
+/** The value of one drag, from its start to its end, in the DOF's unit. */
 export class DraggedValue {
   private raw: number;
 

@@ -39,6 +39,7 @@ export interface HandleRange {
   readonly max: number;
 }
 
+/** A gizmo's handle for one DOF. */
 export interface Handle extends DofAxis {
   readonly id: HandleId;
   /** For a turn: direction of the bone, perpendicular to the axis. */
@@ -46,6 +47,7 @@ export interface Handle extends DofAxis {
   readonly range: HandleRange;
 }
 
+/** All handles of a joint in the current pose; positions and lengths are in the world. */
 export interface JointHandles {
   /** The joint's origin in the world. */
   readonly pivot: Vec3;
@@ -55,6 +57,7 @@ export interface JointHandles {
   readonly freeTurn: FreeTurn | undefined;
 }
 
+/** Whether two ids name the same handle; two undefined ones are the same. */
 export function sameHandle(a: HandleId | undefined, b: HandleId | undefined): boolean {
   if (!a || !b) return a === b;
   if (a.kind === 'dof') return b.kind === 'dof' && a.dof === b.dof;

@@ -21,11 +21,13 @@ import type { IkProblem } from './state.ts';
 const LONGEST_STEP = 1;
 /** Maximum number of solves per step because of limits. */
 const MAX_ROUNDS = 4;
+/** The boost of the damping with which a descent starts. */
 export const FIRST_BOOST = 0.1;
 const MIN_BOOST = 1e-4;
 /** Beyond this no step lowers the error, however short. */
 const MAX_BOOST = 1e12;
 
+/** The outcome of one descent, without unit. */
 export interface Descent {
   /** Steps tried, including undone ones. */
   iterations: number;
@@ -36,6 +38,7 @@ export interface Descent {
   isFlat: boolean;
 }
 
+/** When a descent ends. */
 export interface DescentOptions {
   /** Fraction of the reach. */
   readonly aim: number;

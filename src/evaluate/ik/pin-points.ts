@@ -15,6 +15,7 @@ import { compileSkin } from '../skin/deform.ts';
 /** `boxEnd`: the centre of a face of the joint's box. `skinEnd`: the farthest vertex attached to the joint. */
 export type PinPointKind = 'origin' | 'tip' | 'endSite' | 'boxEnd' | 'skinEnd';
 
+/** A point of a joint to which pins snap. */
 export interface PinPoint {
   readonly kind: PinPointKind;
   /** In the joint's space. */

@@ -10,6 +10,7 @@ import { type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 /** A unit quaternion, x y z w. */
 export type Turn = readonly [number, number, number, number];
 
+/** A point of a joint and where it should be. */
 export interface IkPin {
   /** Index of the joint. */
   readonly joint: number;
@@ -25,6 +26,7 @@ export interface IkPin {
   readonly holds?: boolean;
 }
 
+/** Options of an IK problem. */
 export interface IkOptions {
   /** Whether joint limits are enforced, true by default. Linked DOFs always are. */
   readonly clamps?: boolean;

@@ -12,14 +12,18 @@ import type { IkVariables } from './variables.ts';
  * rule.
  */
 export const SLANTED = 3;
+/** The link only translates along its axis. */
 export const SLIDES = 4;
+/** The link is constant: a joint without DOFs. */
 export const STANDS = 5;
+/** The link uses its joint's own rule. */
 export const OTHER = 6;
 
 /** Numbers per link in `Links.plan`: what it does, its DOF, the slot it continues from, the slot for its matrix. */
 export const PLAN = 4;
 /** In place of a slot to continue from: the previous link, or the common space. */
 export const BEFORE = -1;
+/** The link continues from the space of the world matrices. */
 export const WORLD = -2;
 /** Numbers per link in `Links.rules`: its offset from what it continues from, its axis, its slide along that. */
 export const RULES = 7;

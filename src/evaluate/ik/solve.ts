@@ -16,6 +16,7 @@ import { aimPins } from './reach.ts';
 import { isStraight, restart, shake } from './restarts.ts';
 import type { IkProblem, IkResult } from './state.ts';
 
+/** How thoroughly a problem is solved: while the hand moves, where it stays, or once with restarts. */
 export type IkMode = 'drag' | 'rest' | 'settle';
 
 interface ModeOptions extends DescentOptions {

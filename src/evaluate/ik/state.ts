@@ -7,6 +7,7 @@
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { IkVariables } from './variables.ts';
 
+/** The description and all arrays of one IK problem; solving allocates nothing. */
 export interface IkProblem {
   readonly skeleton: CompiledSkeleton;
   readonly clamps: boolean;
@@ -47,6 +48,7 @@ export interface IkResult {
   bindingCount: number;
 }
 
+/** Pins as columns; positions and targets are in the space of the world matrices. */
 export interface PinArrays {
   readonly count: number;
   readonly slot: Int32Array;
@@ -70,6 +72,7 @@ export interface PinArrays {
   readonly turns: Float64Array;
 }
 
+/** The joints involved, as columns. */
 export interface Slots {
   readonly count: number;
   readonly joint: Int32Array;
@@ -147,6 +150,7 @@ export interface Foresight {
   readonly foreseen: Float64Array;
 }
 
+/** The ball around a joint that bounds each pin: no pose brings it farther away. */
 export interface Balls {
   /** By pin, the slot of the joint whose pivot is the centre; -1 if the pin is not known to be bounded. */
   readonly centre: Int32Array;

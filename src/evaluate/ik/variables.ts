@@ -10,6 +10,7 @@ import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import { isUnlimited, type Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 
+/** The DOFs that may move, as columns of scaled variables. */
 export interface IkVariables {
   readonly count: number;
   /** The character's DOF of each. */

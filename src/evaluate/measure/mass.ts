@@ -17,6 +17,7 @@ import { LIMB_SIDES, type LimbPart, type Roles, rolesOf } from '../retarget/role
 /** `segments`: by limb segments; `bones`: uniform over bones. */
 export type MassModel = 'segments' | 'bones';
 
+/** The centre of mass as weights of joints' positions. */
 export interface JointMasses {
   readonly model: MassModel;
   /** One per joint; their sum is 1. */

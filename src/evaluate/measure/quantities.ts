@@ -12,7 +12,12 @@
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { length3 } from '../../math/vec3.ts';
 
+/**
+ * Quantities that can be measured over time: three coordinates in the scene, their derivatives, rotations, and contact
+ * of feet with the ground.
+ */
 export const QUANTITIES = ['x', 'height', 'z', 'speed', 'acceleration', 'angle', 'angularSpeed', 'contact'] as const;
+/** A quantity over time; see `QUANTITIES`. */
 export type Quantity = (typeof QUANTITIES)[number];
 
 /** A point's or a joint's motion in evenly spaced frames. */

@@ -19,6 +19,7 @@ import { applySpace } from '../space/space.ts';
 import type { Steps } from '../steps.ts';
 import { jointMasses, type MassModel } from './mass.ts';
 
+/** Joints over the frames of a take: positions, rotations, contacts and the centre of mass. */
 export interface Tracks {
   /** Frame f is at `startSeconds + f · frameSeconds` of the transport. */
   readonly frames: Frames;

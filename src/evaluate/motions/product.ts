@@ -10,6 +10,7 @@ import { setIdentity } from '../../math/mat4.ts';
 import type { AxisPair } from '../../model/skeleton/skeleton.ts';
 import { type JointMotion, type MotionPart, slideAlong, turnScrew } from './motion.ts';
 
+/** A one-DOF matrix along or about a main axis. */
 export interface Factor {
   readonly kind: 'translation' | 'rotation' | 'scale';
   /** 0, 1, 2 for x, y, z. */

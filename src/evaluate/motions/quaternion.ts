@@ -34,6 +34,7 @@ function normalise(dofs: Float64Array, first: number): boolean {
   return true;
 }
 
+/** The motion of a quaternion joint, with the derivative for each of x y z w. */
 export const QUATERNION: JointMotion = {
   write(dofs, first, out, o) {
     setIdentity(out, o);

@@ -10,6 +10,7 @@ import { shearParts } from './shear-parts.ts';
 /** Minimum length: preserving the volume at length 0 would need infinite width. */
 const SHORTEST = 1e-6;
 
+/** The motion of a scale joint. The axis may have any length but 0; the modes `uniform` and `xyz` ignore it. */
 export function scaleMotion(mode: ScaleMode, axis: Vec3): JointMotion {
   switch (mode) {
     case 'uniform':

@@ -19,6 +19,7 @@ const SHEARS = [
   [0, 2, 1],
 ] as const;
 
+/** Nine parts whose product is the matrix of a shear joint: rotation, scale and rotation for each of its DOFs. */
 export function shearParts(): readonly MotionPart[] {
   return SHEARS.flatMap(([u, v, dof]) => {
     const turn = (by: number): MotionPart => ({

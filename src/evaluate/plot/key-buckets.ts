@@ -5,8 +5,11 @@
 import { firstNotBelow } from '../../math/search.ts';
 import type { ShownChannel } from './shown-keys.ts';
 
+/** Mark of a pixel without a key. */
 export const NO_KEY = 0;
+/** Mark of a pixel with keys, none of them on the channels in question. */
 export const OTHER_KEY = 1;
+/** Mark of a pixel with a key on the channels in question. */
 export const MEANT_KEY = 2;
 
 /** Keys per pixel above which a channel is searched. */

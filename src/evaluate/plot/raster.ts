@@ -6,6 +6,7 @@
  */
 import { DOTTED_COLUMN, NO_COLUMN, type TracedColumns } from './trace-columns.ts';
 
+/** A curve as columns, with its colour and line width. */
 export interface ColumnLine {
   readonly columns: TracedColumns;
   /** `#rrggbb` */
@@ -24,6 +25,7 @@ const DOT_PIXELS = 2;
 /** Longer runs use `fill`. */
 const LONG_RUN = 24;
 
+/** Draws curves given as columns into an image of its own. */
 export class ColumnRaster {
   /** Red, green, blue, alpha in bytes, row by row, as in an ImageData. */
   pixels: Uint8ClampedArray<ArrayBuffer> = new Uint8ClampedArray(0);

@@ -8,6 +8,7 @@ const NEAR = 3;
 /** Shorter runs are drawn as diamonds anyway: three keys in a row are three keys. */
 const SHORTEST_BAND = 12;
 
+/** What receives the shapes of a row, from left to right. */
 export interface RunSink {
   /** @param pixel index of the mark */
   diamond(pixel: number, mark: number): void;
@@ -15,6 +16,7 @@ export interface RunSink {
   band(first: number, last: number, mark: number): void;
 }
 
+/** Gives the sink the shapes for a row of marks, one per pixel; 0 is no mark. */
 export function runsOf(marks: Uint8Array, sink: RunSink): void {
   const count = marks.length;
   let pixel = 0;

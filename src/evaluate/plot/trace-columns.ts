@@ -11,8 +11,11 @@ import type { CompiledClip } from '../compiled-clip.ts';
 import { ChannelExtremes, type SpanExtremes } from './trace-extremes.ts';
 import { FAR_PIXELS, heightOf, type TraceMap } from './trace-path.ts';
 
+/** Kind of a column that the curve does not pass through. */
 export const NO_COLUMN = 0;
+/** Kind of a column in which the curve is drawn solid. */
 export const SOLID_COLUMN = 1;
+/** Kind of a column outside the keys, where they repeat: drawn dotted. */
 export const DOTTED_COLUMN = 2;
 
 /** Spans per column above which extremes are queried. */
@@ -20,6 +23,7 @@ const MANY_SPANS = 6;
 
 const extremes = new ChannelExtremes();
 
+/** A channel's extent in each column of pixels; reused from one channel to the next. */
 export class TracedColumns {
   /** Extent of the curve in each column, CSS pixels. */
   tops = new Float32Array(0);
@@ -32,6 +36,7 @@ export class TracedColumns {
   /** Kept alive; otherwise it would be recomputed whenever the view moves. */
   private held: SpanExtremes | undefined;
 
+  /** Forgets all columns; the arrays are kept. */
   clear(): void {
     this.from = this.to = 0;
   }

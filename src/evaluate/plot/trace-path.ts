@@ -15,7 +15,9 @@ export type Spans = Pick<CompiledClip, 'times' | 'cubics'>;
 
 /** Path verbs: two coordinates each, six for a curve. */
 export const MOVE = 0;
+/** A line to the point. */
 export const LINE = 1;
+/** A cubic Bézier curve: two control points, then its end. */
 export const CURVE = 2;
 
 /** Values farther than this from the plot are clipped. */
@@ -23,6 +25,7 @@ export const FAR_PIXELS = 4096;
 /** A span is drawn straight if its curve is nowhere farther than this from the line. */
 const STRAIGHT_PIXELS = 0.03;
 
+/** A path as verbs and CSS pixels; grows, and is reused. */
 export class TracedPath {
   verbs = new Uint8Array(64);
   /** CSS pixels. */
@@ -30,19 +33,23 @@ export class TracedPath {
   verbCount = 0;
   pointCount = 0;
 
+  /** Removes all verbs and points; the arrays are kept. */
   clear(): void {
     this.verbCount = 0;
     this.pointCount = 0;
   }
 
+  /** Starts another part of the path, in CSS pixels. */
   moveTo(x: number, y: number): void {
     this.point(MOVE, x, y);
   }
 
+  /** Adds a line from the last point, in CSS pixels. */
   lineTo(x: number, y: number): void {
     this.point(LINE, x, y);
   }
 
+  /** Adds a cubic Bézier curve from the last point: two control points, then its end; CSS pixels. */
   curveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void {
     this.reserve();
     const { points } = this;
@@ -107,6 +114,7 @@ export class SpanTracer {
   /** Added to values: drift from period to period, minus the value at the bottom. */
   private add = 0;
 
+  /** Starts tracing spans of `curves` into `path`, with the scale of `map`. */
   open(curves: Spans, map: TraceMap, path: TracedPath): void {
     this.curves = curves;
     this.map = map;

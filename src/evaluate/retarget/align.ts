@@ -57,6 +57,10 @@ export interface FeetPair {
   readonly source: Foot;
 }
 
+/**
+ * Recognises the parts of both bodies, and prepares everything that doesn't depend on the reference pose.
+ * @param pairs which joints of the target follow which of the source; indices that don't exist are ignored
+ */
 export function bodiesOf(
   source: Skeleton,
   sourceSpace: Space | undefined,
@@ -158,12 +162,14 @@ export function aims(bodies: Bodies): readonly { readonly joint: number; readonl
   );
 }
 
+/** The constant rotations that turn the source's joints into the target's. */
 export interface Alignment {
   /** K of every pair, nine numbers per target joint; the identity if it is not paired. */
   readonly corrections: Float64Array;
   readonly slopes: readonly FootSlope[];
 }
 
+/** Aligns a target with its source at a reference pose of the source, by the rule at the top of this file. */
 export function alignment(bodies: Bodies, reference: Reference): Alignment {
   const { target, sourceOf, roles, rest } = bodies;
   const count = target.joints.length;
@@ -300,6 +306,10 @@ function onlyFollowers({ target, source, sourceOf }: Bodies): Int32Array {
   return out;
 }
 
+/**
+ * The source in the scene, in a pose or in its file pose.
+ * @param dofs all of the source's; absent: its file pose
+ */
 export function sourceFigure({ source, sourceSpace }: Bodies, dofs?: Float64Array): RetargetFigure {
   return figureOf(source, sourceSpace, dofs);
 }

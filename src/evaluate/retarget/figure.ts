@@ -9,6 +9,7 @@ import type { Space } from '../../model/space.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../space/metres.ts';
 
+/** A posed skeleton in the scene. */
 export interface RetargetFigure {
   /** 9 numbers per joint. */
   readonly rotations: Float64Array;
@@ -47,6 +48,7 @@ export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Fl
   return { rotations, points };
 }
 
+/** Distance of joints `a` and `b`, in metres. */
 export function distance({ points }: RetargetFigure, a: number, b: number): number {
   return Math.hypot(
     points[3 * a] - points[3 * b],

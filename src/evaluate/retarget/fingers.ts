@@ -2,7 +2,9 @@
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { BodyParts } from './roles.ts';
 
+/** Fingers by the names that joints give them, from the thumb outwards. */
 export const FINGERS = ['thumb', 'index', 'middle', 'ring', 'pinky'] as const;
+/** A finger; see `FINGERS`. */
 export type Finger = (typeof FINGERS)[number];
 
 /**

@@ -22,6 +22,7 @@ const BONE_WEIGHT = 4;
 const MAX_SWEEPS = 24;
 const SETTLED = 1e-10;
 
+/** How one joint's angles are found; angles are in radians. */
 export interface JointFit {
   /** Index into the character's DOFs. */
   readonly first: number;

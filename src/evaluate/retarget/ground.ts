@@ -67,6 +67,7 @@ export function soleHeight({ joints, points, depth }: Sole, world: Float64Array,
   return rule.metres * low + rule.lift - depth;
 }
 
+/** The sole of a foot and that of the foot it follows. */
 export interface Soles {
   readonly own: Sole;
   readonly source: Sole;
@@ -93,6 +94,7 @@ export function depthOfLowest(plan: RetargetPlan, soles: readonly Soles[]): numb
   return median(moments.slice(0, Math.max(1, Math.round(LOWEST * count))).map(({ off }) => off));
 }
 
+/** The middle one of the sorted values, the upper of two; 0 without values. */
 export function median(values: readonly number[]): number {
   return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
 }

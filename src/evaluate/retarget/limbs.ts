@@ -13,6 +13,7 @@ import type { CompiledSkeleton } from '../kinematics.ts';
 import { aims, type Bodies, driven } from './align.ts';
 import { type BodySide, LIMB_SIDES } from './roles.ts';
 
+/** An arm or leg of the target that follows the source, with its hinge if it has one. */
 export interface Limb {
   readonly side: BodySide;
   readonly part: 'arm' | 'leg';
@@ -31,6 +32,11 @@ const STIFF = 0.02;
 /** An axis this close to the bone (cosine) twists it and doesn't bend. */
 const ALONG = 0.8;
 
+/**
+ * The arms and legs of the target of which all three joints are driven.
+ * @param rest the target's DOFs in its file pose
+ * @param clamps whether its limits are enforced
+ */
 export function limbsOf(bodies: Bodies, target: CompiledSkeleton, rest: Float64Array, clamps: boolean): Limb[] {
   const aimed = aims(bodies);
   return LIMB_SIDES.flatMap((side) =>

@@ -11,6 +11,7 @@ import { FINGERS } from './fingers.ts';
 import type { NameParts } from './names.ts';
 import { type Roles, rolesOf } from './roles.ts';
 
+/** A pair of joints, with how sure it is. */
 export interface MatchedPair extends JointPair {
   /** 1 for the same name, down to 0.5 if only the shape matches. */
   readonly confidence: number;

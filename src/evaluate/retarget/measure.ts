@@ -12,6 +12,7 @@ import type { FootTrack, RetargetPlan, Tip } from './plan.ts';
 import { sourcePose } from './source-pose.ts';
 import { toScene } from './travel.ts';
 
+/** How well a retargeted take follows its source. */
 export interface Measured {
   /** Degrees between the same bones of arms and legs, over all of them: average and maximum; 0 without any. */
   readonly limbsMean: number;

@@ -9,6 +9,7 @@
  * one if there is a thigh. `roles.ts` decides from the context.
  */
 
+/** The side that a joint's name states; `middle` if it states none. */
 export type NameSide = 'left' | 'right' | 'middle';
 
 /** The meaning of a word. `shoulder`, `sidedHip` and `leg` are ambiguous. */
@@ -34,6 +35,7 @@ export type Word =
   | 'ring'
   | 'pinky';
 
+/** A joint's name in parts. */
 export interface NameParts {
   readonly side: NameSide;
   readonly word: Word | undefined;
@@ -84,6 +86,7 @@ const NOISE = new Set(['joint', 'jnt', 'bone', 'bip', 'bip01', 'b', 'def', 'char
 const NOT_A_PART = /end$|nub|site|eye|jaw|hair|buttock|twist|tongue|^finger/;
 const FINGER = /thumb|index|mid(?:dle)?|ring|pinky|little/;
 
+/** Parses a joint's name. Prefixes up to a colon and a suffix from `#` are ignored, as is case. */
 export function readName(name: string): NameParts {
   const own = name.slice(name.lastIndexOf(':') + 1).split('#', 1)[0];
   const tokens = tokensOf(own);

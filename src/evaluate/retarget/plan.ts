@@ -16,6 +16,7 @@ import type { SameBones } from './same-bones.ts';
 import type { FootSlope } from './slopes.ts';
 import type { PlayedSource } from './source-pose.ts';
 
+/** Everything about one retargeting that is the same at all times. */
 export interface RetargetPlan {
   readonly source: CompiledSkeleton;
   readonly target: CompiledSkeleton;
@@ -72,6 +73,7 @@ export interface RetargetPlan {
 /** Joints at both ends of a bone: the target's, and the source's. */
 export type Tip = readonly [own: number, ownTip: number, source: number, sourceTip: number];
 
+/** A character's space as numbers: nine of a rotation, metres per unit, and metres up. */
 export interface SpaceRule {
   /** To the scene's axes. */
   readonly up: Float64Array;
@@ -91,6 +93,7 @@ export interface Slide {
   readonly rest: Float64Array;
 }
 
+/** A DOF whose value is copied from the source, times a factor; both are indices into the characters' DOFs. */
 export interface CopiedDof {
   readonly target: number;
   readonly source: number;
@@ -104,6 +107,7 @@ export interface Carrier {
   readonly dofs: Int32Array;
 }
 
+/** A foot that is put where the source's is while it has contact. */
 export interface FootTrack {
   readonly limb: Limb;
   /** Joints whose paths are kept: the balls of both feet, or the ankles. */

@@ -15,8 +15,11 @@ import { rolesByShape } from './shape.ts';
 
 /** Parts that exist once, or once per side. */
 const LIMB_PARTS = ['collar', 'arm', 'forearm', 'hand', 'thigh', 'shin', 'foot', 'toe'] as const;
+/** A part of an arm or leg. */
 export type LimbPart = (typeof LIMB_PARTS)[number];
+/** The sides that limbs come on. */
 export const LIMB_SIDES = ['left', 'right'] as const;
+/** The side of a limb. */
 export type BodySide = (typeof LIMB_SIDES)[number];
 
 /** `left thigh`, or `hips`. */
@@ -33,10 +36,12 @@ export interface BodyParts {
   readonly names: readonly NameParts[];
 }
 
+/** The parts of a body by joint, with the figure in which they were recognised. */
 export interface Roles extends BodyParts {
   readonly rest: RetargetFigure;
 }
 
+/** Which joint of a skeleton is which part of the body, in its file pose. */
 export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
   return { ...partsOf(skeleton, space?.up), rest: figureOf(skeleton, space) };
 }

@@ -7,6 +7,7 @@ import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
 import type { RetargetFigure } from './figure.ts';
 
+/** How far two skeletons have the same bones. */
 export interface SameBones {
   readonly directions: boolean;
   /** Also equally long, but for one factor. */

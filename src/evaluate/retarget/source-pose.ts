@@ -9,6 +9,7 @@ import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kin
 import { type SampledJoints, sampledJoints } from '../samples/sampled-joints.ts';
 import { samplePose } from '../samples/sampled-pose.ts';
 
+/** A source of retargeting, compiled. */
 export interface PlayedSource {
   readonly skeleton: CompiledSkeleton;
   readonly pose: readonly number[];
@@ -21,6 +22,7 @@ export interface PlayedSource {
   readonly driven: number;
 }
 
+/** Compiles what is needed to pose a source at any time of its take. */
 export function playedSource({
   skeleton,
   clip,

@@ -43,6 +43,7 @@ export interface RenamedAxes {
   readonly sign: 1 | -1;
 }
 
+/** The axes of an Euler order, the first applied first, and whether they are a cyclic permutation of x y z. */
 export function renamedAxes(order: EulerOrder): RenamedAxes {
   const [i, j, k] = [0, 1, 2].map((at) => 'xyz'.indexOf(order[at]));
   return { axes: [i, j, k], sign: (j - i + 3) % 3 === 1 ? 1 : -1 };

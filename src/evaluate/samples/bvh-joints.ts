@@ -11,6 +11,7 @@
 import { axisOf, bvhChannelsOf, dofsOf, factorsOf, pitchOf, stretches } from '../../model/skeleton/joint-types.ts';
 import type { BvhChannel, CompoundDof, Dof, Joint, Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
 
+/** How the channels of one joint are found. */
 export interface JointPlan {
   /** Indices into the joint's DOFs, in channel order; absent if angles come from the matrix. */
   readonly angles?: readonly { readonly channel: BvhChannel; readonly dof: number; readonly sign: number }[];
@@ -25,6 +26,7 @@ export interface JointPlan {
 /** Zrotation Xrotation Yrotation, as from `zxyAngles`. */
 export const MATRIX_CHANNELS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];
 
+/** The plans of all joints, in the skeleton's order. */
 export function planJoints({ joints }: Skeleton): readonly JointPlan[] {
   const plans: JointPlan[] = [];
   for (const joint of joints) {

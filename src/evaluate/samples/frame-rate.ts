@@ -72,6 +72,7 @@ export function leastRate(isStraight: boolean): number {
   return isStraight ? MIN_STRAIGHT : MIN_CURVED;
 }
 
+/** Whether all keyed channels have `linear` tangents only. */
 export function isStraight({ channels }: Pick<ChannelClip, 'channels'>): boolean {
   return channels.every(
     (channel) =>

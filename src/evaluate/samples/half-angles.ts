@@ -1,6 +1,7 @@
 /** Sines and cosines of half angles for a whole row of samples; used to make quaternions. */
 import { writeSinesAndCosines } from '../../math/sines-cosines.ts';
 
+/** Half angles of one row, and their sines and cosines; reused from row to row. */
 export class HalfAngles {
   halves = new Float64Array(0);
   /** Sine and cosine of each. */

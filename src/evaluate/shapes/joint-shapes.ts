@@ -36,6 +36,10 @@ const MAX_BESIDE = 1.4;
  */
 const MAX_COVER = 20;
 
+/**
+ * The sizes in which a skeleton's joints and bones are drawn, from its file pose: in lengths, thin enough not to hide
+ * one another.
+ */
 export function jointSizes(skeleton: Skeleton): JointSizes {
   const joints = skeleton.joints;
   const lengths = joints.map((j) => (j.parent < 0 ? 0 : Math.hypot(...j.offset)));

@@ -3,12 +3,14 @@
  * Parallel Algorithm for Polygon Rasterization", 1988), with light interpolated between vertices.
  */
 
+/** A colour; each component from 0 to 255. */
 export interface Rgb {
   readonly r: number;
   readonly g: number;
   readonly b: number;
 }
 
+/** Lit triangles in picture space. */
 export interface Shaded {
   /** x to the right, y down, in pixels; z towards the viewer, in any unit. Three per vertex. */
   readonly points: Float64Array;

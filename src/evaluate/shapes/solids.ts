@@ -11,6 +11,7 @@ import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { blendMorphs, compileSkin, deform } from '../skin/deform.ts';
 import { worldOf } from './world-of.ts';
 
+/** Triangles with normals, in the character's own space. */
 export interface Solid {
   /** x y z per vertex. */
   readonly points: Float64Array;
@@ -23,6 +24,7 @@ export interface Solid {
 /** Skins with more vertices are not deformed for a thumbnail; their bones are drawn instead. */
 const MAX_VERTICES = 150_000;
 
+/** What of a character its solids depend on. */
 export type Posed = Pick<Character, 'skeleton' | 'skins' | 'shownSkin' | 'morphs' | 'clampsToLimits'>;
 
 /**

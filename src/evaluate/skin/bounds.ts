@@ -28,6 +28,7 @@ export interface SkinBounds {
   readonly reaches: readonly MorphReach[];
 }
 
+/** The boxes of a skin's vertices by joint, from which its box in any pose is computed. */
 export interface JointBoxes {
   /** Minimum x y z and maximum x y z, 6 per matrix, then 6 for the vertices without attachments; inverted if empty. */
   readonly boxes: Float64Array;

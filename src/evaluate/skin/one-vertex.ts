@@ -6,6 +6,7 @@ import type { Morph, MorphRows } from '../../model/morph.ts';
 import { oneSurface, type Skin } from '../../model/skin.ts';
 import { blendMorphs, compileSkin, deform } from './deform.ts';
 
+/** A deformed vertex, in the character's space. */
 export interface OneVertex {
   /** x y z. */
   readonly position: Float64Array;

@@ -1,5 +1,6 @@
 /** Where a segment passes through triangles. */
 
+/** Triangles by their vertices. */
 export interface TriangleMesh {
   /** x y z per vertex. */
   readonly positions: ArrayLike<number>;
@@ -17,6 +18,7 @@ export class Hits {
   /** Whether the segment runs along the triangle's normal (a, b, c counterclockwise seen from its tip). */
   along = new Uint8Array(32);
 
+  /** Inserts a hit, sorted by `time`, its position on the segment from 0 to 1. */
   add(time: number, triangle: number, along: boolean): void {
     if (this.count === this.times.length) {
       this.times = grown(this.times, new Float64Array(2 * this.count));

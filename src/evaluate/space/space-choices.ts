@@ -7,6 +7,7 @@ import { metresPerUnit } from './metres.ts';
 import { liftOntoGround } from './space.ts';
 import { COMMON_UNITS, figureHeight, metresForPerson, unitsByHeight } from './space-guess.ts';
 
+/** The height of a figure in its space, and what its space could be instead. */
 export interface SpaceChoices {
   /** Of the figure, in its space; metres. */
   readonly height: number;

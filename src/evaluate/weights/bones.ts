@@ -9,6 +9,7 @@ import { boneEnds } from '../../model/skeleton/bone-ends.ts';
 import { hasBox } from '../../model/skeleton/boxes.ts';
 import type { Box, Skeleton } from '../../model/skeleton/skeleton.ts';
 
+/** A skeleton's bones as segments, in the space of the matrices that they were made from. */
 export interface BoneSegments {
   /** The joint of each bone. */
   readonly joints: Uint32Array;

@@ -26,6 +26,7 @@ interface Pattern {
   readonly parents: Int32Array;
 }
 
+/** The factor L of one matrix, by which systems with any right side are solved. */
 export class Cholesky {
   private readonly scratch: Float64Array;
 

@@ -28,6 +28,7 @@ import { triangleTree } from './triangle-tree.ts';
 import { visibleBones, type Warmth } from './visible-bones.ts';
 import { type WeldedMesh, weld } from './weld.ts';
 
+/** The weights of a skin by heat equilibrium. */
 export interface HeatWeights {
   readonly attachments: Attachments;
   /** Vertices of the skin that heat did not reach, weighted by distance. */

@@ -13,6 +13,7 @@ const SCALE = 1e4;
 /** Vertices between two yields. */
 const A_STEP = 5000;
 
+/** The heaviest `most` joints of each vertex so far. */
 export class Influences {
   /** `most` per vertex, heaviest first; unused ones have weight 0. */
   private readonly joints: Uint32Array;
@@ -40,6 +41,7 @@ export class Influences {
     joints[at] = joint;
   }
 
+  /** Whether a vertex has a weight greater than 0. */
   has(vertex: number): boolean {
     return this.weights[vertex * this.most] > 0;
   }

@@ -10,6 +10,7 @@
 import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
 
+/** The Laplace operator of a mesh as a sparse symmetric matrix, with the areas around its vertices. */
 export interface Laplacian {
   /** Neighbours of vertex i: `columns[start[i]]` up to (excluding) `start[i + 1]`; ascending. */
   readonly start: Uint32Array;

@@ -5,6 +5,7 @@ import { normalizeAt } from '../../math/vec3.ts';
 import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
 
+/** Which way the normals of a mesh point, part by part. */
 export interface SurfaceSides {
   /** Normals by winding: area-weighted, normalised, or 0 for a vertex without any; x y z per vertex. */
   readonly normals: Float64Array;

@@ -17,6 +17,7 @@ const NODES_A_STEP = 2000;
 /** Triangles sorted between two yields. */
 const SORTED_A_STEP = 20000;
 
+/** A bounding volume hierarchy of triangles, as columns with an entry per node. */
 export interface TriangleTree {
   readonly mesh: WeldedMesh;
   /** Triangle indices, those of a node together. */

@@ -34,6 +34,7 @@ const BELOW = 2e-3;
 /** Vertices between two yields. */
 const VERTICES_A_STEP = 50;
 
+/** Which joints heat each vertex, and how strongly. */
 export interface Warmth {
   /** Squared distance to the bones that heat a vertex; Infinity if none does. */
   readonly squares: Float64Array;

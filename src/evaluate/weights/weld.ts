@@ -4,6 +4,7 @@
  */
 import type { Steps } from '../steps.ts';
 
+/** A mesh whose duplicate vertices are merged, with its connected parts. */
 export interface WeldedMesh {
   /** For each vertex of the mesh, its vertex here. */
   readonly of: Uint32Array;

@@ -38,11 +38,16 @@ export class KeySink implements NumberSink {
   private unsorted: { count: number; place: Place } | undefined;
   private doubled: { count: number; time: number; place: Place } | undefined;
 
+  /** Empties the sink for the keys of the next channel. */
   begin(): void {
     this.count = this.found = 0;
     this.unsorted = this.doubled = undefined;
   }
 
+  /**
+   * Moves the numbers read so far into columns: times, values, tangents. Reports words among times and values, and keys
+   * out of order.
+   */
   flush(t: Tokens): void {
     const { values, count, found } = this;
     this.grow(Math.ceil((found + count) / 4));
@@ -93,6 +98,7 @@ export class KeySink implements NumberSink {
     else this.doubled = { count: 1, time, place: t.placeOfSlot(slot) };
   }
 
+  /** Reports a token that is neither a number nor a known word, by the column that it stands in. */
   strange(t: Tokens): void {
     const column = this.found % 4;
     if (column >= 2 && /^[a-z_]/i.test(t.text().slice(0, 4)) && !/^(nan|inf)/i.test(t.text().slice(0, 4))) {

@@ -1,6 +1,7 @@
 /** Names of a joint's DOFs in `.bvh`. */
 import type { BvhChannel } from '../../model/skeleton/skeleton.ts';
 
+/** The `.bvh` name of each channel. */
 export const CHANNEL_NAMES: Readonly<Record<BvhChannel, string>> = {
   tx: 'Xposition',
   ty: 'Yposition',

@@ -24,6 +24,7 @@ const AT_FIRST = 65536;
 /** A declared count is trusted up to this factor of the estimate from bytes. */
 const TRUSTED = 1.3;
 
+/** Reads the rows of MOTION into one array of frames, `width` numbers each, and reports where they break off. */
 export class Rows {
   private values: Float64Array;
   /** Numbers read. */

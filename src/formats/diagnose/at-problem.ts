@@ -15,6 +15,7 @@ const TOKENS = ['0', '{', '}', 'x'] as const;
 /** Problems that say that their token is not what it should be. */
 const MALFORMED = /^not-a-number$|^number-too-large$|-unknown$/;
 
+/** One-token edits at a problem and at the end of the line before it, with what they depend on. */
 export interface EditsAtProblem {
   readonly sameLine: readonly Edit[];
   /** Behind the line before. */
@@ -28,6 +29,11 @@ export interface EditsAtProblem {
 /** Problems with a token that was expected: it may be missing on the line before. */
 const MISSING = /^(number|file|name)-expected$|^brace-missing$|^(extrapolation|order|mode|channel)-unknown$/;
 
+/**
+ * The edits that might mend the file where a reader reported a problem.
+ * @param lines all of the file's
+ * @param problem an error with a line and a column
+ */
 export function editsAtProblem(lines: TextLines, problem: Diagnostic, { keywords }: TextLayout): EditsAtProblem {
   const { code, message } = problem;
   const found = lines.tokenAt(problem.line, problem.column);

@@ -35,6 +35,7 @@ export function edited(bytes: Uint8Array, edits: readonly Edit[]): Uint8Array {
 
 type Problem = Pick<Edit, 'code' | 'message'>;
 
+/** Deletes a token of a line. */
 export function remove(line: number, token: TextToken, problem: Problem): Edit {
   return { from: token.start, to: token.stop, put: '', line, at: token.start, ...problem };
 }
@@ -44,10 +45,12 @@ export function replace(line: number, token: TextToken, put: string, problem: Pr
   return { from: token.start, to: token.stop, put: ` ${put} `, line, at: token.start, ...problem };
 }
 
+/** Inserts `put` after a token, with a blank on either side. */
 export function insertBehind(line: number, token: TextToken, put: string, problem: Problem): Edit {
   return { from: token.stop, to: token.stop, put: ` ${put} `, line, at: token.start, ...problem };
 }
 
+/** Inserts `put` and a blank before a token. */
 export function insertBefore(line: number, token: TextToken, put: string, problem: Problem): Edit {
   return { from: token.start, to: token.start, put: `${put} `, line, at: token.start, ...problem };
 }

@@ -13,6 +13,7 @@ const MOST_SHAPES = 24;
 /** Problems whose tokens are tried. */
 const MOST_PROBLEMS = 3;
 
+/** One explanation of an error: where the file may be wrong, and what would mend it. */
 export interface Guess {
   /** Edits that might mend the file. None: the problem is where it was told. */
   readonly edits: readonly Edit[];

@@ -3,6 +3,7 @@
 /** Text files that are read, by their usual extension. */
 export type TextKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
 
+/** How the lines of one text format usually look: rows by block, and the words that open a line. */
 export interface TextLayout {
   readonly kind: TextKind;
   /**
@@ -19,6 +20,7 @@ export interface TextLayout {
 const NO_ROWS: TextLayout['rows'] = new Map();
 const AXIS_ANGLE: TextLayout['rows'] = new Map([['', 6]]);
 
+/** The layout of each text format that errors are located in. */
 export const TEXT_LAYOUTS: { readonly [K in TextKind]: TextLayout } = {
   skel: { kind: 'skel', rows: AXIS_ANGLE, keywords: ['balljoint', 'offset', 'boxmin', 'pose', 'rotxlimit'] },
   axskel: { kind: 'axskel', rows: AXIS_ANGLE, keywords: [] },

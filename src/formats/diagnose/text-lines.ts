@@ -24,6 +24,7 @@ export interface TextToken {
   readonly class: TokenClass;
 }
 
+/** What the search for an error needs to know about a line, without its tokens. */
 export interface RowFacts {
   /** Of the first token. */
   readonly first: TokenClass;
@@ -35,6 +36,7 @@ export interface RowFacts {
 const CLASSES = ['n', 'w', '{', '}'] as const satisfies readonly TokenClass[];
 const HAS_BRACE = 4;
 
+/** The lines and tokens of a whole file in UTF-8, with or without BOM. */
 export class TextLines {
   /** Offset of each line's first byte, and behind them the length of the file. */
   private readonly starts: number[] = [];
@@ -79,6 +81,7 @@ export class TextLines {
     this.starts.push(bytes.length);
   }
 
+  /** Number of lines, those without tokens too. */
   get count(): number {
     return this.starts.length - 1;
   }
@@ -127,6 +130,7 @@ export class TextLines {
     return column;
   }
 
+  /** The text of a token, as it is in the file. */
   text({ start, stop }: TextToken): string {
     return textOf(this.bytes, start, stop);
   }

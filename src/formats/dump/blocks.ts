@@ -11,6 +11,7 @@ export interface Heading {
   readonly nesting?: 'flat' | 'rows' | undefined;
 }
 
+/** Collects rows into blocks of equal heading, in the order of the file, with headings and IK targets beside them. */
 export class Blocks {
   readonly done: DumpBlock[] = [];
   /** Lines whose numbers are of a heading; after `settle`. */

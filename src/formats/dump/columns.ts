@@ -7,6 +7,7 @@ import { isLabelColumn, isPlainColumn, isTimeColumn } from './vocabulary.ts';
 /** `skip`: counts rows beside their times. */
 type Role = 'time' | 'index' | 'name' | 'value' | 'skip';
 
+/** How the lines of a table are split, and what each of its columns holds. */
 export interface Table {
   readonly delimiter: RegExp;
   /** Of each field of a line. */
@@ -60,6 +61,10 @@ function namesIn(text: string, delimiter: RegExp): readonly string[] {
     .filter((name) => name !== '');
 }
 
+/**
+ * The roles of the columns by their names in lower case: the first time, then indices and names of joints; all others
+ * are values.
+ */
 export function tableOf(names: readonly string[], delimiter: RegExp): Table {
   const timeAt = names.findIndex(isTimeColumn);
   const indexAt = names.findIndex((name) => name !== 'name' && isLabelColumn(name));

@@ -161,6 +161,7 @@ function bracketedName(text: string): string | undefined {
   return undefined;
 }
 
+/** A label of an index, a name or both; null if the index is no whole number from 0 and there is no name. */
 export function labelWith(index: number | undefined, name: string | undefined): DumpLabel | null {
   const isWhole = index !== undefined && Number.isInteger(index) && index >= 0;
   if (!isWhole && !name) return null;

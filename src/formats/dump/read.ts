@@ -18,6 +18,10 @@ import { readJson } from './json.ts';
 import { readObj, readPly } from './meshes.ts';
 import { readText } from './text.ts';
 
+/**
+ * A reader of dumps in any of these forms, told by content. A file without numbers of a character gives a dump without
+ * blocks, and no error.
+ */
 export function dumpReader(fileName: string): Reader<Dump> {
   return bytesReader(fileName, (bytes, report) => decode(fileName, bytes, report));
 }

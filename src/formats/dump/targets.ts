@@ -15,6 +15,7 @@ const ONE_STEP =
   /^\W*(?:after\s+)?(?:one|1)\s+(?:ik\s+)?(?:step|iteration)\W*$|^\W*(?:steps|iterations)\s*[:=]?\s*1\W*$/i;
 const MAX_LENGTH = 200;
 
+/** Whether a line says that the solver made a single step. */
 export function statesOneStep(line: string): boolean {
   return line.length < MAX_LENGTH && ONE_STEP.test(line);
 }

@@ -47,6 +47,7 @@ const FEW_ROWS = 3;
 const MANY_TIMES = 4;
 const NO_HEADER: Header = { names: [], delimiter: /\s+/ };
 
+/** Reads a dump of plain text into `blocks`; prose with few numbers in it leaves them empty. */
 export function readText(text: string, blocks: Blocks, report: Report): void {
   const lines = new Lines(blocks, report);
   let line = 0;

@@ -2,6 +2,7 @@
 import { numberOfWord } from './numbers.ts';
 import { isComponent, isPlain } from './vocabulary.ts';
 
+/** A number, a word or any other character of a line; offsets are into the line, `to` excluded. */
 export interface Token {
   readonly kind: 'number' | 'word' | 'mark';
   readonly text: string;
@@ -26,6 +27,7 @@ export interface LineTokens {
 /** More than any label or heading has; all tokens of a line of a hundred thousand would take fifty times its bytes. */
 const MAX_TOKENS = 400;
 
+/** The tokens of a line; numbers past `MAX_TOKENS` are only kept as values. */
 export function tokensOf(text: string): LineTokens {
   const tokens: Token[] = [];
   const more: number[] = [];
@@ -51,6 +53,7 @@ export function tokensOf(text: string): LineTokens {
 const TOKEN =
   /(\d{4}-\d\d-\d\dT\d\d:\d\d(?::\d\d(?:[.,]\d{1,9})?)?(?:Z|[-+]\d\d:?\d\d)?(?![\w.:])|\d{1,4}-\d\d?-\d\d?(?![\w.-])|\d\d?:\d\d:\d\d(?:[.,]\d{1,6})?(?![\w.:])|\d{1,4}\/\d\d?\/\d{1,4}(?![\w./]))|([-+\u2212]?(?:\d{1,40}\.?\d{0,40}|\.\d{1,40})(?:[eEdD][-+]?\d{1,4})?[fFdDlL]?)(s|sec|secs|ms|deg|rad|mm|cm|m|fps|hz)?(?![\w.])|([-+]?(?:nan(?:\([a-z]*\))?|inf|infinity)(?!\w)|[-+]?\d\.#\w+)|([\w\u00aa-\u1fff\u2c00-\uffff][\w.\-\u00aa-\u1fff\u2c00-\uffff]*(?::[A-Za-z_][\w.-]*)*)|(\S)/gi;
 
+/** The words among the tokens, in lower case. */
 export function wordsOf(tokens: readonly Token[]): string[] {
   return tokens.filter(({ kind }) => kind === 'word').map(({ text }) => text.toLowerCase());
 }
@@ -68,14 +71,17 @@ export function isTelling(tokens: readonly Token[], at: number): boolean {
   return !(next && /^[([{]$/.test(next.text) && (next.from === to || isPlain(text.toLowerCase())));
 }
 
+/** Whether a token can be an index: digits alone, less than 10⁹. */
 export function isIndex({ kind, text, value }: Token): boolean {
   return kind === 'number' && /^\d+$/.test(text) && value < 1e9;
 }
 
+/** Whether a token is a whole number, with or without a sign. */
 export function isWhole({ text }: Token): boolean {
   return /^[-+]?\d+$/.test(text);
 }
 
+/** The last word before token `before`, in lower case; empty if there is none. */
 export function lastWord(tokens: readonly Token[], before: number): string {
   for (let i = before - 1; i >= 0; i--) if (tokens[i].kind === 'word') return tokens[i].text.toLowerCase();
   return '';

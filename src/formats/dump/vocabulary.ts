@@ -49,6 +49,7 @@ export function isIndexWord(word: string): boolean {
   );
 }
 
+/** Whether a word in lower case announces the number of a channel: `channel 7`. */
 export function isChannelWord(word: string): boolean {
   return /^(channel|chan|ch|curve)$/.test(word);
 }
@@ -72,6 +73,7 @@ function isColumn(name: string): boolean {
   );
 }
 
+/** Whether a column's name in lower case says that it holds seconds: `t`, `time`, `time_s`. */
 export function isTimeColumn(name: string): boolean {
   return /^(time(_?s(ec(onds)?)?)?|t|seconds)$/.test(name);
 }

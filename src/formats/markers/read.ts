@@ -8,6 +8,7 @@ import { WHOLE_FILE } from '../places.ts';
 import { bytesReader, type Reader } from '../reader.ts';
 import type { Report } from '../report.ts';
 
+/** A reader of `.markers.json`; markers that are out of order are sorted by time. */
 export function markersReader(fileName: string): Reader<readonly Marker[]> {
   return bytesReader(fileName, (bytes, report) => {
     const rows = rowsIn(new TextDecoder().decode(bytes), report);

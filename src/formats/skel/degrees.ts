@@ -9,6 +9,7 @@
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 
+/** Radians of an angle in degrees, rounded once. */
 export function radiansOf(degrees: number): number {
   return degrees * RADIANS_PER_DEGREE;
 }

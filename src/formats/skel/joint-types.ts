@@ -27,12 +27,14 @@ export interface SkelType {
   readonly tokens: ReadonlyMap<string, Parameter>;
 }
 
+/** All joint types that `.skel` has, each with its keyword, default motion and tokens. */
 export const SKEL_TYPES: readonly SkelType[] = Object.values<JointType>(JOINT_TYPES)
   .filter(({ initial }) => !isOfBvh(initial))
   .map(({ keyword, initial }) => ({ keyword, motion: initial, tokens: new Map(parametersOf(initial)) }));
 
 const BY_KEYWORD = new Map(SKEL_TYPES.map((type) => [type.keyword, type]));
 
+/** The joint type of a keyword in lower case, such as `hingejoint`; undefined if there is none. */
 export function skelTypeOf(keyword: string): SkelType | undefined {
   return BY_KEYWORD.get(keyword);
 }

@@ -47,6 +47,7 @@ export class TriangleSink implements NumberSink {
     this.indices = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expected)));
   }
 
+  /** Moves the numbers read so far into the list of indices; reports those that are no vertex. */
   flush(t: Tokens): void {
     const { values, count, stairs } = this;
     this.indices = roomFor(this.indices, this.found + count, this.expected);
@@ -95,6 +96,7 @@ export class TriangleSink implements NumberSink {
     return named;
   }
 
+  /** All vertex indices, three per triangle, trimmed. */
   all(): Uint32Array {
     return this.found === this.indices.length ? this.indices : this.indices.slice(0, this.found);
   }
@@ -142,6 +144,10 @@ export class AttachmentSink implements NumberSink {
     this.weights = weights;
   }
 
+  /**
+   * Moves the numbers read so far into rows of joints and weights; reports counts that are no whole numbers from 0, and
+   * joints that are no indices.
+   */
   flush(t: Tokens): void {
     const { values, count, stairs } = this;
     this.grow(t);

@@ -17,6 +17,7 @@ import type { Tokens } from '../tokens.ts';
 const SHOWN = 256;
 const NONE = new Float64Array(0);
 
+/** Records each new maximum of a list with its place, so that a bound that is known later can be checked. */
 export class Stairs {
   max = -1;
   private values: Float64Array = NONE;

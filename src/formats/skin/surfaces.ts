@@ -6,6 +6,7 @@ import type { Material, Surface } from '../../model/skin.ts';
 import { warnRepeated } from '../grammar.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 
+/** Collects the materials and triangle blocks of a `.skin` into surfaces: ranges of triangles with one material. */
 export class Surfaces {
   private readonly all: { material?: Material; triangleStart: number; triangleCount: number }[] = [];
   private current: Material | undefined;
@@ -22,6 +23,7 @@ export class Surfaces {
     this.waiting = t.mark();
   }
 
+  /** Takes the material that was read: the triangles that follow have it. */
   endMaterial(material: Material): void {
     this.current = material;
   }

@@ -6,6 +6,7 @@ import { RowsBuilder } from './row-lines.ts';
 const KEY_WIDTH = 4;
 const BLOCKS: ReadonlySet<string> = new Set(['animation', 'channel', 'keys']);
 
+/** Marks the lines of channels, and of their keys, in `found`. */
 export function animLocator(found: Located): Locator {
   return new AnimLocator(found);
 }

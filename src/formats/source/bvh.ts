@@ -3,6 +3,7 @@ import { JointLines } from './joint-lines.ts';
 import type { Located, Locator } from './locator.ts';
 import { RowsBuilder } from './row-lines.ts';
 
+/** Marks the lines of joints, and of the frames, in `found`. */
 export function bvhLocator(found: Located): Locator {
   return new BvhLocator(found);
 }

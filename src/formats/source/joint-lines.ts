@@ -9,6 +9,7 @@ interface OpenJoint {
   to: number;
 }
 
+/** Marks the lines of nested joints while a file is scanned; several roots are counted from 0. */
 export class JointLines {
   private readonly stack: OpenJoint[] = [];
   private root = -1;
@@ -45,6 +46,7 @@ export class JointLines {
     joint.to = line;
   }
 
+  /** The innermost joint ends on this line. */
   close(line: number): void {
     this.own(line);
     const joint = this.stack.pop();

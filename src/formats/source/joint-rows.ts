@@ -7,6 +7,7 @@ import { RowsBuilder } from './row-lines.ts';
 
 const AXIS_ANGLE_WIDTH = 6;
 
+/** Marks the rows of joints in an axis-angle `.skel`, in the depth-first order of the model. */
 export class JointRows {
   /** Of the first line, until it ends. */
   private start: { readonly line: number; readonly values: number[] } | undefined;
@@ -21,6 +22,10 @@ export class JointRows {
 
   constructor(private readonly found: Located) {}
 
+  /**
+   * Takes the next token of the file.
+   * @param read the token's value, NaN for a word
+   */
   token(line: number, read: () => number): void {
     if (this.rows) this.take(this.rows, line, read);
     else if (!this.start) this.start = { line, values: [read()] };
@@ -28,6 +33,7 @@ export class JointRows {
     else this.take(this.begin(), line, read);
   }
 
+  /** Marks the rows read; rows that make no single tree are not marked. */
   end(): void {
     const { parents, found } = this;
     const rows = this.rows ?? this.begin();

@@ -7,6 +7,7 @@ export interface Located {
   readonly rows: SourceRows[];
 }
 
+/** What receives the tokens of a file and marks the lines of its parts. Lines count from 1. */
 export interface Locator {
   /**
    * Within rows, where words are values like numbers: all tokens but braces come by `value`. The scanner then makes no

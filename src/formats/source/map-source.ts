@@ -27,10 +27,12 @@ export class SourceMapper {
     this.scanner = new SourceScanner(LOCATORS.get(extension)?.(this.found));
   }
 
+  /** Takes the next bytes of the file, which may be split anywhere. */
   feed(bytes: Uint8Array): void {
     this.scanner.feed(bytes);
   }
 
+  /** The map of the file; nothing may be fed after it. */
   finish(): SourceMap {
     return { index: this.scanner.finish(), ...this.found };
   }

@@ -1,6 +1,7 @@
 /** Collects the lines of a block's rows, as runs: a block with a row on each line is one run, whatever its size. */
 import type { RowLines } from '../../model/source-map.ts';
 
+/** Collects on which line each row of a block begins. */
 export class RowsBuilder {
   private readonly rows: number[] = [];
   private readonly lines: number[] = [];
@@ -47,6 +48,7 @@ export class RowsBuilder {
     this.count++;
   }
 
+  /** The lines of all rows so far, as runs. */
   done(): RowLines {
     return {
       rows: Uint32Array.from(this.rows),

@@ -17,6 +17,7 @@ const TOKEN_BYTES = 64;
 const OPEN = 123;
 const CLOSE = 125;
 
+/** Indexes the lines of a file and passes its tokens to a locator. */
 export class SourceScanner {
   private line = 1;
   /** CRs of which it isn't known whether an LF follows. */
@@ -34,6 +35,7 @@ export class SourceScanner {
   /** @param locator absent: only lines are indexed */
   constructor(private readonly locator?: Locator) {}
 
+  /** Takes the next bytes of the file, which may be split anywhere. */
   feed(bytes: Uint8Array): void {
     const { token, locator } = this;
     const from = this.base === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : 0;

@@ -20,6 +20,7 @@ const CHOICES = new Set<string>(
 /** Words after `couple`: the DOF, and the one it follows. */
 const COUPLE_WORDS = 2;
 
+/** Marks the lines of joints, and of their limits and poses, in `found`. */
 export function skelLocator(found: Located): Locator {
   return new SkelLocator(found);
 }

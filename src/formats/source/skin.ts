@@ -26,10 +26,12 @@ const MORPH: ReadonlyMap<string, Block> = new Map([
 /** Blocks without rows of parts. */
 const OTHER_BLOCKS: ReadonlySet<string> = new Set(['bindings', 'matrix', 'material']);
 
+/** Marks the rows of vertices and triangles, and the lines of bindings, of a `.skin` in `found`. */
 export function skinLocator(found: Located): Locator {
   return new BlockLocator(found, SKIN);
 }
 
+/** Marks the rows of positions and normals of a `.morph` in `found`. */
 export function morphLocator(found: Located): Locator {
   return new BlockLocator(found, MORPH);
 }

@@ -27,6 +27,10 @@ export function tooManyPixels(bytes: Uint8Array): string | undefined {
   return Math.max(width, height) > MAX_SIDE || width * height > MAX_PIXELS ? `${width} × ${height}` : undefined;
 }
 
+/**
+ * A reader of images, by the file's extension: keeps the bytes, and refuses an image with too many pixels by its
+ * header.
+ */
 export function textureReader(fileName: string): Reader<Texture> {
   const mime = textureMime(fileName.slice(fileName.lastIndexOf('.') + 1).toLowerCase());
   return bytesReader(fileName, (bytes, report) => {

@@ -13,6 +13,7 @@ type MotionOf<K> = Extract<Motion, { readonly kind: K }>;
 const R = dofList('r');
 const T = dofList('t');
 
+/** The hinge joint: one DOF, a rotation about its axis in radians. */
 export const HINGE: JointType<MotionOf<'hinge'>> = {
   keyword: 'hingejoint',
   label: 'Hinge',
@@ -31,6 +32,7 @@ export const HINGE: JointType<MotionOf<'hinge'>> = {
   text: ({ axis }, number) => `hingejoint, axis ${axis.map((value) => number(value)).join(' ')}`,
 };
 
+/** The prismatic joint: one DOF, a translation along its axis in units of length. */
 export const PRISMATIC: JointType<MotionOf<'prismatic'>> = {
   keyword: 'prismaticjoint',
   label: 'Prismatic',
@@ -49,6 +51,9 @@ export const PRISMATIC: JointType<MotionOf<'prismatic'>> = {
   text: ({ axis }, number) => `prismaticjoint, axis ${axis.map((value) => number(value)).join(' ')}`,
 };
 
+/**
+ * The screw joint: one DOF, a rotation about its axis in radians that also moves along it by the pitch per full turn.
+ */
 export const SCREW: JointType<MotionOf<'screw'>> = {
   keyword: 'screwjoint',
   label: 'Screw',

@@ -6,6 +6,7 @@ export const DOF_NAMES = [
   ...(['r', 'rx', 'ry', 'rz', 't', 'tx', 'ty', 'tz'] as const),
   ...(['s', 'sx', 'sy', 'sz', 'qx', 'qy', 'qz', 'qw', 'hxy', 'hxz', 'hyz'] as const),
 ] as const;
+/** A DOF's name, as formats and channels spell it; see `DOF_NAMES`. */
 export type DofName = (typeof DOF_NAMES)[number];
 
 /** The first letter gives the unit: `rx` is an angle, `sy` a scale, `qw` a quaternion component. */
@@ -15,6 +16,7 @@ export function dof(name: DofName): Dof {
   return { name, unit: 'factor', rest: name.startsWith('s') || name === 'qw' ? 1 : 0 };
 }
 
+/** The DOFs of these names, in the same order. */
 export function dofList(...names: readonly DofName[]): readonly Dof[] {
   return names.map(dof);
 }

@@ -10,6 +10,7 @@ const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
 const TX_TY_TZ = dofList(...TRANSLATIONS);
 const NONE = dofList();
 
+/** The translational joint: three DOFs, tx ty tz, in units of length. */
 export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {
   keyword: 'translationaljoint',
   label: 'Translational',
@@ -27,6 +28,7 @@ export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {
   text: () => 'translationaljoint',
 };
 
+/** The fixed joint, which has no DOFs: its local matrix is its offset alone. */
 export const FIXED: JointType<MotionOf<'fixed'>> = {
   keyword: 'fixedjoint',
   label: 'Fixed',
@@ -44,6 +46,7 @@ export const FIXED: JointType<MotionOf<'fixed'>> = {
   text: () => 'fixedjoint',
 };
 
+/** The compound joint: DOFs chosen from `COMPOUND_DOFS`, whose one-DOF matrices are multiplied from left to right. */
 export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
   keyword: 'compoundjoint',
   label: 'Compound',
@@ -66,6 +69,9 @@ function bvhFactors({ channels }: BvhMotion): readonly CompoundDof[] {
   return [...channels.filter((name) => name.startsWith('t')), ...channels.filter((name) => name.startsWith('r'))];
 }
 
+/**
+ * The joint of a `.bvh`: its channels are its DOFs. It converts to a fixed, ball, free or compound joint of `.skel`.
+ */
 export const BVH: JointType<BvhMotion> = {
   keyword: 'bvh',
   label: 'BVH channels',

@@ -50,6 +50,7 @@ export interface NumberParameter extends Named {
   readonly type: 'number';
 }
 
+/** The shape of one parameter of a motion, told by `type`: a choice, a list of choices, an axis or a number. */
 export type Parameter = ChoiceParameter | ListParameter | AxisParameter | NumberParameter;
 
 /** The value of each type of parameter. */
@@ -63,6 +64,7 @@ export interface ParameterValues {
 /** The default direction of an axis. */
 export const X: Vec3 = [1, 0, 0];
 
+/** The axis of a joint that turns about, slides along or scales along it; by default the previous type's axis, or x. */
 export const AXIS: Parameter = {
   type: 'axis',
   subject: 'The axis',
@@ -80,8 +82,10 @@ const ORDER = {
   describe: (order: string) => `${order}: ${order[0]} first`,
 } as const;
 
+/** The order of three rotations; by default that of the previous type's rotations, or xyz. */
 export const EULER_ORDER: Parameter = { ...ORDER, choices: EULER_ORDERS, inherit: inheritedOrder };
 
+/** The order of a universal joint's two rotations; by default the first two of the previous type's order, or xy. */
 export const PAIR_ORDER: Parameter = {
   ...ORDER,
   choices: AXIS_PAIRS,
@@ -102,6 +106,7 @@ const MODE_LABELS: Readonly<Record<ScaleMode, string>> = {
   volume: 'Along an axis, volume preserved',
 };
 
+/** The mode of a scale joint; see `SCALE_MODES`. */
 export const MODE: Parameter = {
   type: 'choice',
   subject: 'The mode',
@@ -111,6 +116,7 @@ export const MODE: Parameter = {
   describe: (mode) => MODE_LABELS[mode as ScaleMode],
 };
 
+/** The DOFs of a compound joint; by default the one-DOF factors of the previous type, or rx. */
 export const COMPOUND: Parameter = {
   type: 'list',
   subject: 'The DOFs of a compound joint',

@@ -17,6 +17,7 @@ function rotations(order: EulerOrder | AxisPair): readonly Rotation[] {
   return [...order].reverse().map((axis) => `r${axis}` as Rotation);
 }
 
+/** The ball joint: three Euler angles rx ry rz in radians, whatever the order in which they are applied. */
 export const BALL: JointType<MotionOf<'ball'>> = {
   keyword: 'balljoint',
   label: 'Ball',
@@ -34,6 +35,7 @@ export const BALL: JointType<MotionOf<'ball'>> = {
   text: ({ order }) => `balljoint, order ${order}`,
 };
 
+/** The universal joint: two rotations in radians, about the two axes of its order. */
 export const UNIVERSAL: JointType<MotionOf<'universal'>> = {
   keyword: 'universaljoint',
   label: 'Universal',
@@ -51,6 +53,7 @@ export const UNIVERSAL: JointType<MotionOf<'universal'>> = {
   text: ({ order }) => `universaljoint, order ${order}`,
 };
 
+/** The quaternion joint: four DOFs x y z w without unit, normalised before use, so that no limits apply. */
 export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
   keyword: 'quaternionjoint',
   label: 'Quaternion',
@@ -69,6 +72,9 @@ export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
   text: () => 'quaternionjoint',
 };
 
+/**
+ * The free joint: tx ty tz in units of length, then rx ry rz in radians. The translation comes before the rotations.
+ */
 export const FREE: JointType<MotionOf<'free'>> = {
   keyword: 'freejoint',
   label: 'Free',

@@ -24,6 +24,7 @@ const SCALE_FORMULAS: Readonly<Record<ScaleMotion['mode'], string>> = {
   volume: '1/√s · I + (s − 1/√s) · a·aᵀ',
 };
 
+/** The scale joint: one factor s, or sx sy sz in the mode `xyz`; a factor of 1 changes nothing. */
 export const SCALE: JointType<ScaleMotion> = {
   keyword: 'scalejoint',
   label: 'Scale',
@@ -44,6 +45,7 @@ export const SCALE: JointType<ScaleMotion> = {
     `scalejoint, mode ${motion.mode}${scalesAlongAxis(motion) ? `, axis ${motion.axis.map((value) => number(value)).join(' ')}` : ''}`,
 };
 
+/** The shear joint: three factors hxy hxz hyz of an upper triangular matrix; 0 changes nothing. */
 export const SHEAR: JointType<MotionOf<'shear'>> = {
   keyword: 'shearjoint',
   label: 'Shear',

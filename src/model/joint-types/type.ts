@@ -5,6 +5,7 @@
 import type { CompoundDof, Dof, Motion } from '../skeleton/skeleton.ts';
 import type { Parameter } from './parameters.ts';
 
+/** The record of a joint type: names, parameters, DOFs, and what formats, limits and mirroring need to know. */
 export interface JointType<M extends Motion = Motion> {
   /** Its name in `.skel` and scripts: `hingejoint`. */
   readonly keyword: string;

@@ -7,10 +7,15 @@ export class DistinctNames {
     for (const name of taken) this.taken.set(name.toLowerCase(), 1);
   }
 
+  /** Whether the name is taken, upper and lower case alike. */
   has(name: string): boolean {
     return this.taken.has(name.toLowerCase());
   }
 
+  /**
+   * Takes the name, or `name_1`, `name_2` … if it is taken, with the number before the extension; returns what was
+   * taken.
+   */
   add(name: string): string {
     const dot = name.lastIndexOf('.');
     const [stem, extension] = dot > 0 ? [name.slice(0, dot), name.slice(dot)] : [name, ''];

@@ -10,6 +10,7 @@
 import { folderOf, type SourceFile, stemOf } from '../files.ts';
 import { DistinctNames } from './distinct-names.ts';
 
+/** A name as a file gives it, with the file that it came from. */
 export interface InputName {
   readonly name: string;
   readonly input: SourceFile;

@@ -5,6 +5,7 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Joint, Skeleton } from './skeleton.ts';
 
+/** The end of a bone that no joint continues. */
 export interface BoneEnd {
   /** The joint whose bone ends here. */
   readonly joint: number;

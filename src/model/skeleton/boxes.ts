@@ -11,6 +11,10 @@ import { isOfBvh } from './joint-types.ts';
 import { restExtent } from './rest-extent.ts';
 import type { Box, Joint, Skeleton } from './skeleton.ts';
 
+/**
+ * Whether the joint has a box of its own that is drawn and measured; a joint with a bone has one only if someone set
+ * it.
+ */
 export function hasBox(joint: Joint): boolean {
   if (joint.length !== undefined && !hasOwnBox(joint)) return false;
   return !isOfBvh(joint.motion) && !isNoBox(joint.box);
@@ -68,6 +72,7 @@ function middleOf(lengths: readonly number[]): number {
   return lengths.length ? [...lengths].sort((a, b) => a - b)[Math.floor(lengths.length / 2)] : Number.POSITIVE_INFINITY;
 }
 
+/** Whether at least one joint has a box that is drawn and measured. */
 export function hasBoxes({ joints }: Skeleton): boolean {
   return joints.some(hasBox);
 }

@@ -15,6 +15,7 @@ export interface DofCouple {
   readonly offset: number;
 }
 
+/** The linked DOFs of a character, ready to evaluate in order. */
 export interface Couples {
   /** Sorted: each after the one it follows. */
   readonly ordered: readonly DofCouple[];

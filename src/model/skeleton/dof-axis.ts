@@ -6,6 +6,7 @@ import type { CharacterDof } from './dofs.ts';
 import { axisOf } from './joint-types.ts';
 import type { Motion, Skeleton } from './skeleton.ts';
 
+/** An axis of a joint's space, by which a DOF is coloured. */
 export type AxisLetter = 'x' | 'y' | 'z';
 
 const LETTERS = ['x', 'y', 'z'] as const;

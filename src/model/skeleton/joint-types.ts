@@ -11,6 +11,7 @@ import { SCALE, SHEAR } from '../joint-types/stretching.ts';
 import type { JointType } from '../joint-types/type.ts';
 import type { BvhChannel, BvhMotion, CompoundDof, Dof, Joint, Motion } from './skeleton.ts';
 
+/** The kind of a motion, which names its joint type: a key of `JOINT_TYPES`. */
 export type MotionKind = Motion['kind'];
 
 /** In the order of the inspector's list. */
@@ -31,12 +32,15 @@ export const JOINT_TYPES: { readonly [K in MotionKind]: JointType<Extract<Motion
 };
 
 // The table's keys are exactly these.
+/** All kinds of motions, in the order of the inspector's list. */
 export const MOTION_KINDS = Object.keys(JOINT_TYPES) as readonly MotionKind[];
 
+/** The record of a motion's joint type, typed for any motion. */
 export function jointTypeOf({ kind }: { readonly kind: MotionKind }): JointType {
   return JOINT_TYPES[kind];
 }
 
+/** Whether two motions are of the same joint type, whatever their parameters. */
 export function isSameType(a: { readonly kind: MotionKind }, b: { readonly kind: MotionKind }): boolean {
   return a.kind === b.kind;
 }

@@ -8,6 +8,7 @@ import { firstDofs } from './dofs.ts';
 import { dofsOf, positionsOf, withParameter } from './joint-types.ts';
 import type { BvhMotion, Joint, Skeleton } from './skeleton.ts';
 
+/** Whether BVH position channels `replace` the offset of their joint or `add` to it. */
 export type Positions = BvhMotion['positions'];
 
 const TRANSLATIONS: readonly string[] = ['tx', 'ty', 'tz'];

@@ -15,6 +15,7 @@ import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
 import { dofsOf, isOfBvh, jointTypeOf, offsetBesideDofs } from './joint-types.ts';
 import { type Couple, type Joint, type Motion, type Skeleton, UNLIMITED } from './skeleton.ts';
 
+/** A motion that `.skel` can hold, and where its DOFs come from. */
 export interface SkelMotion {
   readonly motion: Motion;
   /** For each DOF of that motion, its index among the given motion's DOFs. */

@@ -120,17 +120,22 @@ export type BvhChannel = 'tx' | 'ty' | 'tz' | 'rx' | 'ry' | 'rz';
 /** The axes in the order in which rotations are applied: xyz is Rz·Ry·Rx. */
 export type EulerOrder = 'xyz' | 'xzy' | 'yxz' | 'yzx' | 'zxy' | 'zyx';
 
+/** All orders of three rotations; see `EulerOrder`. */
 export const EULER_ORDERS: readonly EulerOrder[] = ['xyz', 'xzy', 'yxz', 'yzx', 'zxy', 'zyx'];
 
 /** Two axes, the first applied first: xy is Ry·Rx. */
 export const AXIS_PAIRS = ['xy', 'xz', 'yx', 'yz', 'zx', 'zy'] as const;
+/** The axes of a universal joint, the first applied first; see `AXIS_PAIRS`. */
 export type AxisPair = (typeof AXIS_PAIRS)[number];
 
 /** Uniform; per axis; along one axis; along one axis, preserving volume. */
 export const SCALE_MODES = ['uniform', 'xyz', 'axis', 'volume'] as const;
+/** How a scale joint scales; see `SCALE_MODES`. */
 export type ScaleMode = (typeof SCALE_MODES)[number];
 
+/** The DOFs that a compound joint can have: translations, rotations and scales along and about x, y and z. */
 export const COMPOUND_DOFS = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz', 'sx', 'sy', 'sz'] as const;
+/** A DOF that a compound joint can have; see `COMPOUND_DOFS`. */
 export type CompoundDof = (typeof COMPOUND_DOFS)[number];
 
 /**
@@ -138,8 +143,10 @@ export type CompoundDof = (typeof COMPOUND_DOFS)[number];
  * components are factors.
  */
 export const DOF_UNITS = ['angle', 'length', 'factor', 'weight'] as const;
+/** What a DOF measures; see `DOF_UNITS`. Values are in radians, units of length, or without unit. */
 export type DofUnit = (typeof DOF_UNITS)[number];
 
+/** A degree of freedom of a joint, or of the character: its name, unit and neutral value. */
 export interface Dof {
   /** As formats spell it: rx, ry, rz, tx … */
   readonly name: string;
@@ -148,13 +155,16 @@ export interface Dof {
   readonly rest: number;
 }
 
+/** The box of a joint whose `.skel` gives none, in the course's units. */
 export const DEFAULT_BOX: Box = { min: [-0.1, -0.1, -0.1], max: [0.1, 0.1, 0.1] };
 /** That of a joint without a box: it is drawn as a bone. */
 export const NO_BOX: Box = { min: [0, 0, 0], max: [0, 0, 0] };
+/** The motion of a joint whose `.skel` gives no type: a ball joint of order xyz. */
 export const DEFAULT_MOTION: Motion = { kind: 'ball', order: 'xyz' };
 /** How the course's files write "no limit"; shown as unlimited. */
 export const UNLIMITED: Limit = { min: -100000, max: 100000 };
 
+/** Whether a limit is at least as wide as `UNLIMITED`, so that it restricts nothing. */
 export function isUnlimited(limit: Limit): boolean {
   return limit.min <= UNLIMITED.min && limit.max >= UNLIMITED.max;
 }

@@ -70,15 +70,28 @@ export interface Tangents {
   readonly slopes: Float64Array;
 }
 
+/**
+ * Kinds of tangents: slope 0; towards the neighbouring key; the slope between both neighbours; a slope of its own.
+ * `Tangents.kinds` holds indices into this list.
+ */
 export const TANGENT_KINDS = ['flat', 'linear', 'smooth', 'fixed'] as const;
+/** The kind of a tangent; see `TANGENT_KINDS`. */
 export type TangentKind = (typeof TANGENT_KINDS)[number];
+/** Index of `flat` in `TANGENT_KINDS`. */
 export const FLAT = 0;
+/** Index of `linear` in `TANGENT_KINDS`. */
 export const LINEAR = 1;
+/** Index of `smooth` in `TANGENT_KINDS`. */
 export const SMOOTH = 2;
 /** A numeric tangent in the file: the slope itself. */
 export const FIXED_TANGENT = 3;
 
+/**
+ * What a channel does before its first and after its last key: keeps the value, continues its slope, repeats, repeats
+ * with the difference of its ends added, or runs to and fro.
+ */
 export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
+/** The extrapolation at one end of a channel; see `EXTRAPOLATIONS`. */
 export type Extrapolation = (typeof EXTRAPOLATIONS)[number];
 
 /** Whether the keys are repeated beyond their end, in whichever way. */
@@ -94,6 +107,7 @@ const NO_EXTRAPOLATION = { extrapolateIn: 'constant', extrapolateOut: 'constant'
  */
 export const SAMPLED: SampledChannel = { kind: 'samples', ...NO_EXTRAPOLATION };
 
+/** A channel without keys that rests at `value`, in the DOF's unit; -0 becomes 0. */
 export function restChannel(value = 0): RestChannel {
   // Adding 0 turns −0 into 0.
   return { kind: 'rest', value: value + 0, ...NO_EXTRAPOLATION };
@@ -101,6 +115,7 @@ export function restChannel(value = 0): RestChannel {
 
 const NO_NUMBERS = new Float64Array(0);
 const NO_TANGENTS: Tangents = { kinds: new Uint8Array(0), slopes: NO_NUMBERS };
+/** The columns of a channel without keys; shared, it must not be mutated. */
 export const NO_KEYS: Keys = {
   times: NO_NUMBERS,
   values: NO_NUMBERS,

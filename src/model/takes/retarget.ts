@@ -1,5 +1,6 @@
 /** How a take is retargeted to another character: which joint follows which, and the options. */
 
+/** Which joint of the source drives which joint of the target, both by index. */
 export interface JointPair {
   /** A joint of the target character. */
   readonly target: number;
@@ -7,6 +8,7 @@ export interface JointPair {
   readonly source: number;
 }
 
+/** Options of retargeting a take. */
 export interface RetargetOptions {
   /** Root motion scale, from metres to metres; absent: the ratio of leg lengths. */
   readonly scale?: number | undefined;
@@ -19,4 +21,5 @@ export interface RetargetOptions {
   readonly plantsFeet: boolean;
 }
 
+/** Automatic reference pose and scale, with the feet following the source's. */
 export const DEFAULT_RETARGET: RetargetOptions = { reference: 'automatic', plantsFeet: true };

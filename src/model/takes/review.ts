@@ -1,9 +1,11 @@
 /** What a person says about takes that are reviewed: part of the document, beside the takes' files. */
 
+/** Verdicts that a person can give a take. */
 export const VERDICTS = ['good', 'bad'] as const;
 /** Empty: none yet. */
 export type Verdict = (typeof VERDICTS)[number] | '';
 
+/** Most stars that a take can get; 0 means none given. */
 export const MOST_STARS = 5;
 
 /** What a person says about a take. */
@@ -16,6 +18,7 @@ export interface Review {
   readonly notes: string;
 }
 
+/** The review of a take that nobody has judged. */
 export const NO_REVIEW: Review = { verdict: '', stars: 0, tags: [], notes: '' };
 
 /** A take in the list of those that are reviewed: a file, which the document doesn't hold. */

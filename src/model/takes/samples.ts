@@ -28,6 +28,7 @@ export interface Samples {
  * along the shortest arc); a smooth curve through all frames.
  */
 export const INTERPOLATIONS = ['nearest', 'linear', 'cubic'] as const;
+/** How values between two frames are found; see `INTERPOLATIONS`. */
 export type Interpolation = (typeof INTERPOLATIONS)[number];
 
 /** The column that drives a channel; -1 if none does. */

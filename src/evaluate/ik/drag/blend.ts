@@ -14,6 +14,7 @@ import type { HandProblem } from './hand-problem.ts';
 const MORE_FOR_PINS = 2;
 const TURN = 2 * Math.PI;
 
+/** The shown pose of one drag, which follows the solved one in bounded steps. */
 export class Blend {
   /** The character's DOFs as shown. */
   readonly shown: Float64Array;

@@ -8,6 +8,7 @@ import { type Bending, bendingOf, type IkReach, limbOf, union } from '../limb.ts
 import { ikOf } from '../set-up.ts';
 import { standingFeet } from './standing-feet.ts';
 
+/** Which DOFs a drag may move, and which feet it pins meanwhile. */
 export interface DragReach {
   readonly bending: Bending;
   /** Pins for this drag alone, with ids of their own, after those of the settings. */

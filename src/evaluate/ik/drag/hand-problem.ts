@@ -33,6 +33,7 @@ const DOES_NOT_MOVE = 1e-6;
 /** Maximum number of solves per hand position until weaker pulls have settled. */
 const MAX_ROUNDS = 5;
 
+/** The IK problem of one drag: a character's pins with the dragged point among them, and its current pose. */
 export class HandProblem {
   readonly problem: IkProblem;
   /** The character's DOFs at this point of the drag. */
@@ -90,6 +91,10 @@ export class HandProblem {
     movePin(this.problem, this.index, x, y, z);
   }
 
+  /**
+   * Solves from the current pose, in place. The dragged point pulls less the farther the hand is away, if there are
+   * other pins.
+   */
   solve(mode: IkMode): void {
     const gap = this.missing / this.reach;
     this.run(mode, this.holds && gap > FULL_PULL ? Math.sqrt(FULL_PULL / gap) : 1);
@@ -131,6 +136,7 @@ export class HandProblem {
     return this.missingOf(this.index);
   }
 
+  /** Distance of pin `p` from its target, in the space of the world matrices. */
   missingOf(p: number): number {
     const { positions, targets } = this.problem.pins;
     const i = 3 * p;

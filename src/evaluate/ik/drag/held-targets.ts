@@ -18,12 +18,14 @@ export interface Left {
   readonly hindrance: Hindrance;
 }
 
+/** The target that a drag left a pin with, where its point did not get. */
 export interface LeftTarget {
   /** The pin at that time. */
   readonly pin: Pin;
   readonly target: PinTarget;
 }
 
+/** Targets of pins that differ from their points' positions, by character, until its pose changes. */
 export class HeldTargets {
   /** By character id. */
   private readonly left = new Map<string, Left>();

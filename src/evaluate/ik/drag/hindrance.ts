@@ -12,6 +12,10 @@ export interface Hindrance {
   readonly rootStays: boolean;
 }
 
+/**
+ * The main reason why a point can't reach its target: a root that must not move, locked joints, limits, other pins, or
+ * the length of the limbs.
+ */
 export type GapCause = 'root' | 'locks' | 'limits' | 'pins' | 'reach';
 
 /** The main cause, which the user should change first. */

@@ -19,6 +19,7 @@ const MIN_BOLDNESS = 1 / 64;
 /** Iterations charged for a step, besides those that restore the pins. */
 const COST = 1;
 
+/** Moves the pose of one drag as near to its start as its pins allow. */
 export class Homing {
   private readonly home: Float64Array;
   private readonly tried: Float64Array;

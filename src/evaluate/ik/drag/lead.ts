@@ -22,6 +22,7 @@ const HOMING_ON_WAY = 100;
 const HOMING = 240;
 const SHAKING = 96;
 
+/** Finds the pose for each position of the hand in one drag, independent of the hand's path. */
 export class Lead {
   private readonly startPose: Float64Array;
   private readonly from: Float64Array;

@@ -14,6 +14,7 @@ const BENDS = 0.25;
 /** Iterations of one attempt. */
 const ENOUGH = 48;
 
+/** Finds which locked joints keep the dragged point of one drag from the hand; the last answer is cached. */
 export class LockTrial {
   private readonly locked: readonly number[];
   private free: HandProblem | undefined;

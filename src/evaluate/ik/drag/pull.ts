@@ -55,6 +55,7 @@ interface ShownPose {
   readonly world: Float64Array;
 }
 
+/** One IK drag from press to release: positions of the hand in, poses out. */
 export class Pull {
   /** Feet that hold by themselves while the drag lasts. */
   readonly standing: readonly Pin[];
@@ -107,6 +108,7 @@ export class Pull {
     return this.blend.shown;
   }
 
+  /** The longest path along the bones from the root to a joint or a pin, in lengths; the scale of all tolerances. */
   get reach(): number {
     return this.of.reach;
   }

@@ -12,6 +12,7 @@ import { LockTrial } from './lock-trial.ts';
 /** Fraction of the reach from which a gap is reported. */
 const MISSED = 1e-3;
 
+/** The result of re-solving a character's pins. */
 export interface Resolved {
   readonly changes: readonly DofValue[];
   /** The joint of the pin farthest from its target; undefined if all are reached. */

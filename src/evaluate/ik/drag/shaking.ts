@@ -12,6 +12,7 @@ const SHAKE = 0.02;
 /** The attempt helped if the gap shrinks to this fraction. */
 const HELPS = 0.8;
 
+/** Bends a straight pose to either side if that lets the dragged point come nearer. */
 export class Shaking {
   private readonly stuck: Float64Array;
   private readonly helped: Float64Array;
