@@ -97,7 +97,8 @@ export class Screen {
     this.canvas.remove();
   }
 
-  private fit(): void {
+  /** Takes the size of its container, which may have changed since the last frame. */
+  fit(): void {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (width === 0 || height === 0 || this.isFixed) return;
     const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);

@@ -174,6 +174,11 @@ export class Viewport {
     shown.annotate(annotations);
   }
 
+  /** Takes the size of its element at once: framing that waits for the next frame is then for that size. */
+  fitScreen(): void {
+    this.screen.fit();
+  }
+
   /** Sets the function that returns how many CSS pixels at the top are covered by overlays, for framing. */
   keepClear(coveredTop: () => number): void {
     this.framer.coveredTop = coveredTop;

@@ -69,7 +69,7 @@ const click = async (target: Locator, ifAny = false) => {
 const run = (page: Page, id: string) => page.evaluate((command) => void window.marrow.run(command), id);
 /** Panels are drawers on a small page, and closed. */
 const open = (page: Page, panel: string) => click(page.locator(`.${panel}-button[aria-pressed=false]`), true);
-const tab = (page: Page, name: string) => click(page.locator(`#timeline-tab-${name}`));
+const tab = (page: Page, name: string) => run(page, `page.tab.${name}`);
 
 async function openArm(page: Page): Promise<void> {
   await dropFiles(page, [

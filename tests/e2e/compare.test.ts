@@ -54,7 +54,7 @@ async function expectDrawn(page: Page): Promise<void> {
   await dropFiles(page, [{ name: 'wasp.skin', bytes: sharedBytes('data/cse169/wasp.skin') }]);
   await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
   await page.evaluate(() => window.marrow.seek(0.8));
-  await page.locator('#timeline-tab-curves').click();
+  await page.evaluate(() => window.marrow.run('page.tab.curves'));
   const onGpu = async () => {
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
     const { geometries, textures } = await page.evaluate(() => window.marrow.stats());
@@ -171,7 +171,7 @@ describeShared('another program’s numbers', () => {
       // Steps of the pose that was compared, not of the one shown.
       await dropFiles(page, [{ name: 'still.txt', bytes: printed([undefined]) }]);
       await says(page, /^All agree: 23 world matrices in the file pose/);
-      await page.locator('#timeline-tab-compare').click();
+      await page.evaluate(() => window.marrow.run('page.tab.compare'));
       await panel.locator('.compare-row', { hasText: 'knee_03_r' }).click();
       await panel.getByRole('button', { name: /^See its steps/ }).click();
       await page.getByRole('button', { name: 'File pose', pressed: true }).waitFor();
@@ -187,7 +187,7 @@ describeShared('another program’s numbers', () => {
       await says(page, /^All agree: 23 world matrices/);
       await dropFiles(page, [{ name: 'other.txt', bytes: printed([1.5], [8]) }]);
       await says(page, /^other\.txt instead of mine@1\.5\.txt\. First wrong: /);
-      await page.locator('#timeline-tab-compare').click();
+      await page.evaluate(() => window.marrow.run('page.tab.compare'));
       await panel.locator('.compare-files').getByText('instead of mine@1.5.txt').waitFor();
       await page.evaluate(() => window.marrow.run('compare.stop'));
 

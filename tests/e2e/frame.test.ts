@@ -71,7 +71,7 @@ describe('the frame of the page', () => {
         await page.locator('.inspector .lil-gui').first().waitFor();
         const sizes = await page.evaluate(() => (window as unknown as { stageSizes: string[] }).stageSizes);
         expect(sizes.length).toBeGreaterThan(0);
-        expect([...new Set(sizes)]).toEqual([`${1280 - 400 - 264}x${sizes[0].split('x')[1]}`]);
+        expect([...new Set(sizes)]).toEqual([`${1280 - 400 - 244}x${sizes[0].split('x')[1]}`]);
       },
       {
         walking: true,

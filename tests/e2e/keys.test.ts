@@ -1,6 +1,7 @@
 /** Which part of the page a key is for: by the focus, else by the mouse; and what becomes of a focus that vanishes. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { GUTTER } from '../../src/ui/widgets/time/time-window.ts';
 import { withPage } from '../helpers/page.ts';
 
 const ARM = { joint: 'upper_arm_l', rz: 38 } as const;
@@ -223,13 +224,13 @@ it('the scrubber seeks at the range’s first pixel, its handles are outside, an
       await openWalker(page);
       const bar = await page.locator('canvas.scrubber').boundingBox();
       const range = () =>
-        page.evaluate(() =>
-          [...document.querySelectorAll<HTMLInputElement>('.range-field')].map((field) => field.value),
-        );
+        page.evaluate(() => {
+          const ruler = document.querySelector('.scrubber');
+          return [ruler?.ariaValueMin, ruler?.ariaValueMax];
+        });
       if (!bar) throw new Error('The scrubber has no place.');
       const before = await range();
-      // The window has 4 % of the range on both sides.
-      const first = bar.x + (0.04 / 1.08) * bar.width;
+      const first = bar.x + GUTTER;
       const press = async (x: number, y: number, to = x) => {
         await page.mouse.move(x, y);
         await page.mouse.down();

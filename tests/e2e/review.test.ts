@@ -94,7 +94,7 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
     // Measure: values at the playhead, the readout of another frame, two takes overlaid, and exact numbers.
     await dropFiles(page, [{ name: 'step.bvh', bytes: take(10, false) }]);
     await page.waitForFunction(() => window.marrow.characters().length === 2);
-    await page.getByRole('tab', { name: 'Measure' }).click();
+    await page.evaluate(() => window.marrow.run('page.tab.measure'));
     const legend = page.locator('.measure-legend li');
     await expect.poll(() => legend.count()).toBe(2);
     // Half a second fills the plot, though nobody fitted it: at the right is its end, not two seconds.
@@ -157,7 +157,7 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
     await dialog.getByRole('button', { name: 'Done' }).click();
     const scrubber = await page.locator('canvas.scrubber').boundingBox();
     if (!scrubber) throw new Error('the scrubber is not shown');
-    const times = fitWindow([0, 0.5]);
+    const times = fitWindow([0, 0.5], scrubber.width);
     const at = (seconds: number) =>
       [
         scrubber.x + ((seconds - times.from) / (times.to - times.from)) * scrubber.width,
@@ -198,7 +198,7 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
     // Check take: flags of what is played, each leads to its moment, and to the plots.
     await dropFiles(page, [{ name: 'broken.bvh', bytes: take(3, true) }]);
     await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'broken'));
-    await page.getByRole('tab', { name: 'Curve editor' }).click();
+    await page.evaluate(() => window.marrow.run('page.tab.curves'));
     await page.evaluate(() => window.marrow.run('take.checkTake'));
     const check = page.getByRole('dialog', { name: 'Check take' });
     await check.getByText(/^1 flag: spike/).waitFor();

@@ -59,7 +59,7 @@ describeShared('the steps of the wasp', () => {
       await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
       await page.evaluate(() => window.marrow.seek(0.4));
       const opened = await page.evaluate(() => window.marrow.steps().undo);
-      await page.locator('#timeline-tab-steps').click();
+      await page.evaluate(() => window.marrow.run('page.tab.steps'));
       await page.locator('.steps .empty').waitFor();
       await page.locator('[role=treeitem]', { hasText: 'hip_03_r' }).click();
       const world = await copied(page, tableOf(page, 'W₇'));
@@ -74,11 +74,11 @@ describeShared('the steps of the wasp', () => {
       await page.locator('.step-card[aria-label="W₀"] .symbol').focus();
       await page.locator('.row-joint.lit', { hasText: 'root' }).waitFor();
 
-      await page.locator('#timeline-tab-curves').click();
+      await page.evaluate(() => window.marrow.run('page.tab.curves'));
       await page.evaluate(() => window.marrow.run('timeline.showsWhy'));
       const [[value]] = await copied(page, page.locator('.why .grid[aria-label="Value"]'));
       expect(value).toBe(rxOfHipAt(0.4));
-      await page.locator('#timeline-tab-steps').click();
+      await page.evaluate(() => window.marrow.run('page.tab.steps'));
 
       await page.keyboard.press('q');
       const at = await page.evaluate(() => {

@@ -3,11 +3,11 @@
  *
  *     menu bar
  *     outliner | viewport | inspector        outliner and inspector collapse, and become drawers on a narrow page
- *     transport
- *     timeline: curves, dope sheet and lists collapses; closed at first
+ *     transport                              neither without a take, while the timeline is collapsed
+ *     timeline: the ruler, and below it curves, dope sheet and lists, which collapse and are collapsed at first
  */
 
-import { isPanelOpen, NARROW, openPanel } from '../state/panels/panels.ts';
+import { isBarShown, isPanelOpen, NARROW, openPanel } from '../state/panels/panels.ts';
 import { splitter } from '../state/panels/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
 import { element } from '../widgets/dom.ts';
@@ -25,7 +25,12 @@ export interface Parts {
   readonly status: HTMLElement;
 }
 
-export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, signal: AbortSignal): void {
+export function layout(
+  wb: Uses<'store' | 'settings' | 'viewport'>,
+  root: HTMLElement,
+  parts: Parts,
+  signal: AbortSignal,
+): void {
   const veil = element('div', { class: 'drawer-veil', 'aria-hidden': 'true' });
   const body = element(
     'div',
@@ -44,12 +49,14 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
   }
   // Replaces the frame of `index.html`.
   root.className = 'page';
-  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline, parts.status);
+  parts.stage.append(parts.status);
+  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline);
 
   const narrow = window.matchMedia(NARROW);
   const show = () => {
     const settings = wb.settings.get();
     sizePanels(root, settings);
+    parts.transport.hidden = parts.timeline.hidden = !isBarShown(wb);
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
       const hadFocus = parts[name].contains(document.activeElement);
@@ -64,6 +71,12 @@ export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, si
   };
   wb.settings.subscribe((now, before) => {
     if (now.panels !== before.panels) show();
+  });
+  wb.store.subscribe((now, before) => {
+    if (now.document === before.document || isBarShown(wb) !== parts.timeline.hidden) return;
+    show();
+    // What was opened is framed in the next frame, before the viewport would hear of its size.
+    wb.viewport.fitScreen();
   });
   narrow.addEventListener('change', show, { signal });
   veil.addEventListener('click', closeDrawers);

@@ -5,6 +5,7 @@ import { outliner } from '../editors/outliner/outliner.ts';
 import { offerOverSamples } from '../editors/posing/auto-key-samples.ts';
 import { followForm } from '../editors/posing/mode-of-form.ts';
 import { followOpened } from '../editors/posing/opened.ts';
+import { takeCell } from '../editors/takes/take-cell.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
@@ -24,8 +25,8 @@ import { menuBar } from './menu-bar.ts';
 import { commands, runById } from './run-by-id.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
 import { statusBar } from './status-bar.ts';
-import { timelineOpeners } from './timeline/timeline-openers.ts';
 import { timelinePanel } from './timeline/timeline-panel.ts';
+import { timelineSwitches } from './timeline/timeline-switches.ts';
 import { TABS } from './timeline/timeline-tabs.ts';
 import { limitUndo } from './undo-memory.ts';
 import { viewportPane } from './viewport-pane.ts';
@@ -83,6 +84,7 @@ export function mountWorkbench(
     for (const stop of stops) stop();
   });
   const stage = viewportPane(wb, signal);
+  const timeline = timelinePanel(wb, [takeCell(wb), scrubber.element], loadTab, signal);
   layout(
     wb,
     root,
@@ -91,8 +93,8 @@ export function mountWorkbench(
       outliner: outliner(wb),
       stage,
       inspector: inspectorPanel(wb),
-      transport: transport(wb, scrubber, timelineOpeners(wb)),
-      timeline: timelinePanel(wb, loadTab, signal),
+      transport: transport(wb, timelineSwitches(wb, timeline.goTo, signal)),
+      timeline: timeline.element,
       status: statusBar(wb, signal),
     },
     signal,

@@ -6,7 +6,7 @@ import { selectedJoint } from '../state/joints/selected-joint.ts';
 import { onDemand } from '../state/on-demand.ts';
 import { isPanelOpen, openPanel } from '../state/panels/panels.ts';
 import type { Settings } from '../state/settings.ts';
-import { TIMELINE_TABS, type TimelineTabName } from '../state/timeline.ts';
+import { shownTabs, TIMELINE_TABS, type TimelineTabName } from '../state/timeline.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { enterRegion, focusNextRegion, focusSection } from '../widgets/focus/focus-regions.ts';
 import { TABS } from './timeline/timeline-tabs.ts';
@@ -213,7 +213,7 @@ function tabAction(tab: TimelineTabName): Action {
     menu: 'View/Timeline tab',
     section: 3,
     radio: true,
-    checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline') && wb.timeline.view.get().tab === tab,
+    checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline') && shownTabs(wb.timeline.view.get()).includes(tab),
     run(wb) {
       openPanel(wb, 'timeline', true);
       wb.timeline.change({ tab });

@@ -11,6 +11,7 @@ const WIDTHS = [
 const HEIGHTS = [
   ['filesHeight', '--files-height'],
   ['timelineHeight', '--timeline-height'],
+  ['dopeHeight', '--dope-height'],
 ] as const;
 const PANELS: readonly PanelName[] = ['outliner', 'inspector', 'timeline'];
 

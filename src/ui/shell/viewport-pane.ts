@@ -26,6 +26,7 @@ import { pinsInFk } from './pins-in-fk.ts';
 import { emptyStage } from './start/empty-stage.ts';
 import { keptSession } from './start/kept-session.ts';
 import { newVersion } from './start/new-version.ts';
+import { takeOffer } from './take-offer.ts';
 
 /** For screen readers. */
 const VIEWPORT_KEYS =
@@ -64,6 +65,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
       weightsNote(wb),
       keptSession(wb),
       newVersion(wb),
+      takeOffer(wb),
       firstSteps(wb),
       heightsNote(wb),
       stageBanner(wb),

@@ -50,6 +50,8 @@ export interface Panels {
   readonly filesHeight: number;
   /** 0: a default that depends on the window. */
   readonly timelineHeight: number;
+  /** Height of the dope sheet above the curves; 0: a part of theirs. */
+  readonly dopeHeight: number;
   readonly outlinerOpen: boolean;
   readonly inspectorOpen: boolean;
   readonly timelineOpen: boolean;
@@ -65,10 +67,11 @@ export const DEFAULT_SETTINGS: Settings = {
   angles: 'degrees',
   timeDisplay: 'seconds',
   panels: {
-    outlinerWidth: 220,
-    inspectorWidth: 264,
+    outlinerWidth: 216,
+    inspectorWidth: 244,
     filesHeight: 0,
     timelineHeight: 0,
+    dopeHeight: 0,
     outlinerOpen: true,
     inspectorOpen: true,
     timelineOpen: false,

@@ -7,7 +7,7 @@ import type { OutsideCycle } from '../../edit/keys/cycle.ts';
 import type { Character } from '../../model/document.ts';
 import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
-import type { TimeWindow } from '../widgets/time/time-window.ts';
+import { fitWindow, type TimeWindow } from '../widgets/time/time-window.ts';
 import type { CycleQuestion } from './cycle-question.ts';
 import { ReviewState } from './review.ts';
 import type { SourcePlace } from './source.ts';
@@ -25,6 +25,26 @@ export const TIMELINE_TABS = [
   'compare',
 ] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
+
+/** Tabs that can be seen together, above each other. */
+const TOGETHER: readonly TimelineTabName[] = ['dope', 'curves'];
+
+/** The tabs that are seen while the timeline is open, from the top. */
+export function shownTabs({ tab, together }: Pick<TimelineView, 'tab' | 'together'>): readonly TimelineTabName[] {
+  return together && TOGETHER.includes(tab) ? TOGETHER : [tab];
+}
+
+/** What a press on a tab's button changes; undefined: it was the last one that was seen, so the timeline folds. */
+export function afterPress(
+  view: Pick<TimelineView, 'tab' | 'together'>,
+  isOpen: boolean,
+  name: TimelineTabName,
+): Pick<TimelineView, 'tab' | 'together'> | undefined {
+  const shown = isOpen ? shownTabs(view) : [];
+  const others = shown.filter((tab) => tab !== name);
+  if (shown.includes(name)) return others.length ? { tab: others[0], together: false } : undefined;
+  return { tab: name, together: TOGETHER.includes(name) && others.some((tab) => TOGETHER.includes(tab)) };
+}
 
 /** Which channels are listed: the selected joint's (with the root translation for the root), all, or pinned ones. */
 export const CHANNEL_LISTS = ['selected', 'all', 'pinned'] as const;
@@ -51,7 +71,10 @@ export interface ChannelView {
 
 /** Including pinned, hidden and isolated channels of the shown character. */
 export interface TimelineView extends ChannelView {
+  /** The one that keys and actions are for; see `shownTabs`. */
   readonly tab: TimelineTabName;
+  /** Whether curve editor and dope sheet are seen together. */
+  readonly together: boolean;
   /** The character of those channels; absent until one is shown. */
   readonly characterId?: string;
   /** The same for characters shown earlier, by id. */
@@ -83,6 +106,7 @@ const NOTHING_PICKED: ChannelView = { pinned: [], hidden: [], unfolded: [] };
 export const DEFAULT_TIMELINE_VIEW: TimelineView = {
   ...NOTHING_PICKED,
   tab: 'curves',
+  together: false,
   others: {},
   window: { from: -0.1, to: 2.1 },
   list: 'selected',
@@ -101,8 +125,10 @@ export const DEFAULT_TIMELINE_VIEW: TimelineView = {
 /** A tab's interface for the panel around it. */
 export interface TimelineTab {
   readonly element: HTMLElement;
-  /** Its controls, for the row of tabs. */
+  /** Its controls, for the row above the ruler. */
   readonly tools?: HTMLElement;
+  /** What heads its column of names, at the left of that row. */
+  readonly names?: HTMLElement;
   /** Called when it is shown or hidden: a hidden tab draws nothing. */
   setVisible(visible: boolean): void;
   fitAll(): void;
@@ -155,13 +181,32 @@ export class Timeline {
   readonly review: ReviewState = new ReviewState();
   /** Keys that were copied or cut last. */
   copied: CopiedKeys | undefined;
-  /** The visible tab; undefined while the panel is collapsed. */
+  /** The tab that keys and actions are for; undefined while the panel is collapsed. */
   tab: TimelineTab | undefined;
   /** Last results of `editors/timeline/current-take.ts`: every row and menu entry asks for the same. */
   readonly last: { keys?: readonly ChannelKeys[]; inView?: ChannelsInView } = {};
 
+  /** CSS pixels of the ruler and of all plots over its time. */
+  private width = 0;
+  /** The times that the window was fitted to; undefined once it was zoomed or panned. */
+  fitted: readonly [number, number] | undefined;
+
   change(change: Partial<TimelineView>): void {
+    if (change.window) this.fitted = undefined;
     this.view.update((now) => ({ ...now, ...change }));
+  }
+
+  /** Shows a range of times, and keeps it fitted as the page is resized; seconds of the transport. */
+  fit(range: readonly [number, number]): void {
+    this.change({ window: fitWindow(range, this.width) });
+    this.fitted = range;
+  }
+
+  /** @param width of the ruler, CSS pixels */
+  resize(width: number): void {
+    if (width === this.width) return;
+    this.width = width;
+    if (this.fitted) this.fit(this.fitted);
   }
 
   /**

@@ -36,6 +36,7 @@ export type WorkbenchStage = Pick<
   | 'frameAll'
   | 'frameSelection'
   | 'reveal'
+  | 'fitScreen'
   | 'keepClear'
   | 'annotate'
   | 'lookFrom'

@@ -5,7 +5,6 @@ import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { readAnim } from '../../../src/formats/anim/read.ts';
 import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
-import { TIME_RULER_HEIGHT } from '../../../src/ui/editors/timeline/time-ruler.ts';
 import type { Check } from '../../helpers/check.ts';
 import { dropFiles, type Pixels, readPixels } from '../../helpers/page.ts';
 
@@ -65,7 +64,7 @@ export async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> 
   const { timeAt, xOf, yOf } = await mapping(page, box.x, box.y);
   const curves = compileClip(clip);
   const edges = clip.range.map(xOf);
-  const top = TIME_RULER_HEIGHT + 1;
+  const top = 1;
   clip.channels.map(keysOf).forEach(({ times }, channel) => {
     let solid = 0;
     let dotted = 0;

@@ -2,7 +2,6 @@
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { fitWindow } from '../../widgets/time/time-window.ts';
 import { chooseDof } from '../posing/active-dof.ts';
 
 /** The current time is in view then: the first wrong one may be far outside the playback range. */
@@ -22,7 +21,7 @@ export function showChannel(
     tab: 'curves',
     showsWhy: true,
     list: isOfJoint ? 'selected' : 'all',
-    ...(!isInView && { window: fitWindow([window.from, window.to], timeSeconds) }),
   });
+  if (!isInView) wb.timeline.fit([Math.min(window.from, timeSeconds), Math.max(window.to, timeSeconds)]);
   wb.timeline.isolate([channel]);
 }

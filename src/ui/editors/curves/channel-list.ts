@@ -53,6 +53,8 @@ export interface ListSource {
 
 export class ChannelList {
   readonly element: HTMLElement;
+  /** What is listed. */
+  readonly head: HTMLElement;
   private readonly choice = element('select', { class: 'channel-choice', 'aria-label': 'Channels listed' });
   private readonly filter = element('input', {
     type: 'search',
@@ -85,15 +87,9 @@ export class ChannelList {
     private readonly wb: Uses<'store' | 'actions' | 'timeline' | 'settings' | 'comparing'>,
     private readonly source: ListSource,
   ) {
+    this.head = element('div', { class: 'channel-head' }, this.choice, this.filter);
     this.choice.append(...CHANNEL_LISTS.map((list) => element('option', { value: list }, LIST_LABELS[list])));
-    this.element = element(
-      'div',
-      { class: 'channel-list' },
-      element('div', { class: 'channel-head' }, this.choice, this.filter),
-      this.empty,
-      this.grid,
-      this.more,
-    );
+    this.element = element('div', { class: 'channel-list' }, this.empty, this.grid, this.more);
     this.more.addEventListener('click', () => {
       wb.timeline.change({ list: wb.timeline.view.get().list === 'selected' ? 'all' : 'selected' });
     });

@@ -1,4 +1,4 @@
-/** The curve editor: channels on the left, the plot beside them, its buttons in the row of tabs. */
+/** The curve editor: channels on the left, the plot beside them, its buttons above the ruler. */
 
 import { onDemand } from '../../state/on-demand.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
@@ -19,6 +19,7 @@ export function curvePanel(
   return {
     element: panel,
     tools: curveToolbar(wb),
+    names: list.head,
     setVisible(visible) {
       plot.setVisible(visible);
       list.setVisible(visible);

@@ -4,21 +4,18 @@ import { followPointer } from '../../widgets/drag.ts';
 import { buttonMeant, isMac, waitOutDrag } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { asksForMenu } from '../../widgets/menu.ts';
-import { snapTime } from '../../widgets/time/time-window.ts';
+import { timeAt } from '../../widgets/time/time-window.ts';
 import { wheelTurn } from '../../widgets/time/wheel.ts';
-import { scrubFrames } from '../timeline/scrub-frames.ts';
-import { openTimeMenu } from '../timeline/time-menu.ts';
 import { openPlotMenu } from './context-menu.ts';
 import { insertOnCurve } from './insert.ts';
 import { hitTest } from './scene/hit.ts';
 import type { CurveHit } from './scene/scene.ts';
-import { PLOT_TOP, pan, pixelsPerSecond, timeAt, zoom } from './scene/space.ts';
+import { pan, zoom } from './scene/space.ts';
 import { boxDrag } from './tools/box.ts';
 import { cursorOf, type Intent, intentOf } from './tools/intent.ts';
 import { keysDrag } from './tools/move-keys.ts';
 import { panDrag, zoomDrag } from './tools/navigate.ts';
 import { scaleDrag } from './tools/scale.ts';
-import { scrubDrag } from './tools/scrub.ts';
 import { slopeDrag } from './tools/slope.ts';
 import type { Drag, PlotAccess, PointerAt } from './tools/tool.ts';
 
@@ -28,7 +25,7 @@ const REACH_MOUSE = 6;
 const REACH_TOUCH = 14;
 const NO_HIT: CurveHit = { kind: 'empty' };
 /** Drags that change neither document nor selection. */
-const LOOKING: readonly Intent[] = ['scrub', 'pan', 'zoom'];
+const LOOKING: readonly Intent[] = ['pan', 'zoom'];
 
 /** What input needs of the plot, beyond `PlotAccess`. */
 export interface PlotHost extends PlotAccess {
@@ -134,11 +131,11 @@ export class PlotInput {
 
   private hitAt(at: PointerAt, reach: number): CurveHit {
     const scene = this.plot.scene();
-    return scene && at.y >= PLOT_TOP ? hitTest(scene, at.x, at.y, reach) : NO_HIT;
+    return scene ? hitTest(scene, at.x, at.y, reach) : NO_HIT;
   }
 
   private intent(at: PointerAt, button: number, hit: CurveHit): Intent {
-    return intentOf({ ...at, button, inRuler: at.y < PLOT_TOP, scaling: this.plot.wb.timeline.scaling.get() }, hit);
+    return intentOf({ ...at, button, scaling: this.plot.wb.timeline.scaling.get() }, hit);
   }
 
   private onPress(event: PointerEvent): void {
@@ -165,8 +162,6 @@ export class PlotInput {
     this.plot.freeze(true);
     this.plot.element.style.cursor = drag.cursor(at);
     window.addEventListener('keydown', LOOKING.includes(intent) ? this.onLookingKey : this.onDragKey, true);
-    // Scrubbing responds to the press itself.
-    if (intent === 'scrub') drag.move(at);
   }
 
   private placeInSelection(hit: CurveHit): number {
@@ -176,7 +171,6 @@ export class PlotInput {
   }
 
   private dragFor(intent: Intent, at: PointerAt, hit: CurveHit): Drag | undefined {
-    if (intent === 'scrub') return scrubDrag(this.plot);
     if (intent === 'pan') return panDrag(this.plot, at);
     if (intent === 'zoom') return zoomDrag(this.plot, at);
     if (intent === 'scale') return scaleDrag(this.plot, at);
@@ -290,7 +284,7 @@ export class PlotInput {
   private onDoubleClick(event: MouseEvent): void {
     const at = this.at(event);
     const scene = this.plot.scene();
-    if (!scene || at.y < PLOT_TOP || at.alt || at.shift || at.ctrl) return;
+    if (!scene || at.alt || at.shift || at.ctrl) return;
     const hit = hitTest(scene, at.x, at.y, REACH_MOUSE);
     if (hit.kind === 'curve') insertOnCurve(this.plot.wb, hit.channel, hit.timeSeconds);
     // Next to the only curve, that curve is meant.
@@ -307,14 +301,8 @@ export class PlotInput {
       this.openMenuByKey();
       return;
     }
-    const at = this.at(event);
     const where = { x: event.clientX, y: event.clientY };
-    const { wb } = this.plot;
-    const space = this.plot.scene()?.space;
-    if (at.y < PLOT_TOP && space) {
-      // As a drag there would set it.
-      openTimeMenu(wb, snapTime(timeAt(space, at.x), 1 / pixelsPerSecond(space), scrubFrames(wb, at.shift)), where);
-    } else openPlotMenu(wb, this.hitAt(at, REACH_MOUSE), where);
+    openPlotMenu(this.plot.wb, this.hitAt(this.at(event), REACH_MOUSE), where);
   }
 
   /** Of the selected keys, else of the background. */

@@ -11,7 +11,6 @@ import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } from '../timeline/channels.ts';
 import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
-import { markersAt } from '../timeline/shown-markers.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 import { type TheirChannel, type TheirChannels, theirChannels } from './scene/their-channels.ts';
@@ -93,7 +92,6 @@ export class PlotScene {
       range: wb.transport.get().range,
       framesPerSecond,
       inFrames: settings.timeDisplay === 'frames',
-      markers: markersAt(clip, offsetSeconds),
       degrees: settings.angles === 'degrees',
     };
     this.made = made;

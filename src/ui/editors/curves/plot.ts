@@ -6,10 +6,10 @@ import type { Uses } from '../../state/workbench.ts';
 import { element, setText, uniqueId } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
+import { timeAt, timeX } from '../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { selectedText } from '../timeline/key-edits.ts';
-import { keepTimeInView } from '../timeline/time-plot.ts';
 import type { ListSource } from './channel-list.ts';
 import { CurveLegend } from './curve-legend.ts';
 import { emptyPlotText } from './empty-text.ts';
@@ -18,12 +18,10 @@ import { type PlotHost, PlotInput } from './plot-input.ts';
 import { PlotScene, sameNumbers } from './plot-scene.ts';
 import { CurveReadout } from './readout.ts';
 import { ScaleFrame } from './scale-frame.ts';
-import { fit as fitted } from './scene/fit.ts';
+import { fit as fitted, timesOf } from './scene/fit.ts';
 import type { CurveScene } from './scene/scene.ts';
-import { type CurveSpace, PLOT_TOP, pan, timeAt, xOf, yOf, zoom } from './scene/space.ts';
+import { type CurveSpace, pan, yOf, zoom } from './scene/space.ts';
 import type { WhyPlace } from './why/why-subject.ts';
-
-type FitKind = 'all' | 'values';
 
 export class CurvePlot implements PlotHost {
   readonly element: HTMLElement;
@@ -43,7 +41,7 @@ export class CurvePlot implements PlotHost {
   /** Called after each draw: what is pointed at may be another. */
   afterDraw: (() => void) | undefined;
   private visible = false;
-  private pendingFit: FitKind | undefined = 'all';
+  private pendingFit = true;
   private box: SelectionBox | undefined;
   private drawn: CurveScene | undefined;
   /** What the view was last fitted to, to refit when that changes. */
@@ -98,7 +96,8 @@ export class CurvePlot implements PlotHost {
   }
 
   fitAll(): void {
-    this.pendingFit = 'all';
+    this.wb.timeline.fit(timesOf(this.scene()));
+    this.pendingFit = true;
     this.drawSoon();
   }
 
@@ -117,14 +116,14 @@ export class CurvePlot implements PlotHost {
   /** About the playhead if it is in view, else about the centre. */
   zoom(timeFactor: number, valueFactor: number): void {
     const { space } = this.scene();
-    const playhead = xOf(space, this.wb.transport.get().timeSeconds);
+    const playhead = timeX(space, this.wb.transport.get().timeSeconds);
     const x = playhead >= 0 && playhead <= space.width ? playhead : space.width / 2;
-    this.look(zoom(space, x, (PLOT_TOP + space.height) / 2, timeFactor, valueFactor));
+    this.look(zoom(space, x, space.height / 2, timeFactor, valueFactor));
   }
 
   pan(timePart: number, valuePart: number): void {
     const { space } = this.scene();
-    this.look(pan(space, -timePart * space.width, valuePart * (space.height - PLOT_TOP)));
+    this.look(pan(space, -timePart * space.width, valuePart * space.height));
   }
 
   placeOf(channel: number, timeSeconds: number, value: number): { readonly x: number; readonly y: number } | undefined {
@@ -132,7 +131,7 @@ export class CurvePlot implements PlotHost {
     const line = lines.find((l) => l.channel === channel);
     if (!line) return undefined;
     const { left, top } = this.element.getBoundingClientRect();
-    return { x: left + xOf(space, timeSeconds), y: top + yOf(space, line, value) };
+    return { x: left + timeX(space, timeSeconds), y: top + yOf(space, line, value) };
   }
 
   /** What is pointed at and selected, for explanations. */
@@ -191,7 +190,6 @@ export class CurvePlot implements PlotHost {
     wb.transport.subscribe((now, before) => {
       if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
       if (now.timeSeconds === before.timeSeconds) return;
-      if (this.visible && !this.input.dragging) keepTimeInView(wb, now, before);
       this.drawSoon();
     });
   }
@@ -227,7 +225,7 @@ export class CurvePlot implements PlotHost {
     this.afterDraw?.();
   }
 
-  /** Fits the view when other channels or another take are shown, but not when keys move. */
+  /** Fits the values when other channels or another take are shown, but not when keys move. */
   private fitWhereNew(): void {
     const { plotScene, wb } = this;
     if (this.dragging) return;
@@ -245,13 +243,9 @@ export class CurvePlot implements PlotHost {
       ...plotScene.channels.map((c) => c.channel),
     ];
     const before = this.fittedTo;
-    if (before.take !== name) this.pendingFit = 'all';
-    else if (!sameNumbers(before.channels, channels)) this.pendingFit ??= 'values';
-    else if (!this.pendingFit) return;
+    if (!this.pendingFit && before.take === name && sameNumbers(before.channels, channels)) return;
     this.fittedTo = { take: name, channels };
-    const { scene } = plotScene;
-    const kind = this.pendingFit;
-    this.pendingFit = undefined;
-    if (kind) this.look(fitted(scene, 'all', kind === 'values'));
+    this.pendingFit = false;
+    this.look(fitted(plotScene.scene, 'values'));
   }
 }

@@ -1,11 +1,13 @@
 /** The corner readout: values under the pointer, and the result of a drag. */
+
 import { keysOf } from '../../../model/takes/clip.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setText } from '../../widgets/dom.ts';
+import { pixelsPerSecond, timeAt } from '../../widgets/time/time-window.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
-import { pixelsPerSecond, timeAt, valueAt } from './scene/space.ts';
+import { valueAt } from './scene/space.ts';
 import { sampleNear } from './scene/their-channels.ts';
 import { curveValueText, timeText } from './tools/readout-text.ts';
 import type { PointerAt } from './tools/tool.ts';

@@ -2,13 +2,15 @@
  * The transform box around the selected keys: its edges and corners scale them about the opposite edge, with Alt about
  * the centre.
  */
+
 import { keysOf } from '../../../model/takes/clip.ts';
 import { button, element } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
+import { timeAt, timeX } from '../../widgets/time/time-window.ts';
 import type { CurveScene } from './scene/scene.ts';
-import { PLOT_TOP, timeAt, xOf, yOf } from './scene/space.ts';
+import { yOf } from './scene/space.ts';
 import { scaler } from './tools/scale.ts';
 import type { PlotAccess } from './tools/tool.ts';
 
@@ -138,8 +140,8 @@ function edgesOf(scene: CurveScene): Edges | undefined {
     const keys = keysOf(clip.channels[channel]);
     if (!line || !indices.length) continue;
     count += indices.length;
-    left = Math.min(left, xOf(space, keys.times[indices[0]] - offsetSeconds));
-    right = Math.max(right, xOf(space, keys.times[indices[indices.length - 1]] - offsetSeconds));
+    left = Math.min(left, timeX(space, keys.times[indices[0]] - offsetSeconds));
+    right = Math.max(right, timeX(space, keys.times[indices[indices.length - 1]] - offsetSeconds));
     let low = Number.POSITIVE_INFINITY;
     let high = Number.NEGATIVE_INFINITY;
     for (const index of indices) {
@@ -149,6 +151,6 @@ function edgesOf(scene: CurveScene): Edges | undefined {
     top = Math.min(top, yOf(space, line, high));
     bottom = Math.max(bottom, yOf(space, line, low));
   }
-  if (count < 2 || bottom < PLOT_TOP - space.height) return undefined;
+  if (count < 2 || bottom < -space.height) return undefined;
   return { left, right, top, bottom };
 }

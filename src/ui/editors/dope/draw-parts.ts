@@ -1,11 +1,13 @@
 /** Parts of the dope sheet's picture: row backgrounds, held spans, the strip, the box, the readout. */
+
 import { STILL } from '../../../edit/keys/marks.ts';
+import { timeX } from '../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
-import { readTimeColours, type TimeColours, translucent } from '../timeline/time-ruler.ts';
+import { readTimeColours, type TimeColours, translucent } from '../timeline/time-ground.ts';
 import { GRIP } from './hit.ts';
 import type { DopeOverlay, DopeScene } from './scene.ts';
-import { HEAD, rowTop, type Sheet, STRIP_HEIGHT, STRIP_TOP, sheetX } from './sheet.ts';
+import { HEAD, rowTop, type Sheet } from './sheet.ts';
 
 export interface DopeColours extends TimeColours {
   readonly key: string;
@@ -81,8 +83,8 @@ export function drawSampled(
   y: number,
   colours: DopeColours,
 ): void {
-  const left = Math.max(-1, Math.round(sheetX(sheet, from)));
-  const right = Math.min(sheet.width + 1, Math.max(left + 1, Math.round(sheetX(sheet, to))));
+  const left = Math.max(-1, Math.round(timeX(sheet, from)));
+  const right = Math.min(sheet.width + 1, Math.max(left + 1, Math.round(timeX(sheet, to))));
   if (!(right > left)) return;
   g.fillStyle = colours.band;
   g.globalAlpha = SAMPLED_OPACITY;
@@ -92,15 +94,15 @@ export function drawSampled(
 
 /** The selection from its first key to its last, with grips at both ends. */
 export function drawStrip(g: CanvasRenderingContext2D, { sheet, selectedSpan }: DopeScene, colours: DopeColours): void {
-  g.fillStyle = colours.ruler;
-  g.fillRect(0, STRIP_TOP, sheet.width, STRIP_HEIGHT);
+  g.fillStyle = colours.surface;
+  g.fillRect(0, 0, sheet.width, HEAD);
   g.fillStyle = colours.line;
   g.fillRect(0, HEAD - 1, sheet.width, 1);
   if (!selectedSpan) return;
-  const start = Math.round(sheetX(sheet, selectedSpan[0]));
-  const end = Math.round(sheetX(sheet, selectedSpan[1]));
-  const top = STRIP_TOP + 2;
-  const height = STRIP_HEIGHT - 5;
+  const start = Math.round(timeX(sheet, selectedSpan[0]));
+  const end = Math.round(timeX(sheet, selectedSpan[1]));
+  const top = 2;
+  const height = HEAD - 5;
   g.fillStyle = translucent(colours.selected, 0.4);
   const from = Math.max(-GRIP, start);
   const to = Math.min(sheet.width + GRIP, end);

@@ -26,8 +26,6 @@ export function gestureAt(host: DopeHost, hit: SheetHit, at: Pointer): DopeDrag 
       return new SelectBox(host, at, hit.row === 0);
     case 'nothing':
       return new SelectBox(host, at, false);
-    case 'ruler':
-      return undefined;
   }
 }
 
@@ -68,8 +66,6 @@ function moveWay({ wb }: DopeHost, at: Pointer): MoveWay {
 /** The cursor for a press. */
 export function cursorFor({ wb }: DopeHost, hit: SheetHit, held: Pick<Pointer, 'ctrl' | 'shift'>): string {
   switch (hit.kind) {
-    case 'ruler':
-      return 'col-resize';
     case 'strip':
       if (hit.part !== 'body') return 'ew-resize';
       return held.ctrl ? 'copy' : 'move';

@@ -1,10 +1,12 @@
 /** Hit testing in the sheet, for points and boxes. Pure: the sheet's geometry and the clip's keys, no canvas. */
+
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { Channel } from '../../../model/takes/clip.ts';
+import { secondsPerPixel, timeAt, timeX } from '../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
-import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, secondsPerPixel, sheetTime, sheetX } from './sheet.ts';
+import { HEAD, rowAt, rowTop, type Sheet } from './sheet.ts';
 
 /** What the sheet shows. */
 export interface SheetKeys {
@@ -18,7 +20,6 @@ export interface SheetKeys {
 }
 
 export type SheetHit =
-  | { readonly kind: 'ruler' }
   /** The selection's bar: its ends scale, the rest moves. */
   | { readonly kind: 'strip'; readonly part: 'start' | 'end' | 'body' }
   /** A diamond, and its keys. */
@@ -35,7 +36,6 @@ const SAME_SECONDS = 1e-6;
 
 export function hitSheet(sheet: Sheet, shown: SheetKeys, x: number, y: number): SheetHit {
   if (y < 0 || y > sheet.height || x < 0 || x > sheet.width) return { kind: 'nothing' };
-  if (y < STRIP_TOP) return { kind: 'ruler' };
   if (y < HEAD) return hitStrip(sheet, shown, x);
   const row = rowAt(sheet, y);
   if (row === undefined) return { kind: 'nothing' };
@@ -46,7 +46,7 @@ export function hitSheet(sheet: Sheet, shown: SheetKeys, x: number, y: number): 
 
 /** The transport time of the key in a row nearest to x, if within reach. */
 function diamondNear(sheet: Sheet, shown: SheetKeys, row: number, x: number): number | undefined {
-  const at = sheetTime(sheet, x) + shown.offsetSeconds;
+  const at = timeAt(sheet, x) + shown.offsetSeconds;
   const time = nearestKeyTime(shown.channels, shown.rows[row].channels, at, REACH * secondsPerPixel(sheet));
   return time === undefined ? undefined : time - shown.offsetSeconds;
 }
@@ -63,8 +63,8 @@ function keysUnder(sheet: Sheet, shown: SheetKeys, row: number, timeSeconds: num
 
 function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHit {
   if (!selectedSpan) return { kind: 'nothing' };
-  const start = sheetX(sheet, selectedSpan[0]);
-  const end = sheetX(sheet, selectedSpan[1]);
+  const start = timeX(sheet, selectedSpan[0]);
+  const end = timeX(sheet, selectedSpan[1]);
   if (x < start - GRIP || x > end + GRIP) return { kind: 'nothing' };
   // Keys at a single time can only be moved.
   if (!(selectedSpan[1] > selectedSpan[0])) return { kind: 'strip', part: 'body' };
@@ -83,8 +83,8 @@ function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHi
  * @param box pixels; rows scrolled out of view are above or below the sheet
  */
 export function sheetKeysInBox(sheet: Sheet, shown: SheetKeys, box: SelectionBox, onSummary: boolean): ChannelKeys[] {
-  const from = sheetTime(sheet, Math.min(box.x0, box.x1)) + shown.offsetSeconds;
-  const to = sheetTime(sheet, Math.max(box.x0, box.x1)) + shown.offsetSeconds;
+  const from = timeAt(sheet, Math.min(box.x0, box.x1)) + shown.offsetSeconds;
+  const to = timeAt(sheet, Math.max(box.x0, box.x1)) + shown.offsetSeconds;
   if (onSummary) return keysBetween(shown.channels, shown.rows[0]?.channels ?? [], from, to);
   const channels = new Set<number>();
   const [first, end] = rowsTouched(sheet, Math.min(box.y0, box.y1), Math.max(box.y0, box.y1));

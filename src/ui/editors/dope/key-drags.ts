@@ -2,6 +2,7 @@
  * Drags of keys: moving them in time (alone, with all later ones, or as copies) and scaling their times. Each is one
  * command, previewed from the document at the press: one undo step on release, none after Escape.
  */
+
 import type { Edit } from '../../../edit/change.ts';
 import type { ArgsOf, Command } from '../../../edit/command.ts';
 import { moveKeys, rippleKeys, scaleKeys } from '../../../edit/commands/keys.ts';
@@ -13,6 +14,7 @@ import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
+import { secondsPerPixel, timeAt } from '../../widgets/time/time-window.ts';
 import {
   aboutKeysInHand,
   currentTake,
@@ -23,7 +25,6 @@ import {
 } from '../timeline/current-take.ts';
 import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
-import { secondsPerPixel, sheetTime } from './sheet.ts';
 
 /** Shared by moving and scaling: the original keys, and an edit that is committed or cancelled. */
 abstract class KeyDrag implements DopeDrag {
@@ -73,7 +74,7 @@ abstract class KeyDrag implements DopeDrag {
   protected dragged(at: Pointer, grabbed: number, snapTurned: boolean): number {
     const { wb } = this.host;
     const sheet = this.host.sheet();
-    const seconds = sheetTime(sheet, at.x) - sheetTime(sheet, this.from.x);
+    const seconds = timeAt(sheet, at.x) - timeAt(sheet, this.from.x);
     const snaps = wb.timeline.view.get().snapsToFrames !== snapTurned;
     // Back where it began, a key between frames stays there.
     return snaps && seconds !== 0 ? snapSeconds(grabbed, seconds, wb.transport.get().framesPerSecond) : seconds;

@@ -8,7 +8,6 @@ import { plural } from '../../widgets/numbers/number-text.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';
-import { openTimeMenu } from '../timeline/time-menu.ts';
 import type { SheetHit } from './hit.ts';
 import { rowName } from './names.ts';
 import { showCurves } from './show-curves.ts';
@@ -33,11 +32,9 @@ export function sheetMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   rows: readonly DopeRow[],
   hit: SheetHit,
-  timeSeconds: number | undefined,
   at: MenuPlace,
 ): void {
   if (at.byKeyboard && selectedKeysInView(wb).length) show(wb, KEY_IDS, [], at, 'Keys');
-  else if (hit.kind === 'ruler' && timeSeconds !== undefined) openTimeMenu(wb, timeSeconds, at);
   else if (hit.kind === 'keys' || hit.kind === 'strip') keysMenu(wb, rows, hit, at);
   else if (hit.kind === 'row') rowMenu(wb, rows[hit.row], at);
   else show(wb, EMPTY_IDS, [], at, 'Dope sheet');

@@ -14,12 +14,10 @@ import type { Uses } from '../../state/workbench.ts';
 import { element, setAttribute, setText } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
-import { fitWindow, isMostly, panWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
+import { panWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';
-import { markersAt } from '../timeline/shown-markers.ts';
-import { keepTimeInView } from '../timeline/time-plot.ts';
 import { emptyText } from './empty-text.ts';
 import type { SheetKeys } from './hit.ts';
 import { rowMenu, sheetMenu } from './menus.ts';
@@ -43,7 +41,8 @@ const AROUND_SECONDS = 0.5;
 class DopePanel implements TimelineTab, SheetPointerHost {
   readonly element: HTMLElement;
   readonly tools: HTMLElement;
-  private readonly names: DopeNames;
+  readonly names: HTMLElement;
+  private readonly rowNames: DopeNames;
   private readonly picture = new DopePicture();
   private readonly plot = element('div', {
     class: 'dope-sheet',
@@ -62,7 +61,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
   constructor(readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
-    this.names = new DopeNames(
+    this.rowNames = new DopeNames(
       {
         fold: (row, open, every) => this.fold(row, open, every),
         choose: (row) => this.choose(row),
@@ -75,7 +74,8 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     this.plot.append(this.picture.element, this.empty);
     this.pointer = new SheetPointer(this.plot, this);
     this.tools = dopeTools(wb);
-    const left = element('div', { class: 'dope-left' }, dopeFilter(wb), this.names.element);
+    this.names = dopeFilter(wb);
+    const left = element('div', { class: 'dope-left' }, this.rowNames.element);
     this.element = element('div', { class: 'dope' }, left, this.plot);
     this.follow();
   }
@@ -86,7 +86,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       if (!this.visible || (now.document === before.document && now.selection === before.selection)) return;
       this.refresh();
       const { joint } = now.selection;
-      if (joint !== undefined && joint !== before.selection.joint) this.names.reveal(joint);
+      if (joint !== undefined && joint !== before.selection.joint) this.rowNames.reveal(joint);
     });
     wb.timeline.view.subscribe((now, before) => {
       if (!this.visible) return;
@@ -97,7 +97,6 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     wb.transport.subscribe((now, before) => {
       if (!this.visible) return;
       if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
-      keepTimeInView(wb, now, before);
       this.drawSoon();
     });
     wb.settings.subscribe((now, before) => {
@@ -116,13 +115,13 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   fitAll(): void {
     const span = this.wholeSpan();
-    if (span) this.look(fitWindow(span));
+    if (span) this.wb.timeline.fit(span);
   }
 
   fitSelected(): void {
     const span = this.shown().selectedSpan ?? this.jointSpan();
     if (!span) this.fitAll();
-    else if (span[1] > span[0]) this.look(fitWindow(span));
+    else if (span[1] > span[0]) this.wb.timeline.fit(span);
     else this.look({ from: span[0] - AROUND_SECONDS, to: span[0] + AROUND_SECONDS });
   }
 
@@ -150,7 +149,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   sheet(): Sheet {
     const { window } = this.wb.timeline.view.get();
-    const { rowHeight, scrollTop } = this.names;
+    const { rowHeight, scrollTop } = this.rowNames;
     return { ...this.size, window, rowHeight, rowCount: this.rows.length, scrollTop };
   }
 
@@ -168,11 +167,11 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   }
 
   scrollBy(pixels: number): void {
-    this.names.scrollTo(this.names.scrollTop + pixels);
+    this.rowNames.scrollTo(this.rowNames.scrollTop + pixels);
   }
 
-  menu(...[hit, timeSeconds, at]: Parameters<SheetPointerHost['menu']>): void {
-    sheetMenu(this.wb, this.rows, hit, timeSeconds, at);
+  menu(...[hit, at]: Parameters<SheetPointerHost['menu']>): void {
+    sheetMenu(this.wb, this.rows, hit, at);
   }
 
   overlayChanged(): void {
@@ -198,27 +197,13 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     if (force || !sameTake(before, take)) {
       const { unfolded, allRows, filter } = this.wb.timeline.view.get();
       this.rows = take ? dopeRows(take.character, take.clip, { unfolded, all: allRows, filter }) : [];
-      this.names.show(this.rows);
+      this.rowNames.show(this.rows);
       const text = this.rows.length ? '' : emptyText(this.wb, take);
       setText(this.empty, text);
       this.empty.hidden = !text;
     }
-    if (
-      take &&
-      (before?.character.id !== take.character.id || before.character.shownClip !== take.character.shownClip)
-    ) {
-      this.meet(before !== undefined);
-    }
-    this.names.refresh(this.currentJoints());
+    this.rowNames.refresh(this.currentJoints());
     this.redraw();
-  }
-
-  /** Shows another take: the previous window says nothing about it. */
-  private meet(isAnother: boolean): void {
-    const span = this.wholeSpan();
-    if (!span) return;
-    // Coming from the curve editor keeps the window.
-    if (isAnother || !isMostly(this.wb.timeline.view.get().window, span)) this.fitAll();
   }
 
   /** The selected joints of the character; the active one is the last. */
@@ -315,7 +300,6 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       range,
       framesPerSecond,
       inFrames: this.wb.settings.get().timeDisplay === 'frames',
-      ...(take && { markers: markersAt(take.clip, take.character.timeOffsetSeconds) }),
     };
   }
 

@@ -2,18 +2,13 @@
  * Draws the dope sheet on two canvases: edits and navigation below; playhead, box and readout above, so that playback
  * redraws only a line.
  */
+
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
 import { rangeOfSamples } from '../../../model/takes/samples.ts';
+import { secondsPerPixel } from '../../widgets/time/time-window.ts';
+import { drawOutsideRange, drawPlayhead, drawTimeGrid, type TimeView, translucent } from '../timeline/time-ground.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
-import {
-  drawOutsideRange,
-  drawPlayhead,
-  drawTimeGrid,
-  drawTimeRuler,
-  type TimeView,
-  translucent,
-} from '../timeline/time-ruler.ts';
 import { type DiamondSize, Diamonds } from './diamonds.ts';
 import {
   type DopeColours,
@@ -27,7 +22,7 @@ import {
   readColours,
 } from './draw-parts.ts';
 import type { DopeOverlay, DopeScene } from './scene.ts';
-import { HEAD, rowsInView, rowsTop, rowTop, secondsPerPixel } from './sheet.ts';
+import { HEAD, rowsInView, rowsTop, rowTop } from './sheet.ts';
 
 const BAND_HALF: Readonly<Record<DiamondSize, number>> = { summary: 4, group: 3, channel: 2 };
 
@@ -67,7 +62,6 @@ export class DopePicture {
       g.fillRect(0, rowsTop(sheet) - 1, sheet.width, 1);
     }
     drawStrip(g, scene, colours);
-    drawTimeRuler(g, view, colours);
   }
 
   drawOverlay(scene: DopeScene, { timeSeconds, box, readout }: DopeOverlay): void {
@@ -143,7 +137,6 @@ export class DopePicture {
   }
 }
 
-function timeView({ sheet, range, framesPerSecond, inFrames, markers }: DopeScene): TimeView {
-  const view = { window: sheet.window, width: sheet.width, range, framesPerSecond, inFrames };
-  return markers ? { ...view, markers } : view;
+function timeView({ sheet, range, framesPerSecond, inFrames }: DopeScene): TimeView {
+  return { window: sheet.window, width: sheet.width, range, framesPerSecond, inFrames };
 }

@@ -1,22 +1,21 @@
-/** Mouse, wheel and Escape over the sheet: scrubbing, panning, zooming, and the gestures of `gestures.ts`. */
+/** Mouse, wheel and Escape over the sheet: panning, zooming, and the gestures of `gestures.ts`. */
 import { followPointer } from '../../widgets/drag.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { asksForMenu, type MenuPlace } from '../../widgets/menu.ts';
-import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
+import { panWindow, secondsPerPixel, type TimeWindow, timeAt, zoomWindow } from '../../widgets/time/time-window.ts';
 import { wheelTurn } from '../../widgets/time/wheel.ts';
-import { scrubFrames } from '../timeline/scrub-frames.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { cursorFor, gestureAt } from './gestures.ts';
 import { hitSheet, type SheetHit } from './hit.ts';
-import { rowsTop, secondsPerPixel, sheetTime } from './sheet.ts';
+import { rowsTop } from './sheet.ts';
 
 export interface SheetPointerHost extends DopeHost {
   look(window: TimeWindow): void;
   /** Pixels, clamped to the rows. */
   scrollBy(pixels: number): void;
-  /** @param timeSeconds of the transport, under the pointer; by keyboard undefined, and `hit` means nothing */
-  menu(hit: SheetHit, timeSeconds: number | undefined, at: MenuPlace): void;
+  /** By keyboard `hit` means nothing. */
+  menu(hit: SheetHit, at: MenuPlace): void;
   overlayChanged(): void;
 }
 
@@ -87,7 +86,6 @@ export class SheetPointer {
     const at = this.pointerOf(event);
     const hit = this.hitAt(at);
     if (event.button === 1) this.follow(event, this.panning(at), 'grabbing');
-    else if (hit.kind === 'ruler') this.follow(event, this.scrubbing(at), 'col-resize');
     else {
       const gesture = gestureAt(this.host, hit, at);
       this.gesture = gesture;
@@ -107,19 +105,6 @@ export class SheetPointer {
       release() {},
       cancel() {},
     };
-  }
-
-  private scrubbing(from: Pointer): DopeDrag {
-    const { wb } = this.host;
-    const move = (at: Pointer) => {
-      const sheet = this.host.sheet();
-      const timeSeconds = snapTime(sheetTime(sheet, at.x), secondsPerPixel(sheet), scrubFrames(wb, at.shift));
-      wb.transport.update((p) =>
-        p.timeSeconds === timeSeconds && !p.playing ? p : { ...p, timeSeconds, playing: false },
-      );
-    };
-    move(from);
-    return { move, release: move, cancel() {} };
   }
 
   /** Tells a click from a drag, and scrolls if the drag leaves the rows. */
@@ -208,7 +193,7 @@ export class SheetPointer {
     const turn = wheelTurn(event);
     if (turn.what === 'pan') host.look(panWindow(sheet.window, turn.pixels * secondsPerPixel(sheet)));
     else if (turn.axes === 'other') host.scrollBy(turn.pixels);
-    else host.look(zoomWindow(sheet.window, sheetTime(sheet, this.placeOf(event).x), turn.factor));
+    else host.look(zoomWindow(sheet.window, timeAt(sheet, this.placeOf(event).x), turn.factor));
   }
 
   private onDoubleClick(event: MouseEvent): void {
@@ -220,11 +205,7 @@ export class SheetPointer {
   private onMenu(event: MouseEvent): void {
     event.preventDefault();
     if (this.dragging) return;
-    const place = this.placeOf(event);
-    // As a drag there would set it.
-    const sheet = this.host.sheet();
-    const time = snapTime(sheetTime(sheet, place.x), secondsPerPixel(sheet), scrubFrames(this.host.wb, event.shiftKey));
-    this.host.menu(this.hitAt(place), time, { x: event.clientX, y: event.clientY });
+    this.host.menu(this.hitAt(this.placeOf(event)), { x: event.clientX, y: event.clientY });
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -233,6 +214,6 @@ export class SheetPointer {
     event.preventDefault();
     event.stopPropagation();
     const { left, top } = this.target.getBoundingClientRect();
-    this.host.menu({ kind: 'nothing' }, undefined, { x: left + 40, y: top + 40, byKeyboard: true });
+    this.host.menu({ kind: 'nothing' }, { x: left + 40, y: top + 40, byKeyboard: true });
   }
 }

@@ -1,7 +1,6 @@
 /** What the dope sheet shows: everything that drawing needs, read-only. */
 import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { ShownMarker } from '../../widgets/time/markers-picture.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
@@ -16,8 +15,6 @@ export interface DopeScene extends SheetKeys {
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;
-  /** Of the take. */
-  readonly markers?: readonly ShownMarker[];
 }
 
 export interface DopeOverlay {

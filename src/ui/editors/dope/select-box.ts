@@ -1,11 +1,13 @@
 /** Box selection of diamonds. Its first corner stays at its time and row when the sheet is scrolled or zoomed. */
+
 import { unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
+import { timeAt, timeX } from '../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import { selectedKeys, selectKeys } from '../timeline/current-take.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { sheetKeysInBox } from './hit.ts';
-import { HEAD, rowsTop, sheetTime, sheetX } from './sheet.ts';
+import { HEAD, rowsTop } from './sheet.ts';
 
 export class SelectBox implements DopeDrag {
   box: SelectionBox | undefined;
@@ -22,14 +24,14 @@ export class SelectBox implements DopeDrag {
   ) {
     const sheet = host.sheet();
     this.before = selectedKeys(host.wb);
-    this.seconds = sheetTime(sheet, from.x);
+    this.seconds = timeAt(sheet, from.x);
     this.down = from.y + sheet.scrollTop;
   }
 
   move(at: Pointer): void {
     const { wb } = this.host;
     const sheet = this.host.sheet();
-    const x0 = sheetX(sheet, this.seconds);
+    const x0 = timeX(sheet, this.seconds);
     const top = rowsTop(sheet);
     this.box = this.onSummary
       ? { x0, y0: HEAD, x1: at.x, y1: top }

@@ -1,8 +1,7 @@
 /**
  * The dope sheet's coordinates, in CSS pixels from the picture's top left corner:
  *
- *     y = 0            ┌── time ruler ──────────────┐
- *     STRIP_TOP        ├── strip of the selection ──┤   the selection as a bar, to move and scale it
+ *     y = 0            ┌── strip of the selection ──┐   the selection as a bar, to move and scale it
  *     HEAD             ├── row 0, the summary ──────┤   doesn't scroll
  *     HEAD + row       ├── rows 1 … ────────────────┤   scrolled by `scrollTop`
  *                      └────────────────────────────┘ height
@@ -10,34 +9,18 @@
  *
  * Times are the transport's unless stated otherwise.
  */
-import type { TimeWindow } from '../../widgets/time/time-window.ts';
-import { TIME_RULER_HEIGHT } from '../timeline/time-ruler.ts';
+import type { TimeStrip } from '../../widgets/time/time-window.ts';
 
-export const STRIP_TOP: number = TIME_RULER_HEIGHT;
-export const STRIP_HEIGHT = 10;
-export const HEAD: number = STRIP_TOP + STRIP_HEIGHT;
+/** Height of the strip. */
+export const HEAD = 10;
 
-export interface Sheet {
-  readonly width: number;
+export interface Sheet extends TimeStrip {
   readonly height: number;
-  readonly window: TimeWindow;
   readonly rowHeight: number;
   /** Including the summary. */
   readonly rowCount: number;
   /** Scroll offset in pixels of the rows below the summary. */
   readonly scrollTop: number;
-}
-
-export function secondsPerPixel({ window, width }: Sheet): number {
-  return (window.to - window.from) / Math.max(1, width);
-}
-
-export function sheetX(sheet: Sheet, seconds: number): number {
-  return (seconds - sheet.window.from) / secondsPerPixel(sheet);
-}
-
-export function sheetTime(sheet: Sheet, x: number): number {
-  return sheet.window.from + x * secondsPerPixel(sheet);
 }
 
 /** Top of the scrolled rows. */
@@ -50,7 +33,7 @@ export function rowTop(sheet: Sheet, row: number): number {
   return row === 0 ? HEAD : HEAD + row * sheet.rowHeight - sheet.scrollTop;
 }
 
-/** The row at a height; undefined on the ruler, on the strip, and below the last row. */
+/** The row at a height; undefined on the strip and below the last row. */
 export function rowAt(sheet: Sheet, y: number): number | undefined {
   if (y < HEAD || sheet.rowCount === 0) return undefined;
   if (y < rowsTop(sheet)) return 0;

@@ -13,11 +13,11 @@ import { icon } from '../../widgets/icons.ts';
 import { menuButton } from '../../widgets/menu.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { fitWindow, isMostly, snapTime } from '../../widgets/time/time-window.ts';
+import { snapTime, timeAt } from '../../widgets/time/time-window.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { type ChartPoint, type TimeChart, TimeInput, timeAt } from '../timeline/time-input.ts';
+import type { TimeView } from '../timeline/time-ground.ts';
+import { type ChartPoint, type TimeChart, TimeInput } from '../timeline/time-input.ts';
 import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
-import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { framesIn } from '../timeline/trace-frames.ts';
 import { Measuring } from './measuring.ts';
 import { barY, dashOf, PlotPicture, type PlotScene, valueY } from './picture.ts';
@@ -73,8 +73,6 @@ class MeasurePanel implements TimelineTab, TimePlot {
   private series: readonly Series[] = [];
   private values: HTMLElement[] = [];
   private unit = '';
-  /** The times that were plotted last. */
-  private met: readonly [number, number] | undefined;
   private scene: PlotScene | undefined;
   size = { width: 0, height: 0 };
   private pointer: ChartPoint | undefined;
@@ -87,8 +85,8 @@ class MeasurePanel implements TimelineTab, TimePlot {
     this.subject = SUBJECTS.find((known) => known === measured.subject) ?? 'joints';
     this.chart.append(this.picture.element);
     this.element.append(
-      element('div', { class: 'time-plot' }, this.chart, this.empty),
       element('div', { class: 'measure-side' }, this.legend, this.note),
+      element('div', { class: 'time-plot' }, this.chart, this.empty),
     );
     const quantities = choice('Quantity', QUANTITIES, (quantity) => QUANTITY_LABELS[quantity].label, this.quantity);
     quantities.onChoice((quantity) => {
@@ -132,7 +130,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
 
   fitAll(): void {
     const span = spanOf(this.series);
-    if (span) this.wb.timeline.change({ window: fitWindow(span) });
+    if (span) this.wb.timeline.fit(span);
   }
 
   fitSelected(): void {
@@ -175,18 +173,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
     const names = this.series.map(({ label }) => label).join(', ');
     const what = `${QUANTITY_LABELS[quantity].label} over time${names && `: ${names}`}. Drag to scrub.`;
     setAttribute(this.chart, 'aria-label', what);
-    this.meet();
     this.redraw();
-  }
-
-  /** Fits a take of other times: the window of the one before would show it as a sliver, or not at all. */
-  private meet(): void {
-    const span = spanOf(this.series);
-    const { met } = this;
-    this.met = span ?? met;
-    if (!span || (met && met[0] === span[0] && met[1] === span[1])) return;
-    // Coming from the curve editor keeps the window.
-    if (!isMostly(this.wb.timeline.view.get().window, span)) this.fitAll();
   }
 
   private showLegend(byCharacter: boolean): void {
@@ -259,7 +246,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
   /** The value under the pointer, at its frame. */
   private readout(scene: PlotScene): PlotReadout | undefined {
     const { pointer } = this;
-    if (!pointer || pointer.y < TIME_RULER_HEIGHT) return undefined;
+    if (!pointer) return undefined;
     let found: (PlotReadout & { readonly away: number }) | undefined;
     for (const [row, series] of scene.series.entries()) {
       const { startSeconds, frameSeconds, frameCount } = series.frames;

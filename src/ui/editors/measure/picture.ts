@@ -4,6 +4,8 @@
  */
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
+import { timeX } from '../../widgets/time/time-window.ts';
+import { drawOutsideRange, drawPlayhead, drawTimeGrid, type TimeView, translucent } from '../timeline/time-ground.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawDot,
@@ -14,16 +16,6 @@ import {
   readPlotColours,
   styleColour,
 } from '../timeline/time-plot.ts';
-import {
-  drawOutsideRange,
-  drawPlayhead,
-  drawTimeGrid,
-  drawTimeRuler,
-  TIME_RULER_HEIGHT,
-  type TimeView,
-  timeX,
-  translucent,
-} from '../timeline/time-ruler.ts';
 import { framesIn, traceFrames } from '../timeline/trace-frames.ts';
 import { type Series, valueAt } from './series.ts';
 
@@ -47,7 +39,7 @@ interface Colours extends PlotColours {
 }
 
 const FOOT = 10;
-const HEAD = TIME_RULER_HEIGHT + 10;
+const HEAD = 10;
 const LABELS_APART = 28;
 const DASHES: readonly (readonly number[])[] = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
 /** The first two are the tints of compared characters. */
@@ -74,13 +66,13 @@ export class PlotPicture {
     if (!g) return;
     const { colours } = this.picture;
     const { view, height } = scene;
-    g.fillStyle = colours.surface;
+    g.fillStyle = colours.plot;
     g.fillRect(0, 0, view.width, height);
-    drawOutsideRange(g, view, TIME_RULER_HEIGHT, height, colours);
-    drawTimeGrid(g, view, TIME_RULER_HEIGHT, height, colours);
+    drawOutsideRange(g, view, 0, height, colours);
+    drawTimeGrid(g, view, 0, height, colours);
     g.save();
     g.beginPath();
-    g.rect(0, TIME_RULER_HEIGHT, view.width, height - TIME_RULER_HEIGHT);
+    g.rect(0, 0, view.width, height);
     g.clip();
     if (!scene.isBars) this.drawValueLines(g, scene, colours);
     for (const [row, series] of scene.series.entries()) {
@@ -90,7 +82,6 @@ export class PlotPicture {
     }
     if (!scene.isBars) this.drawValueLabels(g, scene, colours);
     g.restore();
-    drawTimeRuler(g, view, colours);
   }
 
   drawOverlay(scene: PlotScene, timeSeconds: number, readout: PlotReadout | undefined): void {
@@ -127,8 +118,8 @@ export class PlotPicture {
     ticks.forEach((value, i) => {
       const isLast = i === ticks.length - 1;
       const text = `${shown(value, 4)}${isLast && scene.unit ? ` ${scene.unit}` : ''}`;
-      const y = Math.max(TIME_RULER_HEIGHT + 8, Math.min(scene.height - 8, Math.round(valueY(scene, value))));
-      g.fillStyle = translucent(colours.surface, 0.8);
+      const y = Math.max(8, Math.min(scene.height - 8, Math.round(valueY(scene, value))));
+      g.fillStyle = translucent(colours.plot, 0.8);
       g.fillRect(2, y - 7, g.measureText(text).width + 4, 14);
       g.fillStyle = colours.faint;
       g.fillText(text, 4, y + 0.5);

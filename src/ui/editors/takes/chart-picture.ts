@@ -4,6 +4,7 @@
  */
 import type { Distances } from '../../../evaluate/compare/distance.ts';
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
+import { drawOutsideRange, drawPlayhead, drawTimeGrid, type TimeView, translucent } from '../timeline/time-ground.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
 import {
   drawReadout,
@@ -13,15 +14,6 @@ import {
   readPlotColours,
   styleColour,
 } from '../timeline/time-plot.ts';
-import {
-  drawOutsideRange,
-  drawPlayhead,
-  drawTimeGrid,
-  drawTimeRuler,
-  TIME_RULER_HEIGHT,
-  type TimeView,
-  translucent,
-} from '../timeline/time-ruler.ts';
 import { traceFrames } from '../timeline/trace-frames.ts';
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';
 
@@ -50,7 +42,7 @@ interface Colours extends PlotColours {
 
 const FOOT = 8;
 /** Margin at the top, for its label. */
-const HEAD = TIME_RULER_HEIGHT + 18;
+const HEAD = 18;
 const LABELS_APART = 28;
 /** Safety limit. */
 const MOST_LINES = 100;
@@ -70,14 +62,13 @@ export class ChartPicture {
     if (!g) return;
     const { colours } = this.picture;
     const { view, height } = scene;
-    g.fillStyle = colours.surface;
+    g.fillStyle = colours.plot;
     g.fillRect(0, 0, view.width, height);
-    drawOutsideRange(g, view, TIME_RULER_HEIGHT, height, colours);
-    drawTimeGrid(g, view, TIME_RULER_HEIGHT, height, colours);
+    drawOutsideRange(g, view, 0, height, colours);
+    drawTimeGrid(g, view, 0, height, colours);
     this.drawValueGrid(g, scene, colours);
     for (const line of scene.lines) this.drawLine(g, scene, line, colours);
     this.drawLegend(g, scene, colours);
-    drawTimeRuler(g, view, colours);
   }
 
   drawOverlay(scene: ChartScene, timeSeconds: number, readout: PlotReadout | undefined): void {
@@ -113,13 +104,13 @@ export class ChartPicture {
     g.font = colours.font;
     g.textAlign = 'left';
     g.textBaseline = 'middle';
-    const y = TIME_RULER_HEIGHT + 12;
+    const y = 12;
     let right = view.width - 8;
     for (const line of lines) {
       const width = Math.ceil(g.measureText(line.label).width) + 22;
       if (right - width < view.width / 3) return;
       right -= width;
-      g.fillStyle = translucent(colours.surface, 0.8);
+      g.fillStyle = translucent(colours.plot, 0.8);
       g.fillRect(right, y - 8, width, 16);
       g.fillStyle = colourOf(line, colours);
       g.globalAlpha = opacityOf(line);
@@ -135,7 +126,7 @@ export class ChartPicture {
     if (!distances) return;
     g.save();
     g.beginPath();
-    g.rect(0, TIME_RULER_HEIGHT, view.width, scene.height - TIME_RULER_HEIGHT);
+    g.rect(0, 0, view.width, scene.height);
     g.clip();
     g.lineJoin = 'round';
     g.lineWidth = line.kind === 'joint' ? 1.75 : 1.25;

@@ -7,10 +7,10 @@ import type { Uses } from '../../state/workbench.ts';
 import { element, setAttribute } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
-import { fitWindow, type TimeWindow } from '../../widgets/time/time-window.ts';
-import { type ChartPoint, TimeInput, timeAt } from '../timeline/time-input.ts';
+import { timeAt } from '../../widgets/time/time-window.ts';
+import type { TimeView } from '../timeline/time-ground.ts';
+import { type ChartPoint, TimeInput } from '../timeline/time-input.ts';
 import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
-import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { framesIn } from '../timeline/trace-frames.ts';
 import { type ChartLine, ChartPicture, type ChartScene, yAt } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
@@ -84,12 +84,8 @@ export class DistanceChart implements TimePlot {
     const distances = this.measured?.distances;
     if (!distances) return false;
     const { startSeconds, frameSeconds, frameCount } = distances;
-    this.look(fitWindow([startSeconds, startSeconds + (frameCount - 1) * frameSeconds]));
+    this.wb.timeline.fit([startSeconds, startSeconds + (frameCount - 1) * frameSeconds]);
     return true;
-  }
-
-  private look(window: TimeWindow): void {
-    this.wb.timeline.change({ window });
   }
 
   redraw(): void {
@@ -153,7 +149,7 @@ export class DistanceChart implements TimePlot {
   private readout(scene: ChartScene): PlotReadout | undefined {
     const { pointer } = this;
     const { distances, view } = scene;
-    if (!pointer || !distances || pointer.y < TIME_RULER_HEIGHT) return undefined;
+    if (!pointer || !distances) return undefined;
     const { startSeconds, frameSeconds, frameCount } = distances;
     const frame = Math.round((timeAt(view, pointer.x) - startSeconds) / frameSeconds);
     if (frame < 0 || frame >= frameCount) return undefined;

@@ -15,7 +15,7 @@ import { element, setText } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
-import { fitWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
+import { zoomWindow } from '../../widgets/time/time-window.ts';
 import { movedEntries } from '../retarget/moved.ts';
 import { compareWith } from './compare-menu.ts';
 import { type CompareSwitch, compareSwitch } from './compare-switch.ts';
@@ -121,7 +121,7 @@ class TakesPanel implements TimelineTab {
   }
 
   fitAll(): void {
-    if (!this.distances.fitAll()) this.look(fitWindow(this.wb.transport.get().range));
+    if (!this.distances.fitAll()) this.wb.timeline.fit(this.wb.transport.get().range);
   }
 
   fitSelected(): void {
@@ -130,15 +130,12 @@ class TakesPanel implements TimelineTab {
 
   zoom(timeFactor: number): void {
     const { timeSeconds } = this.wb.transport.get();
-    this.look(zoomWindow(this.wb.timeline.view.get().window, timeSeconds, timeFactor));
+    const { timeline } = this.wb;
+    timeline.change({ window: zoomWindow(timeline.view.get().window, timeSeconds, timeFactor) });
   }
 
   recolour(): void {
     this.distances.recolour();
-  }
-
-  private look(window: TimeWindow): void {
-    this.wb.timeline.change({ window });
   }
 
   private show(): void {

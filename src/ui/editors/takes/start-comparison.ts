@@ -6,7 +6,6 @@ import { attempt } from '../../state/actions/attempt.ts';
 import { showing } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { fitWindow } from '../../widgets/time/time-window.ts';
 import { endComparison, followMovedTake, followOverlay } from './compared-takes.ts';
 import { playRange } from './played-range.ts';
 import type { TakeRow } from './rows.ts';
@@ -55,7 +54,8 @@ export function compareTakes(
     const overlay = { comparison, before, after, playedBefore, played, compared: [after], apart: [before] };
     // Nothing changed, so nothing is to be restored, and no undo step belongs to the comparison.
     if (after !== before) followOverlay(wb, overlay);
-    wb.timeline.change({ tab: 'takes', window: fitWindow(both) });
+    wb.timeline.change({ tab: 'takes' });
+    wb.timeline.fit(both);
     wb.viewport.reveal(first.characterId, second.characterId);
   });
 }

@@ -17,6 +17,7 @@ import type { ChannelKeys } from '../../../model/session.ts';
 import type { ChannelClip } from '../../../model/takes/clip.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
+import { shownTabs } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, listedChannels } from './channels.ts';
 import { keyedChannels } from './dope-rows.ts';
@@ -98,10 +99,9 @@ export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[
   const { inView } = last;
   if (inView?.character === character && inView.selection === selection && inView.view === view) return inView.channels;
   // The dope sheet draws all keys, or those that match the filter.
-  const channels =
-    view.tab === 'dope'
-      ? keyedChannels(character, view.filter)
-      : drawnChannels(listedChannels(character, selection, view), view);
+  const channels = shownTabs(view).includes('dope')
+    ? keyedChannels(character, view.filter)
+    : drawnChannels(listedChannels(character, selection, view), view);
   last.inView = { character, selection, view, channels };
   return channels;
 }

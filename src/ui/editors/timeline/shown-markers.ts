@@ -13,7 +13,7 @@ export function shownMarkers(wb: Uses<'store'>): readonly ShownMarker[] {
   return clip ? markersAt(clip, character.timeOffsetSeconds) : NO_MARKERS;
 }
 
-export function markersAt({ markers }: Pick<ChannelClip, 'markers'>, offsetSeconds: number): readonly ShownMarker[] {
+function markersAt({ markers }: Pick<ChannelClip, 'markers'>, offsetSeconds: number): readonly ShownMarker[] {
   if (!markers) return NO_MARKERS;
   if (offsetSeconds === 0) return markers;
   return markers.map(({ timeSeconds, endSeconds, label }) => ({

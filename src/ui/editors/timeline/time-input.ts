@@ -5,10 +5,17 @@
 
 import type { Uses } from '../../state/workbench.ts';
 import { followPointer } from '../../widgets/drag.ts';
-import { panWindow, pinchWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
+import {
+  panWindow,
+  pinchWindow,
+  secondsPerPixel,
+  type TimeWindow,
+  timeAt,
+  zoomWindow,
+} from '../../widgets/time/time-window.ts';
 import { wheelTurn } from '../../widgets/time/wheel.ts';
 import { scrubFrames } from './scrub-frames.ts';
-import type { TimeView } from './time-ruler.ts';
+import type { TimeView } from './time-ground.ts';
 
 /** Of one key press. */
 const ZOOM_STEP = 1.2;
@@ -27,11 +34,6 @@ export interface TimeChart {
   fitAll(): void;
   /** @param at undefined: the pointer has left */
   hoverAt(at: ChartPoint | undefined): void;
-}
-
-/** Seconds of the transport. */
-export function timeAt({ window, width }: TimeView, x: number): number {
-  return window.from + (x / width) * (window.to - window.from);
 }
 
 export class TimeInput {
@@ -132,6 +134,6 @@ export class TimeInput {
     const view = this.chart.timeView();
     const turn = wheelTurn(event);
     if (turn.what === 'zoom') this.look(zoomWindow(view.window, timeAt(view, this.at(event).x), turn.factor));
-    else this.look(panWindow(view.window, (turn.pixels / view.width) * (view.window.to - view.window.from)));
+    else this.look(panWindow(view.window, turn.pixels * secondsPerPixel(view)));
   }
 }

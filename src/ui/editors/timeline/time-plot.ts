@@ -1,10 +1,9 @@
 /** What all plots over the timeline's time have in common: their time, when they redraw, and the readout. */
 
-import type { Playback } from '../../../edit/playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
-import { revealTime } from '../../widgets/time/time-window.ts';
-import { readTimeColours, TIME_RULER_HEIGHT, type TimeColours, type TimeView, timeX } from './time-ruler.ts';
+import { timeX } from '../../widgets/time/time-window.ts';
+import { readTimeColours, type TimeColours, type TimeView } from './time-ground.ts';
 
 export interface TimePlot {
   readonly visible: boolean;
@@ -34,20 +33,8 @@ export function followTime(wb: Uses<'transport' | 'timeline' | 'settings'>, char
   });
   wb.transport.subscribe((now, before) => {
     if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) plot.redraw();
-    if (plot.visible) keepTimeInView(wb, now, before);
     plot.drawSoon();
   });
-}
-
-/**
- * Scrolls to a time that was changed by a key, a field or a drag. While playing, the window remains where the user put
- * it.
- */
-export function keepTimeInView(wb: Uses<'timeline'>, now: Playback, before: Playback): void {
-  if (now.timeSeconds === before.timeSeconds || now.playing) return;
-  const { window } = wb.timeline.view.get();
-  const next = revealTime(window, now.timeSeconds);
-  if (next !== window) wb.timeline.change({ window: next });
 }
 
 /** @param width CSS pixels */
@@ -63,7 +50,7 @@ export function whenText({ inFrames, framesPerSecond }: TimeView, timeSeconds: n
 }
 
 export interface PlotColours extends TimeColours {
-  readonly surface: string;
+  readonly plot: string;
   readonly text: string;
   readonly raised: string;
 }
@@ -75,7 +62,7 @@ export const JOINT_COLOURS = ['--selected', '--axis-z', '--axis-y', '--axis-x', 
 export function readPlotColours(target: Element): PlotColours {
   return {
     ...readTimeColours(target),
-    surface: styleColour(target, '--surface'),
+    plot: styleColour(target, '--plot'),
     text: styleColour(target, '--text'),
     raised: styleColour(target, '--raised'),
   };
@@ -106,7 +93,7 @@ export function drawReadout(
   g.font = colours.font;
   const width = g.measureText(readout.text).width + 12;
   const left = Math.round(Math.max(2, Math.min(view.width - width - 2, x + 8)));
-  const top = Math.round(Math.max(TIME_RULER_HEIGHT + 2, readout.y - 26));
+  const top = Math.round(Math.max(2, readout.y - 26));
   g.fillStyle = colours.raised;
   g.strokeStyle = colours.line;
   g.beginPath();

@@ -1,6 +1,6 @@
 /** Lines through values at evenly spaced frames, on a canvas. */
-import type { TimeWindow } from '../../widgets/time/time-window.ts';
-import { type TimeView, timeX } from './time-ruler.ts';
+import { type TimeWindow, timeX } from '../../widgets/time/time-window.ts';
+import type { TimeView } from './time-ground.ts';
 
 /** Frame f is at `startSeconds + f · frameSeconds` of the transport. */
 export interface FrameRow {

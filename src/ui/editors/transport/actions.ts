@@ -12,7 +12,7 @@ import { shown } from '../../widgets/numbers/number-text.ts';
 import { nextKinematics, switchKinematics } from '../posing/actions.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
 import { TURN } from '../viewport/actions.ts';
-import { sayRange } from './range-edits.ts';
+import { sayRange } from './range-text.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
   once: 'Once',

@@ -1,11 +1,11 @@
 /**
- * The scrubber. Drag to change the time, drag the handles at the ends of the shaded range to change it
+ * The scrubber: the ruler of all plots of the timeline, whose time window it shares. Drag to change the time, drag the handles at the ends of the shaded range to change it
  * (`scrubber-handles.ts`), both in whole frames as `scrub-frames.ts` says; the wheel zooms and pans (`wheel.ts`), the
  * middle button pans, a double click fits. As a slider it takes arrow keys.
  */
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
-import { findCharacter, rangeOfClips } from '../../../model/document.ts';
+import { type Document, rangeOfClips } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
@@ -15,11 +15,14 @@ import { asksForMenu } from '../../widgets/menu.ts';
 import { aligned, shown } from '../../widgets/numbers/number-text.ts';
 import { MARKER_HEIGHT, type ShownMarker } from '../../widgets/time/markers-picture.ts';
 import {
-  fitWindow,
   panWindow,
   revealTime,
+  secondsPerPixel,
   snapTime,
+  type TimeStrip,
   type TimeWindow,
+  timeAt,
+  timeX,
   zoomWindow,
 } from '../../widgets/time/time-window.ts';
 import { wheelTurn } from '../../widgets/time/wheel.ts';
@@ -28,13 +31,7 @@ import { scrubFrames } from '../timeline/scrub-frames.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
 import { type RangeEnd, rangeHandleAt } from './scrubber-handles.ts';
-import {
-  drawScrubberPlayhead,
-  RULER_HEIGHT,
-  ScrubberBackground,
-  type ScrubberColours,
-  type ScrubberPicture,
-} from './scrubber-picture.ts';
+import { RULER_HEIGHT, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
 
 /** Hit tolerance of markers. */
 const GRAB_PIXELS = 6;
@@ -58,9 +55,9 @@ export class Scrubber {
     'data-panel': 'transport',
   });
   private readonly background = new ScrubberBackground();
-  private window: TimeWindow;
-  /** Follows the range until the user zooms or pans. */
-  private fitted = true;
+  /** The times that were fitted last; the window follows the range until the user zooms or pans. */
+  private whole: readonly [number, number] | undefined;
+  private takes = '';
   private channels: readonly ShownChannel[] = [];
   private markers: readonly ShownMarker[];
   private colours: ScrubberColours | undefined;
@@ -73,26 +70,33 @@ export class Scrubber {
   constructor(
     private readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   ) {
-    this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
     this.markers = shownMarkers(wb);
+    this.takes = takesOf(wb.store.document);
+    this.fit();
     wb.transport.subscribe((now, before) => {
       if (now.range !== before.range) this.onRange();
       if (now.framesPerSecond !== before.framesPerSecond) this.stale = true;
       // Time was changed by a key or a field: bring it into view. While playing, the window stays where the user put
       // it.
-      if (now.timeSeconds !== before.timeSeconds && !now.playing && !this.fitted) {
+      if (now.timeSeconds !== before.timeSeconds && !now.playing) {
         const next = revealTime(this.window, now.timeSeconds);
         if (next !== this.window) this.look(next);
       }
       this.drawSoon();
     });
+    wb.timeline.view.subscribe((now, before) => {
+      if (now.window !== before.window) this.redraw();
+    });
     wb.store.subscribe((now, before) => {
       if (now.document === before.document && now.selection === before.selection) return;
       this.channels = shownKeys(now.document, now.selection);
       this.markers = shownMarkers(wb);
-      // The window of another character means nothing for this one.
-      if (!now.document.characters.some((c) => findCharacter(before.document, c.id))) this.fit();
+      this.element.classList.toggle('with-markers', this.markers.length > 0);
+      // The window of other takes means nothing for these.
+      const takes = takesOf(now.document);
+      if (takes !== this.takes) this.fit();
+      this.takes = takes;
       this.redraw();
     });
     wb.settings.subscribe((now, before) => {
@@ -101,6 +105,7 @@ export class Scrubber {
     new ResizeObserver(() => {
       this.width = this.element.clientWidth;
       this.height = this.element.clientHeight;
+      if (this.width) wb.timeline.resize(this.width);
       this.redraw();
     }).observe(this.element);
     this.listen();
@@ -113,29 +118,30 @@ export class Scrubber {
     this.drawSoon();
   }
 
-  /** The playback range and the clips, with margins. */
-  fit(): void {
-    this.fitted = true;
-    this.window = this.whole();
-    this.redraw();
+  private get window(): TimeWindow {
+    return this.wb.timeline.view.get().window;
   }
 
-  /** A shorter range is still shown within the clips. */
-  private whole(): TimeWindow {
+  /** With the width of now, also before a frame was drawn with it. */
+  private get strip(): TimeStrip {
+    return { window: this.window, width: Math.max(1, this.element.clientWidth) };
+  }
+
+  /** The playback range and the takes: a shorter range is shown within them. */
+  fit(): void {
     const { range } = this.wb.transport.get();
     const clips = rangeOfClips(this.wb.store.document) ?? range;
-    return fitWindow([Math.min(range[0], clips[0]), Math.max(range[1], clips[1])]);
+    this.whole = [Math.min(range[0], clips[0]), Math.max(range[1], clips[1])];
+    this.wb.timeline.fit(this.whole);
   }
 
   private onRange(): void {
-    if (this.fitted && !this.dragging) this.window = this.whole();
+    if (this.wb.timeline.fitted === this.whole && !this.dragging) this.fit();
     this.stale = true;
   }
 
   private look(window: TimeWindow): void {
-    this.fitted = false;
-    this.window = window;
-    this.redraw();
+    this.wb.timeline.change({ window });
   }
 
   private get framesPerSecond(): number | undefined {
@@ -151,7 +157,7 @@ export class Scrubber {
     const { framesPerSecond } = this;
     const timeText = framesPerSecond ? shown(timeSeconds * framesPerSecond, 1) : aligned(timeSeconds, 2);
     const picture: ScrubberPicture = {
-      window: this.window,
+      ...{ window: this.window, width, height },
       range,
       timeSeconds,
       channels: this.channels,
@@ -166,12 +172,11 @@ export class Scrubber {
       this.element.height = high;
       this.stale = true;
     }
-    if (this.stale) this.background.draw(picture, width, height, ratio, this.colours);
+    if (this.stale) this.background.draw(picture, ratio, this.colours);
     this.stale = false;
     const g = this.element.getContext('2d');
     if (!g) return;
-    this.background.copyTo(g);
-    drawScrubberPlayhead(g, picture, width, height, ratio, this.colours);
+    this.background.drawOn(g, picture, ratio, this.colours);
     this.describe(timeSeconds, range);
   }
 
@@ -212,14 +217,14 @@ export class Scrubber {
       return;
     }
     const frames = scrubFrames(this.wb, event.shiftKey);
-    const time = snapTime(this.timeAt(event.clientX), this.secondsPerPixel, frames);
+    const time = snapTime(this.timeAt(event.clientX), secondsPerPixel(this.strip), frames);
     openTimeMenu(this.wb, time, { x: event.clientX, y: event.clientY });
   }
 
   private openMenuByKey(): void {
     const { timeSeconds } = this.wb.transport.get();
     const { left, right, bottom } = this.element.getBoundingClientRect();
-    const x = left + (timeSeconds - this.window.from) / this.secondsPerPixel;
+    const x = left + timeX(this.strip, timeSeconds);
     openTimeMenu(this.wb, timeSeconds, { x: Math.min(right, Math.max(left, x)), y: bottom, byKeyboard: true });
   }
 
@@ -229,20 +234,16 @@ export class Scrubber {
   }
 
   private timeAt(clientX: number): number {
-    const box = this.element.getBoundingClientRect();
-    return this.window.from + ((clientX - box.left) / box.width) * (this.window.to - this.window.from);
-  }
-
-  private get secondsPerPixel(): number {
-    return (this.window.to - this.window.from) / Math.max(1, this.element.clientWidth);
+    return timeAt(this.strip, clientX - this.element.getBoundingClientRect().left);
   }
 
   private handleAt(event: PointerEvent): Handle {
     if (event.button === 1) return 'pan';
     const { left, top } = this.element.getBoundingClientRect();
     const [first, last] = this.wb.transport.get().range;
-    const x = (time: number) => (time - this.window.from) / this.secondsPerPixel;
-    return rangeHandleAt(event.clientX - left, event.clientY - top, [x(first), x(last)]) ?? 'time';
+    const { strip } = this;
+    const ends = [timeX(strip, first), timeX(strip, last)] as const;
+    return rangeHandleAt(event.clientX - left, event.clientY - top, ends) ?? 'time';
   }
 
   /** The marker whose flag, or the end of whose span, is under the pointer. */
@@ -250,7 +251,7 @@ export class Scrubber {
     const y = event.clientY - this.element.getBoundingClientRect().top - RULER_HEIGHT;
     if (y < 0 || y > MARKER_HEIGHT) return undefined;
     const at = this.timeAt(event.clientX);
-    const near = (time: number) => Math.abs(time - at) / this.secondsPerPixel <= GRAB_PIXELS;
+    const near = (time: number) => Math.abs(time - at) / secondsPerPixel(this.strip) <= GRAB_PIXELS;
     const index = this.markers.findLastIndex(({ timeSeconds, endSeconds = timeSeconds }) => {
       return near(timeSeconds) || near(endSeconds);
     });
@@ -269,7 +270,9 @@ export class Scrubber {
     const move = (e: PointerEvent) => {
       last = e;
       if (!this.isLaidOut()) return;
-      drag?.move(snapTime(this.timeAt(e.clientX) - grabbedOff, this.secondsPerPixel, scrubFrames(this.wb, e.shiftKey)));
+      drag?.move(
+        snapTime(this.timeAt(e.clientX) - grabbedOff, secondsPerPixel(this.strip), scrubFrames(this.wb, e.shiftKey)),
+      );
     };
     void import('../timeline/marker-drag.ts').then(({ MarkerDrag: Made }) => {
       drag = new Made(this.wb, index, isEnd);
@@ -316,13 +319,13 @@ export class Scrubber {
       },
       over: () => {
         this.dragging = false;
-        if (this.fitted && handle !== 'time') this.fit();
+        if (this.wb.timeline.fitted === this.whole && handle !== 'time') this.fit();
       },
     });
   }
 
   private drag(handle: RangeEnd | 'time', at: number, shift: boolean): void {
-    const time = snapTime(at, this.secondsPerPixel, scrubFrames(this.wb, shift));
+    const time = snapTime(at, secondsPerPixel(this.strip), scrubFrames(this.wb, shift));
     this.wb.transport.update((p) => {
       if (handle === 'in') return { ...p, range: [Math.min(time, p.range[1]), p.range[1]] };
       if (handle === 'out') return { ...p, range: [p.range[0], Math.max(time, p.range[0])] };
@@ -334,7 +337,7 @@ export class Scrubber {
     event.preventDefault();
     if (!this.isLaidOut()) return;
     const turn = wheelTurn(event);
-    if (turn.what === 'pan') this.look(panWindow(this.window, turn.pixels * this.secondsPerPixel));
+    if (turn.what === 'pan') this.look(panWindow(this.window, turn.pixels * secondsPerPixel(this.strip)));
     else this.look(zoomWindow(this.window, this.timeAt(event.clientX), turn.factor));
   }
 
@@ -381,11 +384,15 @@ export class Scrubber {
   }
 }
 
+/** Which takes are shown, of which characters. */
+function takesOf({ characters }: Document): string {
+  return characters.map(({ id, shownClip }) => `${id} ${shownClip}`).join();
+}
+
 function readColours(target: Element): ScrubberColours {
   const style = getComputedStyle(target);
   const colour = (name: string) => style.getPropertyValue(name).trim();
   return {
-    text: colour('--text'),
     faint: colour('--text-faint'),
     line: colour('--line-strong'),
     range: colour('--range'),

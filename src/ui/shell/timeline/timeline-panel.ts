@@ -1,114 +1,132 @@
 /**
- * The panel below the transport: curve editor, dope sheet, takes and poses as tabs, with a splitter for its height. The
+ * The timeline: the ruler with the current take beside it, and below it what is seen of curve editor, dope sheet and the
+ * other tabs, with their tools above the ruler and a splitter for the height. Collapsed, only the ruler remains. The
  * tabs are scripts of their own, so that the page shows its character first.
  */
 import { movedNotice } from '../../editors/retarget/moved.ts';
 import { onDemand, whenIdle } from '../../state/on-demand.ts';
-import { isPanelOpen, NARROW, openPanel } from '../../state/panels/panels.ts';
+import { isPanelOpen, NARROW } from '../../state/panels/panels.ts';
 import { splitter } from '../../state/panels/splitter.ts';
-import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../../state/timeline.ts';
+import { shownTabs, TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import { element, setText } from '../../widgets/dom.ts';
 import { focusPanel } from '../../widgets/focus/focus.ts';
-import { icon } from '../../widgets/icons.ts';
+import { returnFocus } from '../../widgets/focus/focus-regions.ts';
 import { TABS } from './timeline-tabs.ts';
 
+export interface TimelinePanel {
+  readonly element: HTMLElement;
+  /** Moves the focus into the tab that is shown next, or now. */
+  goTo(): void;
+}
+
+interface Place {
+  readonly name: TimelineTabName;
+  readonly names: HTMLElement;
+  readonly tools: HTMLElement;
+  readonly body: HTMLElement;
+  /** Until it is loaded. */
+  readonly waiting: HTMLElement;
+}
+
 /**
+ * @param ruler the scrubber, and what is beside it
  * @param load loads and builds a tab; called once, when it is first shown; for the initial tab not before the page is
  *   idle, since the first frame has priority
  */
 export function timelinePanel(
   wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'loading' | 'dialog'>,
+  ruler: readonly HTMLElement[],
   load: (name: TimelineTabName) => Promise<TimelineTab>,
   signal: AbortSignal,
-): HTMLElement {
+): TimelinePanel {
   const { timeline } = wb;
-  const places = TIMELINE_TABS.map((name) => {
+  const places = TIMELINE_TABS.map((name): Place => {
     const { label } = TABS[name];
-    const title = keepsFocusElsewhere(
-      button(label, { role: 'tab', class: 'timeline-tab', id: `timeline-tab-${name}` }, label, () =>
-        timeline.change({ tab: name }),
-      ),
-    );
-    title.addEventListener('click', (event) => {
-      // A click means working there, so the panel gets the focus; by keyboard it stays on the tabs.
-      if (event.detail === 0) return;
-      isGoneTo = true;
-      show();
-    });
-    const tools = element('div', { class: 'timeline-tools' });
-    // Until loaded.
     const waiting = element('p', { class: 'empty' }, `${label} …`);
-    const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id }, waiting);
-    return { name, title, tools, body, waiting };
+    const body = element(
+      'div',
+      { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': `timeline-tab-${name}`, 'data-tab': name },
+      waiting,
+    );
+    // Of two tabs that are seen, keys are for the one that was worked in last.
+    for (const type of ['focusin', 'pointerdown'] as const) {
+      body.addEventListener(type, () => {
+        if (timeline.view.get().tab !== name) timeline.change({ tab: name });
+      });
+    }
+    const names = element('div', { class: 'timeline-names' });
+    return { name, names, tools: element('div', { class: 'timeline-tools' }), body, waiting };
   });
   let isGoneTo = false;
   const built = new Map<TimelineTabName, TimelineTab>();
-  const build = async (name: TimelineTabName) => {
-    const place = places.find((p) => p.name === name);
+  const build = async ({ name, names, tools, body, waiting }: Place) => {
     const what = `The ${TABS[name].label.toLowerCase()}`;
     const tab = await onDemand(wb.messages, what, () => load(name));
-    if (!tab && place) setText(place.waiting, `${what} could not be loaded.`);
+    if (!tab) setText(waiting, `${what} could not be loaded.`);
     if (!tab || signal.aborted) return;
     built.set(name, tab);
-    if (tab.tools) place?.tools.append(tab.tools);
-    place?.body.replaceChildren(tab.element);
+    if (tab.names) names.append(tab.names);
+    if (tab.tools) tools.append(tab.tools);
+    body.replaceChildren(tab.element);
     show();
   };
   let isStarting = true;
-  const asked = new Set<TimelineTabName>();
-  const need = (name: TimelineTabName) => {
-    if (asked.has(name)) return;
-    asked.add(name);
-    if (isStarting) whenIdle(wb, () => void build(name));
-    else void build(name);
+  const asked = new Set<Place>();
+  const need = (place: Place) => {
+    if (asked.has(place)) return;
+    asked.add(place);
+    if (isStarting) whenIdle(wb, () => void build(place));
+    else void build(place);
   };
-  const isListed = (name: TimelineTabName) =>
-    name === timeline.view.get().tab || (TABS[name].isListed?.(wb.store.document) ?? true);
-  const list = element('div', { role: 'tablist', class: 'timeline-tabs', 'aria-label': 'Timeline' });
-  list.append(...places.map((p) => p.title));
-  list.addEventListener('keydown', (event) => {
-    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-    event.preventDefault();
-    const listed = TIMELINE_TABS.filter(isListed);
-    const step = event.key === 'ArrowLeft' ? listed.length - 1 : 1;
-    const other = listed[(listed.indexOf(timeline.view.get().tab) + step) % listed.length];
-    timeline.change({ tab: other });
-    places.find((p) => p.name === other)?.title.focus();
-  });
-  const fold = keepsFocusElsewhere(
-    button('Collapse timeline', { class: 'tool timeline-fold' }, icon('close'), () => openPanel(wb, 'timeline', false)),
+  const edge = splitter(wb, 'timelineHeight', 'Height of the timeline');
+  const head = element('div', { class: 'timeline-head' }, ...places.flatMap((p) => [p.names, p.tools]));
+  const between = splitter(wb, 'dopeHeight', 'Height of the dope sheet');
+  // The dope sheet is above the curves.
+  const [dope, others] = [true, false].map((isDope) => places.filter((p) => (p.name === 'dope') === isDope));
+  const bodies = element(
+    'div',
+    { class: 'timeline-bodies' },
+    ...dope.map((p) => p.body),
+    between,
+    ...others.map((p) => p.body),
   );
   const panel = element(
     'section',
     { class: 'timeline', 'aria-label': 'Timeline', 'data-panel': 'timeline' },
-    splitter(wb, 'timelineHeight', 'Height of the timeline'),
-    element('div', { class: 'timeline-head' }, list, ...places.map((p) => p.tools), fold),
+    edge,
+    head,
+    element('div', { class: 'time-row' }, ...ruler),
     movedNotice(wb),
-    ...places.map((p) => p.body),
+    bodies,
   );
 
   let handsOver = false;
-  let inView: TimelineTabName | undefined;
   const show = () => {
-    const { tab } = timeline.view.get();
-    const open = isPanelOpen(wb.settings.get(), 'timeline');
-    panel.hidden = !open;
-    if (open) need(tab);
-    timeline.tab = open ? built.get(tab) : undefined;
-    handsOver ||= places.some((p) => p.name !== tab && p.body.contains(document.activeElement));
-    for (const { name, title, tools, body } of places) {
-      const chosen = name === tab;
-      title.setAttribute('aria-selected', String(chosen));
-      title.tabIndex = chosen ? 0 : -1;
-      title.hidden = !isListed(name);
-      body.hidden = tools.hidden = !chosen;
-      built.get(name)?.setVisible(open && chosen);
+    const view = timeline.view.get();
+    const isOpen = isPanelOpen(wb.settings.get(), 'timeline');
+    const shown = isOpen ? shownTabs(view) : [];
+    const hadFocus = bodies.contains(document.activeElement) || head.contains(document.activeElement);
+    panel.classList.toggle('folded', !isOpen);
+    edge.hidden = bodies.hidden = !isOpen;
+    between.hidden = shown.length < 2;
+    bodies.classList.toggle('together', shown.length > 1);
+    timeline.tab = isOpen ? built.get(view.tab) : undefined;
+    handsOver ||= places.some((p) => isOpen && !shown.includes(p.name) && p.body.contains(document.activeElement));
+    // Of both, one filter of names does.
+    const named = places.find((p) => shown.includes(p.name) && built.get(p.name)?.names);
+    let hasTools = false;
+    for (const place of places) {
+      const { name, names, tools, body } = place;
+      const isShown = shown.includes(name);
+      if (isShown) need(place);
+      names.hidden = place !== named;
+      body.hidden = tools.hidden = !isShown;
+      hasTools ||= isShown && tools.childElementCount > 0;
+      built.get(name)?.setVisible(isShown);
     }
-    // On phones the tabs scroll, and one may be chosen elsewhere.
-    if (open && inView !== tab)
-      places.find((p) => p.name === tab)?.title.scrollIntoView({ block: 'nearest', inline: 'nearest' });
-    inView = open ? tab : undefined;
+    head.hidden = !hasTools;
+    if (hadFocus && !isOpen) returnFocus();
     // The focused element was hidden, so the keyboard would be dead. A tab being loaded gets the focus when ready.
     if ((handsOver || isGoneTo) && timeline.tab) {
       const { activeElement } = document;
@@ -117,10 +135,7 @@ export function timelinePanel(
     }
   };
   timeline.view.subscribe((now, before) => {
-    if (now.tab !== before.tab) show();
-  });
-  wb.store.subscribe((now, before) => {
-    if (now.document.review !== before.document.review) show();
+    if (now.tab !== before.tab || now.together !== before.together) show();
   });
   wb.settings.subscribe((now, before) => {
     if (now.panels !== before.panels) show();
@@ -128,5 +143,11 @@ export function timelinePanel(
   window.matchMedia(NARROW).addEventListener('change', show, { signal });
   show();
   isStarting = false;
-  return panel;
+  return {
+    element: panel,
+    goTo() {
+      isGoneTo = true;
+      show();
+    },
+  };
 }

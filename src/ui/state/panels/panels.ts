@@ -20,6 +20,13 @@ export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
   return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;
 }
 
+/** Whether transport and timeline are on the page: without any take there is nothing to play, unless a tab is open. */
+export function isBarShown({ store, settings }: Uses<'store' | 'settings'>): boolean {
+  return (
+    isPanelOpen(settings.get(), 'timeline') || store.document.characters.some((c) => c.clips.length > 0 || c.driver)
+  );
+}
+
 export function openPanel(wb: Uses<'settings'>, panel: PanelName, open: boolean): void {
   const now = wb.settings.get();
   if (isPanelOpen(now, panel) === open) return;

@@ -4,13 +4,14 @@ import { followPointer } from '../../widgets/drag.ts';
 import type { Panels } from '../settings.ts';
 import type { Uses } from '../workbench.ts';
 
-type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight' | 'timelineHeight';
+type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight' | 'timelineHeight' | 'dopeHeight';
 
 const LIMITS: Readonly<Record<Size, { readonly min: number; readonly max: number }>> = {
   outlinerWidth: { min: 180, max: 560 },
   inspectorWidth: { min: 240, max: 640 },
   filesHeight: { min: 64, max: 640 },
   timelineHeight: { min: 120, max: 900 },
+  dopeHeight: { min: 40, max: 800 },
 };
 
 /** Whether the panel grows when the splitter moves right or down. */
@@ -19,8 +20,16 @@ const GROWS: Readonly<Record<Size, 1 | -1>> = {
   inspectorWidth: -1,
   filesHeight: -1,
   timelineHeight: -1,
+  dopeHeight: 1,
 };
 const KEY_STEP = 16;
+
+/** What a splitter for a height sizes: files and messages follow theirs, the timeline contains its own. */
+const SIZED: Readonly<Partial<Record<Size, (edge: HTMLElement) => Element | null>>> = {
+  filesHeight: (edge) => edge.nextElementSibling,
+  timelineHeight: (edge) => edge.parentElement,
+  dopeHeight: (edge) => edge.previousElementSibling,
+};
 
 export function clampSize(size: Size, value: number): number {
   return Math.round(Math.min(LIMITS[size].max, Math.max(LIMITS[size].min, value)));
@@ -43,14 +52,10 @@ export function splitter(wb: Uses<'settings'>, size: Size, label: string): HTMLE
   };
   const chosen = () => clampSize(size, wb.settings.get().panels[size]);
   // A default size, or one that doesn't fit, starts from the displayed size.
-  const sized = (): HTMLElement | null | undefined =>
-    // Files and messages follow their splitter; the timeline contains its own.
-    size === 'timelineHeight'
-      ? edge.parentElement
-      : size === 'filesHeight' && edge.nextElementSibling instanceof HTMLElement
-        ? edge.nextElementSibling
-        : undefined;
-  const sizeNow = () => sized()?.offsetHeight || chosen();
+  const sizeNow = () => {
+    const sized = SIZED[size]?.(edge);
+    return (sized instanceof HTMLElement && sized.offsetHeight) || chosen();
+  };
   const show = () => {
     edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size] ? chosen() : sizeNow()));
   };

@@ -1,34 +1,24 @@
-/** The playhead, drawn alike over the scrubber, the curves and the dope sheet: a line, and its time in the ruler. */
+/** The playhead: a line through the ruler and all plots below it, and its time on a flag in the ruler. CSS pixels. */
+import type { Extent } from './ruler.ts';
 
-export interface Playhead {
-  /** Centre of the line, in CSS pixels like everything here. */
-  readonly x: number;
-  readonly text: string;
-  readonly lineWidth: number;
-  /** Bottom end of the line. */
-  readonly bottom: number;
-}
-
-export interface PlayheadPlace {
-  readonly width: number;
-  readonly rulerHeight: number;
-  /** Between the ruler's edges and the label. */
-  readonly inset: number;
-}
-
-export interface PlayheadColours {
+export interface FlagColours {
   readonly playhead: string;
   readonly playheadText: string;
   readonly font: string;
 }
+
+const LINE_WIDTH = 2;
+/** Between a flag's text and its ends, and between the flag and the edges above and below. */
+const PADDING = 5;
+const INSET = 1;
 
 /** By font and text; all digits are assumed to be as wide as 0. */
 const widths = new Map<string, number>();
 /** Fonts change only with the theme, and texts differ only in length: a few entries suffice. */
 const MAX_WIDTHS = 256;
 
-/** CSS pixels. Cached, as measuring text every frame is slow. */
-function widthOf(g: CanvasRenderingContext2D, font: string, text: string): number {
+/** Cached, as measuring text every frame is slow. */
+export function widthOf(g: CanvasRenderingContext2D, font: string, text: string): number {
   const key = `${font} ${text.replace(/\d/g, '0')}`;
   let width = widths.get(key);
   if (width === undefined) {
@@ -39,25 +29,45 @@ function widthOf(g: CanvasRenderingContext2D, font: string, text: string): numbe
   return width;
 }
 
-export function drawPlayheadAt(
+export function drawPlayheadLine(
   g: CanvasRenderingContext2D,
-  { x, text, lineWidth, bottom }: Playhead,
-  { width, rulerHeight, inset }: PlayheadPlace,
-  colours: PlayheadColours,
+  x: number,
+  top: number,
+  bottom: number,
+  colour: string,
 ): void {
-  g.font = colours.font;
-  const half = Math.ceil(widthOf(g, colours.font, text) / 2) + 5;
-  if (x < -half || x > width + half) return;
-  const end = rulerHeight - 1 - inset;
-  g.fillStyle = colours.playhead;
-  g.fillRect(Math.round(x - lineWidth / 2), end, lineWidth, bottom - end);
-  // At the edges the label stays in view, and only the line moves on.
+  g.fillStyle = colour;
+  g.fillRect(Math.round(x - LINE_WIDTH / 2), top, LINE_WIDTH, bottom - top);
+}
+
+/**
+ * Where the flag of a playhead at `x` is: at the edges it stays in view, and only the line moves on; undefined far
+ * outside.
+ *
+ * @param width of the ruler
+ */
+export function flagExtent(x: number, textWidth: number, width: number): Extent | undefined {
+  const half = Math.ceil(textWidth / 2) + PADDING;
+  if (x < -half || x > width + half) return undefined;
   const middle = Math.max(half, Math.min(width - half, x));
+  return [Math.round(middle - half), Math.round(middle - half) + 2 * half];
+}
+
+/** @param height of the part of the ruler that has the numbers */
+export function drawFlag(
+  g: CanvasRenderingContext2D,
+  [left, right]: Extent,
+  text: string,
+  height: number,
+  colours: FlagColours,
+): void {
+  g.fillStyle = colours.playhead;
   g.beginPath();
-  g.roundRect(Math.round(middle - half), inset, 2 * half, end - inset, 3);
+  g.roundRect(left, INSET, right - left, height - 2 * INSET, 3);
   g.fill();
+  g.font = colours.font;
   g.fillStyle = colours.playheadText;
   g.textAlign = 'center';
   g.textBaseline = 'middle';
-  g.fillText(text, Math.round(middle), rulerHeight / 2);
+  g.fillText(text, (left + right) / 2, height / 2);
 }

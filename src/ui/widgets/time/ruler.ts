@@ -4,6 +4,7 @@
  */
 import { roundStep, wholeNumbers } from '../../../math/round-steps.ts';
 import { shown } from '../numbers/number-text.ts';
+import type { TimeStrip } from './time-window.ts';
 
 export interface Tick {
   readonly timeSeconds: number;
@@ -11,13 +12,10 @@ export interface Tick {
   readonly label?: string;
 }
 
-export interface RulerScale {
-  readonly fromSeconds: number;
-  readonly toSeconds: number;
-  /** Width in pixels. */
-  readonly width: number;
-  /** Minimum distance of labels in pixels. */
-  readonly spacing: number;
+/** Minimum distance of labels, in pixels: with that of the ruler, the grids of all plots are the same. */
+const SPACING = 64;
+
+export interface RulerScale extends TimeStrip {
   /** Frames per second to count in frames; absent for seconds. */
   readonly framesPerSecond?: number;
 }
@@ -27,13 +25,24 @@ const MAX_TICKS = 2000;
 /** More can't be told apart in a label. */
 const MAX_DECIMALS = 12;
 
+/** From left to right, in pixels. */
+export type Extent = readonly [left: number, right: number];
+
+/** A number closer to the playhead's flag would be read as one with it. */
+const CLEAR_OF_FLAG = 12;
+
+/** Whether a number on the ruler is far enough from the playhead's flag to be drawn. */
+export function isClearOf([left, right]: Extent, flag: Extent | undefined): boolean {
+  return !flag || right <= flag[0] - CLEAR_OF_FLAG || left >= flag[1] + CLEAR_OF_FLAG;
+}
+
 export function rulerTicks(scale: RulerScale): Tick[] {
-  const { fromSeconds, toSeconds, width, spacing, framesPerSecond } = scale;
+  const { window, width, framesPerSecond } = scale;
   const unit = framesPerSecond ? 1 / framesPerSecond : 1;
-  const from = fromSeconds / unit;
-  const to = toSeconds / unit;
+  const from = window.from / unit;
+  const to = window.to / unit;
   if (!(to > from) || !(width > 0) || !Number.isFinite(to - from)) return [];
-  const least = ((to - from) / width) * spacing;
+  const least = ((to - from) / width) * SPACING;
   const step = roundStep(framesPerSecond ? Math.max(1, least) : least);
   const leading = Math.round(step / 10 ** Math.floor(Math.log10(step) + 1e-9));
   const wanted = leading === 2 ? 2 : 5;

@@ -1,13 +1,40 @@
 /**
- * The time range that the scrubber shows: larger than the playback range, and free to be zoomed and panned beyond it.
+ * The time range that ruler and plots show: larger than the playback range, and free to be zoomed and panned beyond it.
  */
 export interface TimeWindow {
   readonly from: number;
   readonly to: number;
 }
 
-/** Margin on both sides, as a part of the range. */
-const MARGIN = 0.04;
+/** What shows the times of a window over its width: the ruler, and each plot below it. */
+export interface TimeStrip {
+  readonly window: TimeWindow;
+  /** CSS pixels. */
+  readonly width: number;
+}
+
+/** Pixels from the left edge. */
+export function timeX(strip: TimeStrip, seconds: number): number {
+  return (seconds - strip.window.from) * pixelsPerSecond(strip);
+}
+
+/** The time at a distance in pixels from the left edge. */
+export function timeAt(strip: TimeStrip, x: number): number {
+  return strip.window.from + x / pixelsPerSecond(strip);
+}
+
+export function pixelsPerSecond({ window, width }: TimeStrip): number {
+  return width / (window.to - window.from);
+}
+
+export function secondsPerPixel({ window, width }: TimeStrip): number {
+  return (window.to - window.from) / Math.max(1, width);
+}
+
+/** Pixels on both sides of a fitted range: room for the labels of values, and for the names of curves. */
+export const GUTTER = 48;
+/** Of a narrow strip, at most this part. */
+const MOST_GUTTER = 0.2;
 const SHORTEST_SECONDS = 1e-3;
 const LONGEST_SECONDS = 1e6;
 /** Beyond, the length of a window may not be finite. */
@@ -20,21 +47,19 @@ export function shortestAt(seconds: number): number {
   return Math.abs(seconds) * ROUNDING;
 }
 
-/** The range with margins, extended to `include`. An empty range gets a second. */
-export function fitWindow(range: readonly [number, number], include = range[0]): TimeWindow {
-  const from = Math.max(-FARTHEST, Math.min(range[0], include));
-  const to = Math.min(FARTHEST, Math.max(range[1], include));
+/**
+ * The range with a gutter on both sides. An empty range gets a second.
+ *
+ * @param width of what shows it, CSS pixels
+ */
+export function fitWindow(range: readonly [number, number], width: number): TimeWindow {
+  const from = Math.max(-FARTHEST, range[0]);
+  const to = Math.min(FARTHEST, range[1]);
   const least = shortestAt(Math.max(Math.abs(from), Math.abs(to)));
   if (!(to > from && to - from >= least)) return { from: from - Math.max(0.1, least), to: to + Math.max(1, least) };
-  const margin = (to - from) * MARGIN;
+  const part = Math.min(MOST_GUTTER, GUTTER / Math.max(1, width));
+  const margin = ((to - from) * part) / (1 - 2 * part);
   return { from: from - margin, to: to + margin };
-}
-
-/** Whether a window and a range are mostly the same times: then a plot of that range needs no other window. */
-export function isMostly({ from, to }: TimeWindow, [start, end]: readonly [number, number]): boolean {
-  const shared = Math.min(to, end) - Math.max(from, start);
-  const whole = Math.max(to, end) - Math.min(from, start);
-  return shared >= whole / 2;
 }
 
 /** Zooms about a fixed time; `factor` above 1 zooms out. */

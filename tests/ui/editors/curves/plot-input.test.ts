@@ -3,10 +3,11 @@ import { shownClip } from '../../../../src/model/document.ts';
 import { keysOf } from '../../../../src/model/takes/clip.ts';
 import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
-import { type CurveSpace, xOf, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
+import { type CurveSpace, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { timeX } from '../../../../src/ui/widgets/time/time-window.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 /** The part of a page that the input listens to: events on the plot pass the window first. */
@@ -66,7 +67,7 @@ beforeEach(() => {
   wb.timeline.change({ window: { from: 0, to: 2 }, snapsToFrames: false });
   scene = new PlotScene(wb);
   scene.width = 200;
-  scene.height = 222;
+  scene.height = 200;
   wb.store.subscribe(() => scene.invalidate());
   wb.timeline.view.subscribe(() => scene.invalidate());
   element = new FakeElement();
@@ -99,7 +100,7 @@ function press(key: string, code: string, more: object = {}): boolean {
 
 function pointAt(key: number) {
   const [line] = scene.scene.lines;
-  return { clientX: xOf(scene.scene.space, times()[key]), clientY: yOf(scene.scene.space, line, 0) };
+  return { clientX: timeX(scene.scene.space, times()[key]), clientY: yOf(scene.scene.space, line, 0) };
 }
 
 const pointer = (more: object) => ({ button: 0, pointerId: 1, pointerType: 'mouse', ...more });

@@ -1,4 +1,4 @@
-/** A scene of given channels on a plot of 400 × 222 pixels that shows seconds 0 … 4, and −1 … 1 of every axis. */
+/** A scene of given channels on a plot of 400 × 200 pixels that shows seconds 0 … 4, and −1 … 1 of every axis. */
 import { compileClip } from '../../../../src/evaluate/compiled-clip.ts';
 import { type Channel, FIXED_TANGENT } from '../../../../src/model/takes/clip.ts';
 import type { CurveLine, CurveScene } from '../../../../src/ui/editors/curves/scene/scene.ts';
@@ -8,7 +8,7 @@ import { clip } from '../../builders.ts';
 const axis = { low: -1, high: 1 };
 export const SPACE: CurveSpace = {
   width: 400,
-  height: 222,
+  height: 200,
   window: { from: 0, to: 4 },
   axes: { angle: axis, length: axis, factor: axis, weight: axis, normalised: axis },
 };

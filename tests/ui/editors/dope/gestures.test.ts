@@ -6,7 +6,7 @@ import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import type { DopeHost, Pointer } from '../../../../src/ui/editors/dope/gesture.ts';
 import { gestureAt } from '../../../../src/ui/editors/dope/gestures.ts';
 import { hitSheet, type SheetKeys } from '../../../../src/ui/editors/dope/hit.ts';
-import { rowTop, type Sheet, STRIP_TOP } from '../../../../src/ui/editors/dope/sheet.ts';
+import { rowTop, type Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { dopeRows } from '../../../../src/ui/editors/timeline/dope-rows.ts';
 import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';
@@ -66,7 +66,7 @@ const onHips = (seconds: number, held = {}): Pointer => ({
   ...HELD,
   ...held,
 });
-const onStrip = (seconds: number, held = {}): Pointer => ({ ...onHips(seconds, held), y: STRIP_TOP + 4 });
+const onStrip = (seconds: number, held = {}): Pointer => ({ ...onHips(seconds, held), y: 4 });
 
 const AT_ONE = [
   { channel: 3, indices: [0] },

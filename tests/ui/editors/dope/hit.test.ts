@@ -2,16 +2,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Channel, keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
 import { hitSheet, REACH, rowsTouched, type SheetKeys, sheetKeysInBox } from '../../../../src/ui/editors/dope/hit.ts';
-import {
-  HEAD,
-  rowAt,
-  rowTop,
-  type Sheet,
-  STRIP_TOP,
-  sheetTime,
-  sheetX,
-} from '../../../../src/ui/editors/dope/sheet.ts';
+import { HEAD, rowAt, rowTop, type Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import type { DopeRow } from '../../../../src/ui/editors/timeline/dope-rows.ts';
+import { timeAt, timeX } from '../../../../src/ui/widgets/time/time-window.ts';
 import { channel } from '../../builders.ts';
 import { channels, sheets, someKeys } from './arbitrary.ts';
 
@@ -75,15 +68,11 @@ describe('what is under the pointer', () => {
     expect(hitSheet(scrolled, shown, 900, middle(1))).toMatchObject({ kind: 'keys', row: 2 });
     expect(hitSheet(scrolled, shown, 900, middle(0))).toMatchObject({ kind: 'keys', row: 0 });
   });
-
-  it('the ruler is above everything', () => {
-    expect(hitSheet(sheet, shown, 500, 3)).toEqual({ kind: 'ruler' });
-  });
 });
 
 describe('the strip of the selection', () => {
   const selected: SheetKeys = { ...shown, selectedSpan: [0.2, 0.6] };
-  const y = STRIP_TOP + 4;
+  const y = 4;
   const part = (x: number, keys = selected) => {
     const hit = hitSheet(sheet, keys, x, y);
     return hit.kind === 'strip' ? hit.part : hit.kind;
@@ -115,8 +104,8 @@ describe('a box', () => {
         const box = { x0: a.x, y0: a.y, x1: b.x, y1: b.y };
         const inBox = (c: number, i: number) => {
           const time = keysOf(all[c]).times[i];
-          const from = sheetTime(scrolled, Math.min(a.x, b.x)) + offsetSeconds;
-          const to = sheetTime(scrolled, Math.max(a.x, b.x)) + offsetSeconds;
+          const from = timeAt(scrolled, Math.min(a.x, b.x)) + offsetSeconds;
+          const to = timeAt(scrolled, Math.max(a.x, b.x)) + offsetSeconds;
           if (time < from || time > to) return false;
           return rows.some((r, index) => {
             if (index === 0 || !r.channels.includes(c)) return false;
@@ -157,7 +146,7 @@ it('goes from a row to its height and back', () => {
 it('goes from a time to its pixel and back', () => {
   fc.assert(
     fc.property(sheets, fc.double({ min: -2, max: 4, noNaN: true }), (drawn, time) => {
-      expect(sheetTime(drawn, sheetX(drawn, time))).toBeCloseTo(time, 9);
+      expect(timeAt(drawn, timeX(drawn, time))).toBeCloseTo(time, 9);
     }),
   );
 });

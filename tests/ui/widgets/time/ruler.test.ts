@@ -1,13 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { rulerTicks } from '../../../../src/ui/widgets/time/ruler.ts';
+import { isClearOf, rulerTicks } from '../../../../src/ui/widgets/time/ruler.ts';
 
 const labels = (scale: Parameters<typeof rulerTicks>[0]) =>
   rulerTicks(scale).flatMap((tick) => (tick.label === undefined ? [] : [tick.label]));
 
 describe('rulerTicks', () => {
   it('rulerTicks labels round seconds', () => {
-    const scale = { fromSeconds: -0.1, toSeconds: 2.1, width: 600, spacing: 60 };
+    const scale = { window: { from: -0.1, to: 2.1 }, width: 600 };
     expect(labels(scale)).toEqual(['0', '0.5', '1', '1.5', '2']);
   });
 
@@ -19,10 +19,8 @@ describe('rulerTicks', () => {
     fc.assert(
       fc.property(time, time, rate, (fromSeconds, toSeconds, framesPerSecond) => {
         const ticks = rulerTicks({
-          fromSeconds,
-          toSeconds,
+          window: { from: fromSeconds, to: toSeconds },
           width: 800,
-          spacing: 64,
           ...(framesPerSecond && { framesPerSecond }),
         });
         expect(ticks.length).toBeLessThanOrEqual(2000);
@@ -32,8 +30,8 @@ describe('rulerTicks', () => {
   });
 
   it('labels times before 0 and far away', () => {
-    expect(labels({ fromSeconds: -2, toSeconds: 0, width: 200, spacing: 60 })).toEqual(['−2', '−1', '0']);
-    expect(labels({ fromSeconds: 3600, toSeconds: 3700, width: 300, spacing: 60 })).toEqual([
+    expect(labels({ window: { from: -2, to: 0 }, width: 200 })).toEqual(['−2', '−1', '0']);
+    expect(labels({ window: { from: 3600, to: 3700 }, width: 330 })).toEqual([
       '3600',
       '3620',
       '3640',
@@ -44,23 +42,23 @@ describe('rulerTicks', () => {
   });
 
   it('counts frames, and none of them in parts', () => {
-    const scale = { fromSeconds: 0, toSeconds: 1, width: 600, spacing: 60, framesPerSecond: 24 };
+    const scale = { window: { from: 0, to: 1 }, width: 600, framesPerSecond: 24 };
     expect(labels(scale)).toEqual(['0', '5', '10', '15', '20']);
-    const close = rulerTicks({ ...scale, toSeconds: 0.125 });
+    const close = rulerTicks({ ...scale, window: { from: 0, to: 0.125 } });
     expect(close.map((t) => t.label)).toEqual(['0', '1', '2', '3']);
   });
 
   it('rulerTicks has no ticks where there is no time or no room', () => {
-    expect(rulerTicks({ fromSeconds: 1, toSeconds: 1, width: 100, spacing: 60 })).toEqual([]);
-    expect(rulerTicks({ fromSeconds: 0, toSeconds: 1, width: 0, spacing: 60 })).toEqual([]);
-    expect(rulerTicks({ fromSeconds: 0, toSeconds: Number.POSITIVE_INFINITY, width: 9, spacing: 60 })).toEqual([]);
+    expect(rulerTicks({ window: { from: 1, to: 1 }, width: 100 })).toEqual([]);
+    expect(rulerTicks({ window: { from: 0, to: 1 }, width: 0 })).toEqual([]);
+    expect(rulerTicks({ window: { from: 0, to: Number.POSITIVE_INFINITY }, width: 9 })).toEqual([]);
   });
 
   it('rulerTicks ends at any time, in seconds and in frames', () => {
     for (const from of [1.7e9, 1.7e15, 1.7e18, 1e300, -1e308, 1e-300]) {
       for (const length of [1e-3, 1, 1e6, 1e300]) {
         for (const frames of [{}, { framesPerSecond: 120 }]) {
-          const ticks = rulerTicks({ fromSeconds: from, toSeconds: from + length, width: 800, spacing: 64, ...frames });
+          const ticks = rulerTicks({ window: { from, to: from + length }, width: 800, ...frames });
           expect(ticks.length).toBeLessThanOrEqual(2000);
         }
       }
@@ -75,7 +73,7 @@ describe('rulerTicks', () => {
         fc.integer({ min: 50, max: 4000 }),
         fc.option(fc.integer({ min: 1, max: 240 }), { nil: undefined }),
         (from, size, width, fps) => {
-          const scale = { fromSeconds: from, toSeconds: from + size, width, spacing: 64 };
+          const scale = { window: { from, to: from + size }, width };
           const ticks = rulerTicks(fps ? { ...scale, framesPerSecond: fps } : scale);
           const slack = size * 1e-6;
           let last = Number.NEGATIVE_INFINITY;
@@ -91,4 +89,19 @@ describe('rulerTicks', () => {
       ),
     );
   });
+});
+
+it('a number is drawn only 12 pixels clear of the playhead’s flag', () => {
+  const flag = [100, 140] as const;
+  expect([70, 88, 89, 120, 151, 152].map((left) => isClearOf([left, left + 0], flag))).toEqual([
+    true,
+    true,
+    false,
+    false,
+    false,
+    true,
+  ]);
+  expect(isClearOf([60, 88], flag)).toBe(true);
+  expect(isClearOf([60, 89], flag)).toBe(false);
+  expect(isClearOf([110, 130], undefined)).toBe(true);
 });

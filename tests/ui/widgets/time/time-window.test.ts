@@ -2,22 +2,24 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import {
   fitWindow,
-  isMostly,
+  GUTTER,
   panWindow,
   pinchWindow,
   revealTime,
   snapTime,
+  timeAt,
+  timeX,
   zoomWindow,
 } from '../../../../src/ui/widgets/time/time-window.ts';
 
 it('shows the range with room on both sides', () => {
-  const { from, to } = fitWindow([0, 10]);
+  const { from, to } = fitWindow([0, 10], 1000);
   expect(from).toBeLessThan(0);
   expect(to).toBeGreaterThan(10);
 });
 
 it('shows a range of no length, too', () => {
-  const { from, to } = fitWindow([2, 2]);
+  const { from, to } = fitWindow([2, 2], 1000);
   expect(to - from).toBeGreaterThan(0.5);
   expect(from).toBeLessThan(2);
 });
@@ -80,7 +82,7 @@ const FAR = [1.7e9, 1.7e15, 1.7e18, 1e308, -1e308, 1e-300, 0];
 it('a window at any time has room to tell pixels apart, however often it is zoomed', () => {
   for (const start of FAR) {
     for (const length of [0, 1e-300, 1e-3, 1, 1e9, 1e308]) {
-      let window = fitWindow([start, Math.min(Number.MAX_VALUE, start + length)]);
+      let window = fitWindow([start, Math.min(Number.MAX_VALUE, start + length)], 1000);
       for (const factor of [1, 0.5, 0.1, 0.01, 1e-9, 3, 1e9]) {
         window = zoomWindow(window, window.from + (window.to - window.from) / 2, factor);
         const { from, to } = window;
@@ -91,12 +93,21 @@ it('a window at any time has room to tell pixels apart, however often it is zoom
   }
 });
 
-it('a window is mostly the times of a range if neither is twice as long, and they overlap', () => {
-  const window = { from: 0, to: 2 };
-  expect(isMostly(window, [0, 2])).toBe(true);
-  expect(isMostly(window, [0.2, 1.5])).toBe(true);
-  expect(isMostly(window, [0, 0.5])).toBe(false);
-  expect(isMostly(window, [0, 5])).toBe(false);
-  expect(isMostly(window, [5, 7])).toBe(false);
-  expect(isMostly(window, [1, 1])).toBe(false);
+it('a time is at one place of all that are as wide and show one window, and back', () => {
+  const strip = { window: { from: -0.5, to: 9.5 }, width: 800 };
+  expect([-0.5, 0, 9.5].map((seconds) => timeX(strip, seconds))).toEqual([0, 40, 800]);
+  fc.assert(
+    fc.property(fc.double({ min: -9, max: 9, noNaN: true }), fc.integer({ min: 1, max: 4000 }), (seconds, width) => {
+      expect(timeAt({ ...strip, width }, timeX({ ...strip, width }, seconds))).toBeCloseTo(seconds, 9);
+    }),
+  );
+});
+
+it('a fitted range has the same gutter on both sides, whatever the width', () => {
+  for (const width of [400, 992, 1224, 3000]) {
+    const strip = { window: fitWindow([0, 6.4], width), width };
+    expect(timeX(strip, 0)).toBeCloseTo(GUTTER, 9);
+    expect(timeX(strip, 6.4)).toBeCloseTo(width - GUTTER, 9);
+  }
+  expect(timeX({ window: fitWindow([0, 1], 100), width: 100 }, 0)).toBeCloseTo(20, 9);
 });

@@ -1,7 +1,7 @@
 /** Below the curves: range, grid, limits; above them: labels of the value axes. */
-import { drawOutsideRange, drawTimeGrid, type TimeView } from '../../timeline/time-ruler.ts';
+import { drawOutsideRange, drawTimeGrid, type TimeView } from '../../timeline/time-ground.ts';
 import type { CurveLine, CurveScene } from '../scene/scene.ts';
-import { type AxisName, PLOT_TOP, VALUE_AXES, yOf } from '../scene/space.ts';
+import { type AxisName, VALUE_AXES, yOf } from '../scene/space.ts';
 import { isInDegrees, type ValueTick, valueTicks } from '../scene/ticks.ts';
 import type { PictureColours } from './picture-colours.ts';
 
@@ -23,9 +23,8 @@ const UNITS: Readonly<Record<AxisName, string>> = {
 };
 
 export function timeView(scene: CurveScene): TimeView {
-  const { space, range, framesPerSecond, inFrames, markers } = scene;
-  const view = { window: space.window, width: space.width, range, framesPerSecond, inFrames };
-  return markers ? { ...view, markers } : view;
+  const { space, range, framesPerSecond, inFrames } = scene;
+  return { window: space.window, width: space.width, range, framesPerSecond, inFrames };
 }
 
 /** The axes of the lines: the first is labelled on the left and has the grid. */
@@ -39,8 +38,8 @@ export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, 
   const view = timeView(scene);
   g.fillStyle = colours.plot;
   g.fillRect(0, 0, width, height);
-  drawOutsideRange(g, view, PLOT_TOP, height, colours.time);
-  drawTimeGrid(g, view, PLOT_TOP, height, colours.time);
+  drawOutsideRange(g, view, 0, height, colours.time);
+  drawTimeGrid(g, view, 0, height, colours.time);
   const [axis] = shownAxes(scene.lines);
   const ticks = axisTicks(scene, axis);
   for (const labelled of [false, true]) {
@@ -72,17 +71,16 @@ export function drawValueLabels(g: CanvasRenderingContext2D, scene: CurveScene, 
     for (const { label, value } of axisTicks(scene, axis)) {
       if (label === undefined) continue;
       const y = Math.round(yOf(scene.space, { axis }, value)) - (i === 0 ? 7 : 0);
-      if (y < PLOT_TOP + (axes.length > 1 ? BELOW_UNIT : 8) || y > height - 6) continue;
+      if (y < (axes.length > 1 ? BELOW_UNIT : 8) || y > height - 6) continue;
       write(label, y);
       if (i > 0) g.fillRect(x + 3, Math.round(yOf(scene.space, { axis }, value)), 3, 1);
     }
-    if (axes.length > 1) write(UNITS[axis], PLOT_TOP + 10);
+    if (axes.length > 1) write(UNITS[axis], 10);
   });
 }
 
 function axisTicks(scene: CurveScene, axis: AxisName): ValueTick[] {
-  const pixels = scene.space.height - PLOT_TOP;
-  return valueTicks(scene.space.axes[axis], pixels, LABEL_SPACING, isInDegrees(axis, scene.degrees));
+  return valueTicks(scene.space.axes[axis], scene.space.height, LABEL_SPACING, isInDegrees(axis, scene.degrees));
 }
 
 /** Hatches values outside the limits, if those are unambiguous: one line's, or the same for all. */
@@ -105,11 +103,11 @@ export function drawLimits(
   const { width, height } = scene.space;
   g.fillStyle = hatchPattern(g, ratio, colours.hatch) ?? colours.hatch;
   g.globalAlpha = HATCH_OPACITY;
-  if (top > PLOT_TOP) g.fillRect(0, PLOT_TOP, width, Math.min(height, top) - PLOT_TOP);
-  if (bottom < height) g.fillRect(0, Math.max(PLOT_TOP, bottom), width, height - Math.max(PLOT_TOP, bottom));
+  if (top > 0) g.fillRect(0, 0, width, Math.min(height, top));
+  if (bottom < height) g.fillRect(0, Math.max(0, bottom), width, height - Math.max(0, bottom));
   g.globalAlpha = 1;
   g.fillStyle = colours.hatch;
-  for (const y of [top, bottom]) if (y > PLOT_TOP && y < height) g.fillRect(0, Math.round(y), width, 1);
+  for (const y of [top, bottom]) if (y > 0 && y < height) g.fillRect(0, Math.round(y), width, 1);
 }
 
 let pattern: { readonly made: CanvasPattern | null; readonly of: string } | undefined;

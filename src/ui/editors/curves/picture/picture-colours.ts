@@ -1,5 +1,5 @@
 /** The stylesheet's colours for canvases. */
-import { readTimeColours, type TimeColours, translucent } from '../../timeline/time-ruler.ts';
+import { readTimeColours, type TimeColours, translucent } from '../../timeline/time-ground.ts';
 import { BASE_COLOURS, type BaseColour } from '../scene/colours.ts';
 
 export interface PictureColours {
@@ -37,7 +37,7 @@ export function readPictureColours(target: Element): PictureColours {
       text: colour(BASE_COLOURS.text),
       faint: colour(BASE_COLOURS.faint),
     },
-    plot: colour('--surface'),
+    plot: colour('--plot'),
     label: colour('--text-faint'),
     valueLine: colour('--plot-line'),
     fineValueLine: time.fineLine,

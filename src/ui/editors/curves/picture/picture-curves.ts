@@ -17,7 +17,7 @@ import type { Channel } from '../../../../model/takes/clip.ts';
 import type { Samples } from '../../../../model/takes/samples.ts';
 import { type BaseColour, faintly, mixed } from '../scene/colours.ts';
 import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
-import { type CurveSpace, PLOT_TOP } from '../scene/space.ts';
+import type { CurveSpace } from '../scene/space.ts';
 import { DOT_PERIOD, LineTrace, sameMap, traceLine, traceMap } from '../scene/trace.ts';
 import { movedBetween } from '../scene/view-change.ts';
 
@@ -133,7 +133,7 @@ export class CurveLayer {
     const change = movedBetween(view.scene.space, scene.space, scene.lines);
     g.save();
     g.beginPath();
-    g.rect(0, PLOT_TOP, scene.space.width, scene.space.height - PLOT_TOP);
+    g.rect(0, 0, scene.space.width, scene.space.height);
     g.clip();
     const { scaleX, scaleY, x, y } = change ?? { scaleX: 1, scaleY: 1, x: 0, y: 0 };
     // Pixel for pixel if nothing moved, ignoring the context's scale.

@@ -9,7 +9,7 @@ import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/takes/cli
 import { mixed } from '../scene/colours.ts';
 import { handlesOf, type TangentHandle } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
-import { PLOT_TOP } from '../scene/space.ts';
+
 import { traceMap } from '../scene/trace.ts';
 import type { PictureColours } from './picture-colours.ts';
 
@@ -81,7 +81,7 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
   const { space } = scene;
   g.save();
   g.beginPath();
-  g.rect(0, PLOT_TOP, space.width, space.height - PLOT_TOP);
+  g.rect(0, 0, space.width, space.height);
   g.clip();
   cells.clear(space.width, space.height);
   const hasFrames = drawFrames(g, scene, colours);

@@ -6,7 +6,7 @@
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
 import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
-import { PLOT_TOP } from '../scene/space.ts';
+
 import type { TheirChannel } from '../scene/their-channels.ts';
 import { traceMap } from '../scene/trace.ts';
 import type { PictureColours } from './picture-colours.ts';
@@ -25,7 +25,7 @@ export function drawTheirs(g: CanvasRenderingContext2D, scene: CurveScene, colou
   if (!theirs) return;
   g.save();
   g.beginPath();
-  g.rect(0, PLOT_TOP, space.width, space.height - PLOT_TOP);
+  g.rect(0, 0, space.width, space.height);
   g.clip();
   g.lineJoin = 'round';
   for (const line of scene.lines) {

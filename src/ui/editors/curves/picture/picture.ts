@@ -3,19 +3,21 @@
  *
  *     overlay    playhead, hover highlight, selection box
  *     keys       diamonds, tangent handles of selected ones
- *     curves     range, grid, limits, curves, labels, ruler
+ *     curves     range, grid, limits, curves, labels
  *
  * A layer is redrawn when an object that it draws has been replaced; lines are traced again one by one
  * (`picture-curves.ts`).
  */
+
 import { keysOf } from '../../../../model/takes/clip.ts';
 import { element } from '../../../widgets/dom.ts';
+import { timeX } from '../../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
-import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
+import { drawPlayhead } from '../../timeline/time-ground.ts';
 import { mixed } from '../scene/colours.ts';
 import { handleOf } from '../scene/handles.ts';
 import { type CurveHit, type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
-import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
+import { yOf } from '../scene/space.ts';
 import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer, LINE_WIDTH } from './picture-curves.ts';
@@ -99,7 +101,6 @@ export class CurvePicture {
       this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette, ground: colours.plot });
       drawTheirs(g, scene, colours);
       drawValueLabels(g, scene, colours);
-      drawTimeRuler(g, timeView(scene), colours.time);
     });
   }
 
@@ -109,7 +110,7 @@ export class CurvePicture {
     if (!line) return;
     g.save();
     g.beginPath();
-    g.rect(0, PLOT_TOP, scene.space.width, scene.space.height - PLOT_TOP);
+    g.rect(0, 0, scene.space.width, scene.space.height);
     g.clip();
     if (isFaint(scene, line)) {
       g.strokeStyle = mixed(line.colour, colours.palette);
@@ -124,7 +125,7 @@ export class CurvePicture {
       this.lines.outline(g, line.channel);
       g.globalAlpha = 1;
       g.fillStyle = colours.hover;
-      const x = xOf(scene.space, hover.timeSeconds - scene.offsetSeconds);
+      const x = timeX(scene.space, hover.timeSeconds - scene.offsetSeconds);
       dot(g, x, yOf(scene.space, line, hover.value), 2.5);
       g.fill();
     } else ringAround(g, scene, line, hover);
@@ -143,7 +144,7 @@ function ringAround(
   if (hover.index >= times.length) return;
   g.lineWidth = 1.5;
   if (hover.kind === 'key') {
-    const x = xOf(scene.space, times[hover.index] - scene.offsetSeconds);
+    const x = timeX(scene.space, times[hover.index] - scene.offsetSeconds);
     dot(g, x, yOf(scene.space, line, values[hover.index]), KEY_PIXELS + 3);
   } else {
     const { endX, endY } = handleOf(scene, line, hover.index, hover.side);

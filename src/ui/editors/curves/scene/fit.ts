@@ -2,17 +2,16 @@
 
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import { keysOf, spanOfChannel } from '../../../../model/takes/clip.ts';
-import { FARTHEST, shortestAt } from '../../../widgets/time/time-window.ts';
+import { FARTHEST, fitWindow, shortestAt } from '../../../widgets/time/time-window.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
-import { type AxisName, type CurveSpace, PLOT_TOP, VALUE_AXES, type ValueAxis } from './space.ts';
+import { type AxisName, type CurveSpace, VALUE_AXES, type ValueAxis } from './space.ts';
 
 export type Fitted = Pick<
   CurveScene,
   'clip' | 'curves' | 'lines' | 'theirs' | 'offsetSeconds' | 'selected' | 'space' | 'range'
 >;
 
-/** Margins: for labels on both sides, and for half a diamond. */
-const SIDE_PIXELS = 48;
+/** Margin for half a diamond. */
 const ABOVE_PIXELS = 22;
 
 /** Minimum extent of a fitted axis: noise in the last digits must not look like motion. */
@@ -43,23 +42,36 @@ interface Bounds {
 const extremes = new ChannelExtremes();
 
 /**
- * Axes with nothing to show keep their range.
- *
- * @param what the lines' keys or samples and the playback range, or the selected keys (all if none is selected)
- * @param keepTime keeps the time window, and fits the values in it
+ * Values in the time window, extrapolated ones included, or the selected keys in time too (values in the window if none
+ * is selected). Axes with nothing to show keep their range.
  */
-export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): CurveSpace {
+export function fit(scene: Fitted, what: 'values' | 'selected'): CurveSpace {
   const { space, offsetSeconds } = scene;
   const selected = what === 'selected' && scene.selected.some((s) => scene.lines.some((l) => l.channel === s.channel));
   const bounds = noBounds();
-  if (keepTime && !selected) includeInView(scene, bounds);
-  else if (selected) includeSelected(scene, bounds);
-  else includeAll(scene, bounds);
+  if (selected) includeSelected(scene, bounds);
+  else includeInView(scene, bounds);
   const axes = { ...space.axes };
   for (const axis of VALUE_AXES) axes[axis] = fittedAxis(axis, bounds, space);
-  if (keepTime || !(bounds.to >= bounds.from)) return { ...space, axes };
+  if (!(bounds.to >= bounds.from)) return { ...space, axes };
   return { ...space, axes, window: fittedWindow(bounds.from - offsetSeconds, bounds.to - offsetSeconds, space.width) };
 }
+
+/** First and last time of the playback range and of all lines' keys or samples; seconds of the transport. */
+export function timesOf({ clip, lines, theirs, range, offsetSeconds }: Fitted): readonly [number, number] {
+  let [from, to] = range;
+  for (const { channel } of lines) {
+    const times = theirs?.get(channel)?.times ?? NO_TIMES;
+    for (const span of [spanOfChannel(clip, channel), times.length ? [times[0], times[times.length - 1]] : undefined]) {
+      if (!span || !(span[1] >= span[0])) continue;
+      from = Math.min(from, span[0] - offsetSeconds);
+      to = Math.max(to, span[1] - offsetSeconds);
+    }
+  }
+  return [from, to];
+}
+
+const NO_TIMES = new Float64Array(0);
 
 function noBounds(): Bounds {
   const every = (value: number) => ({ angle: value, length: value, factor: value, weight: value, normalised: value });
@@ -78,9 +90,7 @@ function fittedWindow(from: number, to: number, width: number) {
   const missing = Math.max(0, Math.max(SHORTEST_SECONDS, least) - (last - first)) / 2;
   // A lone key is centred in one second.
   const around = last > first ? missing : Math.max(0.5, least);
-  const part = Math.min(0.2, SIDE_PIXELS / Math.max(1, width));
-  const seconds = (last - first + 2 * around) / (1 - 2 * part);
-  return { from: first - around - part * seconds, to: last + around + part * seconds };
+  return fitWindow([first - around, last + around], width);
 }
 
 function fittedAxis(axis: AxisName, bounds: Bounds, space: CurveSpace): ValueAxis {
@@ -92,7 +102,7 @@ function fittedAxis(axis: AxisName, bounds: Bounds, space: CurveSpace): ValueAxi
     shortestAt(Math.max(Math.abs(low), Math.abs(high))),
   );
   const around = Math.max(0, least - (high - low)) / 2;
-  const part = Math.min(0.25, ABOVE_PIXELS / Math.max(1, space.height - PLOT_TOP));
+  const part = Math.min(0.25, ABOVE_PIXELS / Math.max(1, space.height));
   const extent = (high - low + 2 * around) / (1 - 2 * part);
   return { low: low - around - part * extent, high: high + around + part * extent };
 }
@@ -102,24 +112,6 @@ function include(bounds: Bounds, line: CurveLine, low: number, high: number): vo
   bounds.low[axis] = Math.min(bounds.low[axis], n ? low * n.scale + n.shift : low);
   bounds.high[axis] = Math.max(bounds.high[axis], n ? high * n.scale + n.shift : high);
 }
-
-function includeAll(scene: Fitted, bounds: Bounds): void {
-  bounds.from = scene.range[0] + scene.offsetSeconds;
-  bounds.to = scene.range[1] + scene.offsetSeconds;
-  for (const line of scene.lines) {
-    const [start, stop] = spanOfChannel(scene.clip, line.channel) ?? [bounds.from, bounds.from];
-    bounds.from = Math.min(bounds.from, start);
-    bounds.to = Math.max(bounds.to, stop);
-    includeCurve(scene, line, start, stop, bounds);
-    const times = scene.theirs?.get(line.channel)?.times ?? NO_TIMES;
-    if (times.length === 0) continue;
-    bounds.from = Math.min(bounds.from, times[0]);
-    bounds.to = Math.max(bounds.to, times[times.length - 1]);
-    includeTheirs(scene, line, times[0], times[times.length - 1], bounds);
-  }
-}
-
-const NO_TIMES = new Float64Array(0);
 
 function includeTheirs({ theirs }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
   const channel = theirs?.get(line.channel);

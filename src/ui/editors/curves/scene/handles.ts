@@ -5,11 +5,13 @@
  *
  * so dragging one sets only the slope: the distance doesn't matter.
  */
+
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
 import { keysOf } from '../../../../model/takes/clip.ts';
+import { pixelsPerSecond, timeAt, timeX } from '../../../widgets/time/time-window.ts';
 import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
-import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
+import { pixelsPerUnit, yOf } from './space.ts';
 
 export const HANDLE_PIXELS = 44;
 /** With more selected keys than this in view, handles would overlap and can't be grabbed. */
@@ -71,7 +73,7 @@ export function handleOf(scene: CurveScene, line: CurveLine, index: number, side
   const dy = -pixelsPerUnit(space, line) * slope;
   const length = Math.hypot(dx, dy);
   const scale = ((side === 'in' ? -1 : 1) * HANDLE_PIXELS) / (Number.isFinite(length) && length > 0 ? length : 1);
-  const x = xOf(space, keys.times[index] - scene.offsetSeconds);
+  const x = timeX(space, keys.times[index] - scene.offsetSeconds);
   const y = yOf(space, line, keys.values[index]);
   return { line, index, side, x, y, endX: x + dx * scale, endY: y + dy * scale };
 }
@@ -87,7 +89,7 @@ export function slopeFromHandle(
 ): number {
   const { space } = scene;
   const { times, values } = keysOf(scene.clip.channels[line.channel]);
-  const aside = x - xOf(space, times[index] - scene.offsetSeconds);
+  const aside = x - timeX(space, times[index] - scene.offsetSeconds);
   const dx = side === 'in' ? Math.min(-MIN_PIXELS_ASIDE, aside) : Math.max(MIN_PIXELS_ASIDE, aside);
   const up = yOf(space, line, values[index]) - y;
   return ((up / pixelsPerUnit(space, line)) * pixelsPerSecond(space)) / dx;

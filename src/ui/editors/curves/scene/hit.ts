@@ -8,7 +8,7 @@ import { keysOf } from '../../../../model/takes/clip.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import { handlesOf } from './handles.ts';
 import { type CurveHit, type CurveLine, type CurveScene, isFaint } from './scene.ts';
-import { PLOT_TOP } from './space.ts';
+
 import { traceMap } from './trace.ts';
 
 const EMPTY: CurveHit = { kind: 'empty' };
@@ -25,7 +25,7 @@ const extremes = new ChannelExtremes();
  * @param reach hit tolerance in pixels
  */
 export function hitTest(scene: CurveScene, x: number, y: number, reach = 6): CurveHit {
-  if (y < PLOT_TOP || y > scene.space.height) return EMPTY;
+  if (y < 0 || y > scene.space.height) return EMPTY;
   const faint = scene.lines.filter((line) => isFaint(scene, line));
   const front = faint.length ? scene.lines.filter((line) => !isFaint(scene, line)) : scene.lines;
   return (

@@ -12,7 +12,6 @@ import { jointName } from '../../../../model/skeleton/joint-name.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton/skeleton.ts';
 import type { ChannelClip, KeyedChannel } from '../../../../model/takes/clip.ts';
 import { columnOf } from '../../../../model/takes/samples.ts';
-import type { ShownMarker } from '../../../widgets/time/markers-picture.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 import type { TheirChannels } from './their-channels.ts';
@@ -54,8 +53,6 @@ export interface CurveScene {
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;
-  /** Of the take. */
-  readonly markers?: readonly ShownMarker[];
   /** Angles are labelled in degrees. */
   readonly degrees: boolean;
 }

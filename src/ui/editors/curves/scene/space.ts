@@ -3,8 +3,7 @@
  * the document in seconds of the clip and model units (radians, lengths, factors, weights).
  *
  *      x = 0                                  width
- *      ┌──────────── time ruler ────────────────┐ y = 0
- *      ├────────────────────────────────────────┤ y = PLOT_TOP     axis.high
+ *      ┌────────────────────────────────────────┐ y = 0            axis.high
  *      │        ╭──╮                            │
  *      │  ──────╯  ╰──────── curves             │ value up, y down
  *      └────────────────────────────────────────┘ y = height       axis.low
@@ -17,8 +16,7 @@
  * a fifth axis, on which each line's smallest key is −1 and its largest is 1.
  */
 import { DOF_UNITS } from '../../../../model/skeleton/skeleton.ts';
-import { type TimeWindow, zoomWindow } from '../../../widgets/time/time-window.ts';
-import { TIME_RULER_HEIGHT } from '../../timeline/time-ruler.ts';
+import { pixelsPerSecond, type TimeStrip, timeAt, zoomWindow } from '../../../widgets/time/time-window.ts';
 
 /** The units of DOFs, and the axis of normalised lines. */
 export const VALUE_AXES = [...DOF_UNITS, 'normalised'] as const;
@@ -30,12 +28,10 @@ export interface ValueAxis {
   readonly high: number;
 }
 
-export interface CurveSpace {
-  /** CSS pixels of the plot, including the ruler. */
-  readonly width: number;
+/** The window is in seconds of the transport. */
+export interface CurveSpace extends TimeStrip {
+  /** CSS pixels. */
   readonly height: number;
-  /** Seconds of the transport from the left edge to the right. */
-  readonly window: TimeWindow;
   readonly axes: Readonly<Record<AxisName, ValueAxis>>;
 }
 
@@ -51,9 +47,6 @@ export interface OnAxis {
   readonly normalise?: Normalise | undefined;
 }
 
-/** Height of the ruler above the plot. */
-export const PLOT_TOP: number = TIME_RULER_HEIGHT;
-
 export const DEFAULT_AXES: CurveSpace['axes'] = {
   angle: { low: -Math.PI / 2, high: Math.PI / 2 },
   length: { low: -1, high: 1 },
@@ -65,19 +58,6 @@ export const DEFAULT_AXES: CurveSpace['axes'] = {
 /** Limits of zooming, in model units. */
 const SMALLEST_EXTENT = 1e-9;
 const LARGEST_EXTENT = 1e9;
-
-export function xOf(space: CurveSpace, transportSeconds: number): number {
-  return (transportSeconds - space.window.from) * pixelsPerSecond(space);
-}
-
-/** Seconds of the transport. */
-export function timeAt(space: CurveSpace, x: number): number {
-  return space.window.from + x / pixelsPerSecond(space);
-}
-
-export function pixelsPerSecond({ width, window }: CurveSpace): number {
-  return width / (window.to - window.from);
-}
 
 export function yOf(space: CurveSpace, line: OnAxis, value: number): number {
   const { low } = space.axes[line.axis];
@@ -95,7 +75,7 @@ export function valueAt(space: CurveSpace, line: OnAxis, y: number): number {
 /** Pixels per unit of an axis. */
 function axisPixels(space: CurveSpace, axis: AxisName): number {
   const { low, high } = space.axes[axis];
-  return Math.max(1, space.height - PLOT_TOP) / (high - low);
+  return Math.max(1, space.height) / (high - low);
 }
 
 /** Pixels upwards per model unit of a line. */
@@ -113,7 +93,7 @@ export function zoom(
 ): CurveSpace {
   const window = timeFactor === 1 ? space.window : zoomWindow(space.window, timeAt(space, aboutX), timeFactor);
   if (valueFactor === 1) return { ...space, window };
-  const part = (space.height - aboutY) / Math.max(1, space.height - PLOT_TOP);
+  const part = (space.height - aboutY) / Math.max(1, space.height);
   const axes = mapAxes(space.axes, ({ low, high }) => {
     const extent = high - low;
     const next = Math.min(LARGEST_EXTENT, Math.max(SMALLEST_EXTENT, extent * valueFactor));
@@ -128,7 +108,7 @@ export function pan(space: CurveSpace, dx: number, dy: number): CurveSpace {
   const seconds = -dx / pixelsPerSecond(space);
   const window = dx === 0 ? space.window : { from: space.window.from + seconds, to: space.window.to + seconds };
   if (dy === 0) return { ...space, window };
-  const part = dy / Math.max(1, space.height - PLOT_TOP);
+  const part = dy / Math.max(1, space.height);
   const axes = mapAxes(space.axes, ({ low, high }) => {
     const move = part * (high - low);
     return { low: low + move, high: high + move };

@@ -8,6 +8,7 @@
  * A path of a hundred thousand spans costs little script and very much drawing (150 ms of it in software for 100
  * channels of 1,000 keys); the cost of columns depends only on the plot's width.
  */
+
 import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
 import { TracedColumns } from '../../../../evaluate/plot/trace-columns.ts';
 import { FAR_PIXELS, heightOf, SpanTracer, TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';
@@ -15,8 +16,9 @@ import { traceSampleColumns, traceSamplePath } from '../../../../evaluate/plot/t
 import { lastNotAbove } from '../../../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../../../model/takes/clip.ts';
 import { rangeOfSamples, type Samples } from '../../../../model/takes/samples.ts';
+import { pixelsPerSecond } from '../../../widgets/time/time-window.ts';
 import type { CurveScene } from './scene.ts';
-import { type OnAxis, PLOT_TOP, pixelsPerSecond, pixelsPerUnit, valueAt } from './space.ts';
+import { type OnAxis, pixelsPerUnit, valueAt } from './space.ts';
 
 /** Period of the dots of extrapolated parts in pixels. They are fixed to the curve as the view moves. */
 export const DOT_PERIOD = 5;
@@ -55,7 +57,7 @@ export function traceMap(
     perSecond: pixelsPerSecond(space),
     perUnit: pixelsPerUnit(space, line),
     width: space.width,
-    top: PLOT_TOP,
+    top: 0,
     bottom: space.height,
   };
 }

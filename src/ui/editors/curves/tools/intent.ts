@@ -2,7 +2,6 @@
  * What a press in the plot does, and its cursor. Pure logic, since users notice every difference here:
  *
  *                   plain        Shift        Ctrl            Alt            S held
- *     ruler         scrub        scrub free   scrub           pan            scrub
  *     handle        slope        slope        both sides      this side      slope
  *     key           move         add, lock    remove, unsnap  pan            scale
  *     curve         select       add          insert          pan            scale
@@ -13,12 +12,11 @@
 import type { CurveHit } from '../scene/scene.ts';
 import type { PointerAt } from './tool.ts';
 
-export type Intent = 'scrub' | 'pan' | 'zoom' | 'slope' | 'scale' | 'keys' | 'curve' | 'insert' | 'box' | 'menu';
+export type Intent = 'pan' | 'zoom' | 'slope' | 'scale' | 'keys' | 'curve' | 'insert' | 'box' | 'menu';
 
 export interface Press extends Pick<PointerAt, 'shift' | 'ctrl' | 'alt'> {
   /** As in PointerEvent: 0 left, 1 middle, 2 right. */
   readonly button: number;
-  readonly inRuler: boolean;
   /** The S key is held. */
   readonly scaling: boolean;
 }
@@ -26,7 +24,6 @@ export interface Press extends Pick<PointerAt, 'shift' | 'ctrl' | 'alt'> {
 export function intentOf(press: Press, hit: CurveHit): Intent {
   if (press.button === 1) return 'pan';
   if (press.button === 2) return press.alt ? 'zoom' : 'menu';
-  if (press.inRuler) return press.alt ? 'pan' : 'scrub';
   if (press.scaling) return 'scale';
   if (hit.kind === 'handle') return 'slope';
   if (press.alt) return 'pan';
@@ -38,8 +35,6 @@ export function intentOf(press: Press, hit: CurveHit): Intent {
 /** The cursor for a press. */
 export function cursorOf(intent: Intent, press: Pick<Press, 'shift' | 'ctrl'>, isSelected: boolean): string {
   switch (intent) {
-    case 'scrub':
-      return 'col-resize';
     case 'pan':
       return 'grab';
     case 'zoom':

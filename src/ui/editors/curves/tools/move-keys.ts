@@ -4,10 +4,12 @@
  * All selected keys move equally on screen. On one axis that is the same amount; if axes differ (radians and lengths,
  * or normalised curves) each moves by what the pixels mean on its own.
  */
+
 import { moveKeys } from '../../../../edit/commands/keys.ts';
 import { hasKey, toggleKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { shownPerUnit } from '../../../state/joints/angles.ts';
+import { timeAt, timeX } from '../../../widgets/time/time-window.ts';
 import {
   aboutKeysInHand,
   currentTake,
@@ -18,7 +20,7 @@ import {
 } from '../../timeline/current-take.ts';
 import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
 import { type CurveHit, type CurveLine, lineOf } from '../scene/scene.ts';
-import { type CurveSpace, pixelsPerUnit, timeAt, xOf, yOf } from '../scene/space.ts';
+import { type CurveSpace, pixelsPerUnit, yOf } from '../scene/space.ts';
 import { deltaText } from './readout-text.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
@@ -60,7 +62,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const keyTime = channel.times[hit.index] - take.character.timeOffsetSeconds;
   const keyValue = channel.values[hit.index];
   // Offset of the grab within the key, kept while dragging, even if the view is zoomed meanwhile.
-  const offX = from.x - xOf(scene.space, keyTime);
+  const offX = from.x - timeX(scene.space, keyTime);
   const offY = from.y - yOf(scene.space, line, keyValue);
   const edit = editOfTake(wb, take);
   const command = aboutKeysInHand(wb, moveKeys);

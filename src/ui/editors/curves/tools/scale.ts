@@ -4,10 +4,12 @@
  *
  *     t' = pivot + factor · (t − pivot)          v' = pivot + factor · (v − pivot)
  */
+
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
 import { shown } from '../../../widgets/numbers/number-text.ts';
+import { timeX } from '../../../widgets/time/time-window.ts';
 import { aboutKeysInHand, currentTake, editOfTake, selectedKeysInView } from '../../timeline/current-take.ts';
-import { valueAt, xOf } from '../scene/space.ts';
+import { valueAt } from '../scene/space.ts';
 import { isSideways } from './move-keys.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
@@ -36,7 +38,7 @@ export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
     const scene = plot.scene();
     if (!scene || !scale) return;
     sideways ??= isSideways(from, at);
-    const arm = from.x - xOf(scene.space, pivotSeconds);
+    const arm = from.x - timeX(scene.space, pivotSeconds);
     const length = Math.max(MIN_PIXELS, Math.abs(arm));
     const factor = 1 + ((at.x - from.x) * (arm < 0 ? -1 : 1)) / length;
     scale.to({

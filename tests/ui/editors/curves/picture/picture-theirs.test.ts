@@ -13,7 +13,7 @@ interface Drawn {
   readonly columns: { readonly colour: string; readonly x: number; readonly top: number; readonly height: number }[];
 }
 
-/** What is drawn of one channel over a line that is 0, on a plot of 400 × 222 pixels for seconds 0 … 4 and −1 … 1. */
+/** What is drawn of one channel over a line that is 0, on a plot of 400 × 200 pixels for seconds 0 … 4 and −1 … 1. */
 function drawn(times: readonly number[], values: readonly number[], wrong: readonly number[]): Drawn {
   const channel: TheirChannel = {
     times: Float64Array.from(times),
@@ -51,8 +51,8 @@ function drawn(times: readonly number[], values: readonly number[], wrong: reado
   return out;
 }
 
-/** Height of a value: the plot is 22 to 222 pixels. */
-const yOf = (value: number) => 122 - 100 * value;
+/** Height of a value: the plot is 0 to 200 pixels. */
+const yOf = (value: number) => 100 - 100 * value;
 
 describe('another program’s channel over ours', () => {
   it('has a dot at each value, larger and red where it is wrong, and a line from there to ours', () => {

@@ -10,7 +10,8 @@ import {
   slopeFromHandle,
 } from '../../../../../src/ui/editors/curves/scene/handles.ts';
 import { hitTest, keysInBox } from '../../../../../src/ui/editors/curves/scene/hit.ts';
-import { xOf, yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { timeX } from '../../../../../src/ui/widgets/time/time-window.ts';
 import { keyed, line, SPACE, scene } from '../scenes.ts';
 
 const ramp = keyed([
@@ -18,7 +19,7 @@ const ramp = keyed([
   [2, 0.5],
   [3, 0],
 ]);
-const x = (time: number) => xOf(SPACE, time);
+const x = (time: number) => timeX(SPACE, time);
 const y = (value: number) => yOf(SPACE, line(0), value);
 
 describe('hit-testing', () => {

@@ -2,18 +2,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
-import { fit as fitted } from '../../../../../src/ui/editors/curves/scene/fit.ts';
-import {
-  type CurveSpace,
-  PLOT_TOP,
-  pan,
-  timeAt,
-  valueAt,
-  xOf,
-  yOf,
-  zoom,
-} from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { type Fitted, fit as fitted, timesOf } from '../../../../../src/ui/editors/curves/scene/fit.ts';
+import { type CurveSpace, pan, valueAt, yOf, zoom } from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { fitWindow, timeAt, timeX } from '../../../../../src/ui/widgets/time/time-window.ts';
 import { keyed, line, SPACE, scene } from '../scenes.ts';
+
+/** As the curve editor fits all: the times first, then the values in them. */
+const fitAll = (given: Fitted) =>
+  fitted({ ...given, space: { ...given.space, window: fitWindow(timesOf(given), given.space.width) } }, 'values');
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const anySpace: fc.Arbitrary<CurveSpace> = fc
@@ -29,8 +25,8 @@ describe('the space of the curves', () => {
   it('converts times and values to points and back', () => {
     const normalise = { scale: 0.3, shift: -2 };
     fc.assert(
-      fc.property(anySpace, number(0, 400), number(0, 222), fc.constantFrom(undefined, normalise), (s, x, y, n) => {
-        expect(xOf(s, timeAt(s, x))).toBeCloseTo(x, 6);
+      fc.property(anySpace, number(0, 400), number(0, 200), fc.constantFrom(undefined, normalise), (s, x, y, n) => {
+        expect(timeX(s, timeAt(s, x))).toBeCloseTo(x, 6);
         expect(yOf(s, { axis: 'length', normalise: n }, valueAt(s, { axis: 'length', normalise: n }, y))).toBeCloseTo(
           y,
           6,
@@ -41,9 +37,9 @@ describe('the space of the curves', () => {
 
   it('the space of the curves keeps the point under the pointer while zooming', () => {
     fc.assert(
-      fc.property(anySpace, number(0, 400), number(22, 222), number(0.2, 5), number(0.2, 5), (s, x, y, ft, fv) => {
+      fc.property(anySpace, number(0, 400), number(0, 200), number(0.2, 5), number(0.2, 5), (s, x, y, ft, fv) => {
         const next = zoom(s, x, y, ft, fv);
-        expect(xOf(next, timeAt(s, x))).toBeCloseTo(x, 4);
+        expect(timeX(next, timeAt(s, x))).toBeCloseTo(x, 4);
         expect(yOf(next, metres, valueAt(s, metres, y))).toBeCloseTo(y, 4);
       }),
     );
@@ -51,7 +47,7 @@ describe('the space of the curves', () => {
 
   it('the space of the curves pans with the pointer', () => {
     const next = pan(SPACE, 30, -12);
-    expect(xOf(next, timeAt(SPACE, 100))).toBeCloseTo(130, 9);
+    expect(timeX(next, timeAt(SPACE, 100))).toBeCloseTo(130, 9);
     expect(yOf(next, metres, valueAt(SPACE, metres, 100))).toBeCloseTo(88, 9);
   });
 
@@ -61,9 +57,9 @@ describe('the space of the curves', () => {
     expect(pan(SPACE, 5, 0).axes).toBe(SPACE.axes);
   });
 
-  it('puts the top of an axis below the ruler', () => {
-    expect(yOf(SPACE, metres, 1)).toBe(PLOT_TOP);
-    expect(yOf(SPACE, metres, -1)).toBe(222);
+  it('puts the top of an axis at the top of the plot', () => {
+    expect(yOf(SPACE, metres, 1)).toBe(0);
+    expect(yOf(SPACE, metres, -1)).toBe(200);
   });
 });
 
@@ -80,22 +76,22 @@ describe('fitting', () => {
 
   it('fitting shows all of the curves, overshoots between keys included, within the plot', () => {
     const given = scene([wave]);
-    const space = fitted(given, 'all');
-    expect(xOf(space, 0)).toBeGreaterThan(0);
-    expect(xOf(space, 4)).toBeLessThan(400);
+    const space = fitAll(given);
+    expect(timeX(space, 0)).toBeGreaterThan(0);
+    expect(timeX(space, 4)).toBeLessThan(400);
     const heights = Array.from({ length: 201 }, (_, i) =>
       yOf(space, given.lines[0], evaluateChannel(given.curves, 0, 1 + i / 100)),
     );
     expect(Math.min(...heights.map((_, i) => evaluateChannel(given.curves, 0, 1 + i / 100)))).toBeLessThan(-0.3);
-    expect(Math.min(...heights)).toBeGreaterThan(PLOT_TOP);
-    expect(Math.max(...heights)).toBeLessThan(222);
+    expect(Math.min(...heights)).toBeGreaterThan(0);
+    expect(Math.max(...heights)).toBeLessThan(200);
   });
 
   it('fitting centres the selected keys', () => {
     const given = scene([wave, keyed([[0, 100]])], { selected: [{ channel: 0, indices: [1, 2] }] });
     const space = fitted(given, 'selected');
-    expect(xOf(space, 2) + xOf(space, 3)).toBeCloseTo(400, 6);
-    expect(yOf(space, given.lines[0], 0) + yOf(space, given.lines[0], 0.5)).toBeCloseTo(PLOT_TOP + 222, 6);
+    expect(timeX(space, 2) + timeX(space, 3)).toBeCloseTo(400, 6);
+    expect(yOf(space, given.lines[0], 0) + yOf(space, given.lines[0], 0.5)).toBeCloseTo(200, 6);
   });
 
   it('fitting handles each axis separately, and keeps those that show nothing', () => {
@@ -112,7 +108,7 @@ describe('fitting', () => {
       ],
       { lines: [line(0), line(1, 'length')] },
     );
-    const { axes } = fitted(given, 'all');
+    const { axes } = fitAll(given);
     expect(axes.angle.high).toBeLessThan(1.5);
     expect(axes.length.high).toBeGreaterThan(50);
     expect(axes.weight).toBe(SPACE.axes.weight);
@@ -128,7 +124,7 @@ describe('fitting', () => {
         1,
       ),
     ]);
-    const space = fitted(given, 'all', true);
+    const space = fitted(given, 'values');
     expect(space.window).toBe(SPACE.window);
     expect(space.axes.angle.high).toBeGreaterThan(4);
     expect(space.axes.angle.high).toBeLessThan(5.5);
@@ -136,7 +132,7 @@ describe('fitting', () => {
 
   it('fitting handles a single key, and none', () => {
     for (const channel of [keyed([[1, 0.5]]), { ...keyed([]), rest: 0.5 }]) {
-      const { axes, window } = fitted(scene([channel]), 'all');
+      const { axes, window } = fitAll(scene([channel]));
       expect(axes.angle.low).toBeLessThan(0.5);
       expect(axes.angle.high).toBeGreaterThan(0.5);
       expect(axes.angle.high - axes.angle.low).toBeGreaterThan(0.1);
@@ -158,7 +154,7 @@ it('a view fits keys at any time and value: its ends are told apart', () => {
         [far, -far],
       ],
     ] as const) {
-      const { window, axes } = fitted(scene([keyed(keys)], { range: [-Math.abs(far), Math.abs(far)] }), 'all');
+      const { window, axes } = fitAll(scene([keyed(keys)], { range: [-Math.abs(far), Math.abs(far)] }));
       expect([far, window.to > window.from && Number.isFinite(window.to - window.from)]).toEqual([far, true]);
       for (const { low, high } of Object.values(axes)) expect([far, high > low]).toEqual([far, true]);
     }

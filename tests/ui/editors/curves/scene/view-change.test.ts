@@ -1,17 +1,9 @@
 /** Transforming an image to the next view: positions of its pixels in another view of the same curves. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  type CurveSpace,
-  PLOT_TOP,
-  pan,
-  timeAt,
-  valueAt,
-  xOf,
-  yOf,
-  zoom,
-} from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { type CurveSpace, pan, valueAt, yOf, zoom } from '../../../../../src/ui/editors/curves/scene/space.ts';
 import { movedBetween } from '../../../../../src/ui/editors/curves/scene/view-change.ts';
+import { timeAt, timeX } from '../../../../../src/ui/widgets/time/time-window.ts';
 import { line, SPACE } from '../scenes.ts';
 
 const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
@@ -26,11 +18,11 @@ describe('from one view of the curves to another', () => {
     const by = number(-300, 300);
     const factor = number(0.6, 1.6);
     fc.assert(
-      fc.property(by, by, factor, factor, number(0, 400), number(PLOT_TOP, 222), (dx, dy, ft, fv, x, y) => {
+      fc.property(by, by, factor, factor, number(0, 400), number(0, 200), (dx, dy, ft, fv, x, y) => {
         const to = zoom(pan(SPREAD, dx, dy), 123, 77, ft, fv);
         const change = movedBetween(SPREAD, to, LINES);
         if (!change) throw new Error('there is such a change');
-        expect(change.scaleX * x + change.x).toBeCloseTo(xOf(to, timeAt(SPREAD, x)), 3);
+        expect(change.scaleX * x + change.x).toBeCloseTo(timeX(to, timeAt(SPREAD, x)), 3);
         for (const each of LINES) {
           expect(change.scaleY * y + change.y).toBeCloseTo(yOf(to, each, valueAt(SPREAD, each, y)), 3);
         }

@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { shownClip } from '../../../../../src/model/document.ts';
 import { keysOf } from '../../../../../src/model/takes/clip.ts';
 import { PlotScene } from '../../../../../src/ui/editors/curves/plot-scene.ts';
-import { xOf, yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
 import { keysDrag } from '../../../../../src/ui/editors/curves/tools/move-keys.ts';
 import { scaleDrag } from '../../../../../src/ui/editors/curves/tools/scale.ts';
 import { slopeDrag } from '../../../../../src/ui/editors/curves/tools/slope.ts';
@@ -10,6 +10,7 @@ import type { PlotAccess, PointerAt } from '../../../../../src/ui/editors/curves
 import { selectedKeysInView, selectKeys } from '../../../../../src/ui/editors/timeline/current-take.ts';
 import { deleteKeys, insertAtPlayhead } from '../../../../../src/ui/editors/timeline/key-edits.ts';
 import type { Workbench } from '../../../../../src/ui/state/workbench.ts';
+import { timeX } from '../../../../../src/ui/widgets/time/time-window.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../../builders.ts';
 
 let wb: Workbench;
@@ -33,7 +34,7 @@ const pointOf = (index: number, key: number, more: Partial<PointerAt> = {}): Poi
   const line = scene?.lines.find((l) => l.channel === index);
   if (!scene || !line) throw new Error('not drawn');
   const { times, values } = keysOf(held(index));
-  return at(xOf(scene.space, times[key]), yOf(scene.space, line, values[key]), more);
+  return at(timeX(scene.space, times[key]), yOf(scene.space, line, values[key]), more);
 };
 
 beforeEach(() => {
@@ -46,7 +47,7 @@ beforeEach(() => {
   wb.timeline.change({ window: { from: 0, to: 2 }, snapsToFrames: false });
   const scene = new PlotScene(wb);
   scene.width = 200;
-  scene.height = 222;
+  scene.height = 200;
   wb.store.subscribe(() => scene.invalidate());
   wb.timeline.view.subscribe(() => scene.invalidate());
   plot = { wb, scene: () => scene.scene, look: () => {}, showBox: () => {}, say: () => {} };

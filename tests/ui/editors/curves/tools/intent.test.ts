@@ -14,7 +14,6 @@ const press = (more: Partial<Press> = {}): Press => ({
   shift: false,
   ctrl: false,
   alt: false,
-  inRuler: false,
   scaling: false,
   ...more,
 });
@@ -39,8 +38,7 @@ describe('a press in the plot', () => {
     expect(intentOf(press({ button: 2, alt: true }), KEY)).toBe('zoom');
   });
 
-  it('scrubs in the ruler and scales while S is held', () => {
-    expect(intentOf(press({ inRuler: true }), EMPTY)).toBe('scrub');
+  it('scales while S is held', () => {
     expect(intentOf(press({ scaling: true }), KEY)).toBe('scale');
   });
 

@@ -1,0 +1,56 @@
+/** The cell at the left of the ruler: the take that is shown, with a menu of the takes that could be. */
+
+import { currentCharacter } from '../../state/actions/action.ts';
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
+import type { Uses } from '../../state/workbench.ts';
+import { element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { icon } from '../../widgets/icons.ts';
+import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
+import { middleCut } from '../../widgets/middle-cut.ts';
+import { currentTake } from '../timeline/current-take.ts';
+import { playAlone } from './play.ts';
+import { shownKey, takeRows } from './rows.ts';
+
+/** More are found faster in the list of takes. */
+const MOST_IN_MENU = 24;
+
+export function takeCell(
+  wb: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+): HTMLElement {
+  const name = middleCut('take-cell-name');
+  const made = keepsFocusElsewhere(
+    element(
+      'button',
+      { type: 'button', class: 'take-cell', 'data-panel': 'transport' },
+      icon('clip'),
+      name.element,
+      icon('fold'),
+    ),
+  );
+  menuButton(made, 'Takes', (): MenuEntry[] => {
+    const character = currentCharacter(wb);
+    const shown = character && shownKey(character);
+    const rows = takeRows(wb.store.document).filter((row) => row.characterId === character?.id);
+    const others: MenuEntry[] = rows.slice(0, MOST_IN_MENU).map((row) => ({
+      kind: 'item',
+      label: row.name,
+      enabled: true,
+      checked: row.key === shown,
+      radio: true,
+      run: () => playAlone(wb, row),
+    }));
+    const edits = sectionsOf(wb, [['take.list'], ['take.new', 'take.duplicate', 'take.rename', 'take.remove']]);
+    return others.length ? [...others, { kind: 'line' }, ...edits] : edits;
+  });
+  const show = () => {
+    const take = currentTake(wb)?.clip.name;
+    name.show(take ?? 'No take');
+    made.classList.toggle('faint', take === undefined);
+    setAttribute(made, 'aria-label', take === undefined ? 'No take' : `Take ${take}`);
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document || now.selection.characterId !== before.selection.characterId) show();
+  });
+  show();
+  return made;
+}
