@@ -50,10 +50,8 @@ async function addTo(
   const again = newest.filter((name) => before.includes(name));
   const others = after.map(({ fileName }) => fileName).filter((name) => !newest.includes(name));
   const sentences = [
-    ...(replaced.length > 0
-      ? [`${names} took the place of ${replaced.join(', ')}, which had numbers of the same times.`]
-      : []),
-    ...(again.length > 0 ? [`${again.join(', ')} took the place of the earlier numbers of that name.`] : []),
+    ...(replaced.length > 0 ? [`${names} replaced ${replaced.join(', ')}, which had numbers of the same times.`] : []),
+    ...(again.length > 0 ? [`${again.join(', ')} replaced the earlier numbers of that name.`] : []),
     ...(others.length > 0 ? [`Compared along with ${others.join(', ')}.`] : []),
   ];
   if (sentences.length > 0) messages.note(sentences.join(' '));

@@ -140,7 +140,8 @@ export class Saver {
     asks = true,
   ): Promise<void> {
     const { disk, messages } = this.parts;
-    const names: string[] = [];
+    const inPlace: string[] = [];
+    const downloaded: string[] = [];
     const diagnostics: Diagnostic[] = [];
     const well: string[] = [];
     const left: string[] = [];
@@ -148,7 +149,8 @@ export class Saver {
     let hadDialog = false;
     let remedy = '';
     for (const job of distinctJobs(jobs, (job) => targetOf(job)?.handle !== undefined)) {
-      const wantsDialog = asks && !targetOf(job)?.handle && disk.asksWhereToSave();
+      const hasFile = targetOf(job)?.handle !== undefined;
+      const wantsDialog = asks && !hasFile && disk.asksWhereToSave();
       if (wantsDialog && dialogs !== 'open') {
         left.push(job.name);
         continue;
@@ -162,7 +164,7 @@ export class Saver {
           left.push(job.name);
           continue;
         }
-        names.push(saved);
+        (hasFile || wantsDialog ? inPlace : downloaded).push(saved);
         well.push(job.name);
         diagnostics.push(...written.diagnostics());
       } catch (error) {
@@ -179,12 +181,15 @@ export class Saver {
       }
     }
     messages.report(diagnostics, well);
-    const said = names.length ? [`Saved ${names.join(', ')}.`] : [];
+    const said = [
+      ...(inPlace.length ? [`Saved ${inPlace.join(', ')}.`] : []),
+      ...(downloaded.length ? [`Downloaded ${downloaded.join(', ')}.`] : []),
+    ];
     // Cancelling the only dialog needs no message.
     if (left.length && (jobs.length > 1 || dialogs === 'used up')) said.push(`Not saved: ${left.join(', ')}.`);
     if (dialogs === 'used up') said.push(remedy);
     // If no dialog appeared, the user can't know that one was needed.
-    const severity = dialogs === 'used up' && names.length === 0 ? 'warning' : 'info';
+    const severity = dialogs === 'used up' && inPlace.length + downloaded.length === 0 ? 'warning' : 'info';
     if (said.length) messages.note(said.join(' '), severity);
   }
 
@@ -264,7 +269,7 @@ export class Saver {
       // That handle would fail again.
       const { handle: _gone, version: _old, ...rest } = target;
       for (const { part } of holds) if (part.file) handles.set(part.file.path, rest);
-      throw new DiskError(`${error.message} Save again to choose another place.`);
+      throw new DiskError(`${error.message} Save again to choose another location.`);
     }
   }
 }

@@ -37,8 +37,8 @@ export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
     const tall = `${rough(choices.height)} m tall`;
     const text =
       space.known === 'stated'
-        ? `${character.name} is ${tall}, in ${unitText(space)} as its file states.`
-        : `${character.name} is taken as ${spaceText(space)}, as guessed: ${tall}.`;
+        ? `${character.name} is ${tall}: its file states ${unitText(space)}.`
+        : `${character.name} is guessed to be in ${spaceText(space)}: ${tall}.`;
     parts.messages.suggest(
       text,
       choices.others.map((other) => offerOf(parts, character, other, choices, text)),

@@ -110,7 +110,7 @@ async function write(
 
 function spaceTold({ space }: Character, name: string): readonly Diagnostic[] {
   if (space?.known !== 'guessed') return [];
-  const message = `The input is taken as ${spaceText(space)}, as guessed, and stands in metres; --raw keeps its numbers.`;
+  const message = `The input is guessed to be in ${spaceText(space)}, and is written in metres; --raw keeps its numbers.`;
   return [withoutPlace('info', 'space-guessed', message, name)];
 }
 

@@ -275,7 +275,7 @@ export function withoutSkeleton(characters: readonly Character[]): Diagnostic[] 
   return characters.flatMap(({ name, skeleton, skins, sources }) => {
     if (skeleton) return [];
     const found = others
-      ? 'Expected a skeleton whose name begins its own, found several others. Name it after one of them, or give it that alone.'
+      ? 'Expected a skeleton whose name its own starts with, found several others. Name it after one of them, or give only that skeleton.'
       : 'Expected a skeleton with these files, found none.';
     const assumed = skins.length > 0 ? 'vertices are left as in the file' : 'channels alone, without joints';
     return [withoutPlace('info', 'skeleton-missing', found, sources[0]?.path ?? name, assumed)];

@@ -20,7 +20,7 @@ const NUMBERS = numbers('x,y,z');
 
 export const PIN: Kind<AskedPin> = {
   placeholder: 'JOINT[@x,y,z]=x,y,z[,weight]',
-  what: 'JOINT=x,y,z, a joint and where it shall be',
+  what: 'JOINT=x,y,z, a joint and its target',
   read: readPin,
 };
 

@@ -80,5 +80,5 @@ export function isOfSystem(name: string): boolean {
 }
 
 function nothingIn(path: string): Diagnostic {
-  return withoutPlace('warning', 'zip-empty', 'There is no file in it that Marrow reads.', path, 'skipped');
+  return withoutPlace('warning', 'zip-empty', 'It contains no file that Marrow reads.', path, 'skipped');
 }

@@ -45,44 +45,44 @@ const FOREIGN: readonly Foreign[] = [
   },
   {
     name: 'a web page',
-    now: 'Download the file itself: by "Raw" or "Download" on that page.',
+    now: 'Download the file itself, with "Raw" or "Download" on that page.',
     extensions: ['html', 'htm'],
     start: /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)?<(!doctype\s+html|html|head|body|script|meta)\b/is,
   },
   {
-    name: 'the answer of a web server that has no such file',
+    name: 'the error page of a web server',
     now: 'Download it again.',
     start: /^(404: Not Found|\s*\{\s*"message":\s*"Not Found"|\s*(<\?xml[^>]*>\s*)?<Error>)/i,
   },
   {
     name: 'a Unity file in YAML',
-    now: 'In Unity, export it by the FBX Exporter and open the .fbx.',
+    now: 'In Unity, export it with the FBX Exporter and open the .fbx.',
     extensions: ['prefab', 'unity', 'unitypackage', 'asset'],
     start: /^%YAML.*?tag:unity3d\.com/s,
   },
   {
     name: 'a YAML file',
-    now: 'Export a file of that kind from the program that made it.',
+    now: 'Export a file of that type from the program that made it.',
     extensions: ['yaml', 'yml'],
     start: /^(#[^\n\r]*[\n\r]+)*(%YAML|---[\s!])/,
     // Headings begin with dashes.
     of: ['dump'],
   },
-  { name: 'an animation of Maya', now: BY_MAYA, start: /^animVersion\b/ },
-  { name: 'a scene of Maya', now: BY_MAYA, extensions: ['ma', 'mb'], start: /^(\/\/Maya ASCII|FOR[48].{4,12}MAYA)/s },
+  { name: 'a Maya animation', now: BY_MAYA, start: /^animVersion\b/ },
+  { name: 'a Maya scene', now: BY_MAYA, extensions: ['ma', 'mb'], start: /^(\/\/Maya ASCII|FOR[48].{4,12}MAYA)/s },
   {
-    name: 'a scene of Blender',
+    name: 'a Blender scene',
     now: 'In Blender, export it as glTF (.glb) and open that.',
     extensions: ['blend'],
     start: /^BLENDER([-_][vV]|\d\d-)/,
   },
   {
-    name: 'a scene of 3ds Max',
+    name: 'a 3ds Max scene',
     now: 'In 3ds Max, export the character as FBX and open that.',
     extensions: ['max', 'bip'],
   },
   {
-    name: 'a scene of Cinema 4D',
+    name: 'a Cinema 4D scene',
     now: 'In Cinema 4D, export the character as FBX and open that.',
     extensions: ['c4d'],
   },
@@ -113,25 +113,25 @@ const FOREIGN: readonly Foreign[] = [
     start: /^[␁-␈]P.{6}/s,
   },
   {
-    name: 'a file of OpenSim',
-    now: 'Fit a skeleton to it in a program of motion capture, export it as .bvh and open that.',
+    name: 'an OpenSim file',
+    now: 'Fit a skeleton to it in motion capture software, export it as .bvh and open that.',
     extensions: ['trc', 'mot', 'sto', 'osim'],
   },
   {
-    name: 'motion of MikuMikuDance',
-    now: 'Import it into Blender by MMD Tools, export it as glTF (.glb) and open that.',
+    name: 'MikuMikuDance motion',
+    now: 'Import it into Blender with MMD Tools, export it as glTF (.glb) and open that.',
     extensions: ['vmd', 'pmx', 'pmd', 'vpd'],
     start: /^(Vocaloid (Motion|Pose) Data|PMX ␀␀|Pmd␀␀)/,
   },
   {
-    name: 'a file of Valve’s Source engine',
-    now: 'Import it into Blender by Source Tools, export it as glTF (.glb) and open that.',
+    name: 'a Valve Source engine file',
+    now: 'Import it into Blender with Source Tools, export it as glTF (.glb) and open that.',
     extensions: ['smd', 'dmx', 'vta'],
     start: /^(\/\/[^\n\r]*[\n\r]+)*version 1\s+nodes\b/,
   },
   {
-    name: 'a file of arrays',
-    now: 'Write it as .bvh by the program that made it, or by a script, and open that.',
+    name: 'a file of numeric arrays',
+    now: 'Save it as .bvh from the program that made it, or with a script, and open that.',
     extensions: ['npy', 'npz', 'pkl', 'pickle', 'pt', 'h5', 'hdf5', 'mat'],
     start: /^(\x93NUMPY|\x80[␂-␅].|\x89HDF|MATLAB 5\.0)/s,
   },
@@ -141,25 +141,25 @@ const FOREIGN: readonly Foreign[] = [
     extensions: ['stl', '3ds', 'lwo', 'off'],
   },
   {
-    name: 'a file of another 3D program',
+    name: 'a file from another 3D program',
     now: BY_BLENDER,
     extensions: ['x', 'x3d', 'wrl', 'md2', 'md3', 'md5mesh', 'md5anim', 'ms3d', 'b3d', 'htr', 'trb', 'xbf', 'uasset'],
     start: /^(xof \d|MD5Version|IDP[23]|MS3D0)/,
   },
-  { name: 'a file compressed by gzip', now: UNPACK, extensions: ['gz', 'tgz'], start: /^␟\x8b/ },
-  { name: 'a file compressed by bzip2', now: UNPACK, extensions: ['bz2'], start: /^BZh[1-9]1AY/ },
-  { name: 'a file compressed by xz', now: UNPACK, extensions: ['xz'], start: /^\xfd7zXZ␀/ },
-  { name: 'a file compressed by Zstandard', now: UNPACK, extensions: ['zst'], start: /^\x28\xb5\x2f\xfd/ },
-  { name: 'a file compressed by LZ4', now: UNPACK, extensions: ['lz4'], start: /^␄\x22\x4d␘/ },
-  { name: 'a file compressed by compress', now: UNPACK, extensions: ['z'], start: /^␟\x9d/ },
+  { name: 'a file compressed with gzip', now: UNPACK, extensions: ['gz', 'tgz'], start: /^␟\x8b/ },
+  { name: 'a file compressed with bzip2', now: UNPACK, extensions: ['bz2'], start: /^BZh[1-9]1AY/ },
+  { name: 'a file compressed with xz', now: UNPACK, extensions: ['xz'], start: /^\xfd7zXZ␀/ },
+  { name: 'a file compressed with Zstandard', now: UNPACK, extensions: ['zst'], start: /^\x28\xb5\x2f\xfd/ },
+  { name: 'a file compressed with LZ4', now: UNPACK, extensions: ['lz4'], start: /^␄\x22\x4d␘/ },
+  { name: 'a file compressed with compress', now: UNPACK, extensions: ['z'], start: /^␟\x9d/ },
   { name: 'a 7z archive', now: UNPACK, extensions: ['7z'], start: /^7z\xbc\xaf\x27␜/ },
   { name: 'a RAR archive', now: UNPACK, extensions: ['rar'], start: /^Rar!␚/ },
   { name: 'a tar archive', now: UNPACK, extensions: ['tar'], start: /^.{257}ustar/s },
   { name: 'a zip archive', now: renamed('zip'), start: /^PK(␃␄|␅␆|␇␈)/, of: ['zip'] },
-  { name: 'a PDF document', now: 'Open the file that it is about.', extensions: ['pdf'], start: /^%PDF-/ },
+  { name: 'a PDF document', now: 'Open the file it describes.', extensions: ['pdf'], start: /^%PDF-/ },
   {
     name: 'a video',
-    now: 'Marrow needs joints and their motion: let a program of motion capture make a .bvh or .fbx of it.',
+    now: 'Marrow needs joints and their motion: make a .bvh or .fbx from it with motion capture software.',
     extensions: ['mp4', 'mov', 'avi', 'mkv', 'webm', 'm4v'],
     start: /^(.{4}ftyp|RIFF.{4}AVI |␚E\xdf\xa3)/s,
   },
@@ -170,7 +170,7 @@ const FOREIGN: readonly Foreign[] = [
     start: /^(RIFF.{4}WAVE|OggS␀|ID3[␂-␄])/s,
   },
   {
-    name: 'an image of another kind',
+    name: 'another type of image',
     now: TO_PNG,
     extensions: ['tif', 'tiff', 'tga', 'dds', 'exr', 'hdr', 'psd', 'ktx', 'ktx2', 'gif'],
     start: /^(II\*␀|MM␀\*|8BPS␀|DDS \||v\/1␁|#\?RADIANCE|\xabKTX)/,
@@ -180,7 +180,7 @@ const FOREIGN: readonly Foreign[] = [
   { name: 'an FBX file', now: renamed('fbx'), start: /^(Kaydara FBX Binary|\s*;\s*FBX\s)/, of: ['fbx'] },
   {
     name: 'an image',
-    now: 'Give it the extension of its kind, such as .png, and open it again.',
+    now: 'Give it the extension of its type, such as .png, and open it again.',
     start: /^(\x89PNG|\xff\xd8\xff|GIF8[79]a|RIFF.{4}WEBP|BM.{4}␀␀␀␀)/s,
     of: ['texture'],
   },
@@ -206,7 +206,7 @@ const FOREIGN: readonly Foreign[] = [
   },
   {
     name: 'a JSON file',
-    now: 'Export a file of that kind from the program that made it.',
+    now: 'Export a file of that type from the program that made it.',
     start: /^\s*[[{]\s*"/,
     of: ['gltf', 'markers', 'dump'],
   },
@@ -219,7 +219,7 @@ const FOREIGN: readonly Foreign[] = [
   },
   {
     name: 'binary data',
-    now: 'Export it as text, or give it the extension of its kind.',
+    now: 'Export it as text, or give it the extension of its type.',
     // A name in a text may have some.
     start: /^(?:[^␀-␟]*[␀-␟]){12}/,
     of: ['gltf', 'fbx', 'texture', 'dump'],
@@ -260,7 +260,7 @@ export function unreadMessage(fileName: string): string {
   const extension = extensionOf(fileName);
   const found = FOREIGN.find(({ extensions }) => extensions?.includes(extension));
   if (found) return `Marrow does not read .${extension}: this is ${found.name}. ${found.now}`;
-  return `Marrow does not read this kind of file; it reads ${readableList()}.`;
+  return `Marrow does not read this type of file; it reads ${readableList()}.`;
 }
 
 /** `.skel .skin …`, zips included. */

@@ -95,7 +95,7 @@ export async function pickTarget(suggestedName: string): Promise<FileSystemFileH
   } catch (error) {
     if (isNamed(error, 'AbortError')) return undefined;
     if (isNamed(error, 'SecurityError') || isNamed(error, 'NotAllowedError'))
-      throw new NotNowError('Save again to choose where it goes.');
+      throw new NotNowError('Save again to choose where to save it.');
     throw asDiskError(error);
   }
 }
@@ -206,7 +206,7 @@ function sentence(error: unknown): string {
   if (isNamed(error, 'TypeMismatchError')) return 'A folder has that name.';
   if (isNamed(error, 'InvalidStateError')) return 'It changed in the meantime. Try again.';
   if (isNamed(error, 'AbortError'))
-    return 'The browser or a virus scanner stopped it. Try again, or choose another place.';
+    return 'The browser or a virus scanner stopped it. Try again, or choose another location.';
   return sentenceOf(error);
 }
 

@@ -73,13 +73,13 @@ describe('dropped dumps', () => {
     const state = () => wb.comparing.get()?.state.get();
     const names = () => state()?.dumps.map(({ fileName }) => fileName);
     await drop(wb, dumpFile('b.txt', right(0.5)));
-    await said('b.txt took the place of a.txt, which had numbers of the same times.');
+    await said('b.txt replaced a.txt, which had numbers of the same times.');
     expect([names(), state()?.replaced]).toEqual([['b.txt'], ['a.txt']]);
     await drop(wb, dumpFile('c.txt', right(0.7)));
     await said('Compared along with b.txt.');
     expect([names(), state()?.replaced]).toEqual([['b.txt', 'c.txt'], undefined]);
     await drop(wb, dumpFile('c.txt', right(0.7)));
-    await said('c.txt took the place of the earlier numbers of that name. Compared along with b.txt.');
+    await said('c.txt replaced the earlier numbers of that name. Compared along with b.txt.');
   });
 
   it('dropped dumps that do not fit the selected character are compared with one that they fit', async () => {

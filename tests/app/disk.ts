@@ -37,7 +37,7 @@ export class FakeDisk implements Disk {
   }
   asksWhereToSave = () => this.picks !== undefined;
   pickTarget = async (name: string) => {
-    if (this.dialogs-- <= 0) throw new NotNowError('Save again to choose where it goes.');
+    if (this.dialogs-- <= 0) throw new NotNowError('Save again to choose where to save it.');
     this.asked.push(name);
     if (this.picks === 'as suggested') return this.put(name, '');
     return this.picks === 'give up' ? undefined : this.picks;

@@ -208,7 +208,7 @@ it('a file of a kind that is not read is not said to be opened', async () => {
   const messages = new Messages();
   await openerOf(new Store(), { messages }).open(() => [{ path: 'notes.md', blob: new Blob(['# Notes']) }]);
   expect(messages.list.get().map(({ text }) => text)).toEqual([
-    expect.stringMatching(/^notes\.md: Marrow does not read this kind of file; it reads \.skel /),
+    expect.stringMatching(/^notes\.md: Marrow does not read this type of file; it reads \.skel /),
   ]);
 });
 

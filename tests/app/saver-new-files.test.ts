@@ -52,7 +52,7 @@ describe('saving several files that have no place yet', () => {
     expect(page.messages.list.get()).toMatchObject([
       {
         severity: 'warning',
-        text: 'Not saved: character.skel, character2.skel. Save again to choose where it goes.',
+        text: 'Not saved: character.skel, character2.skel. Save again to choose where to save it.',
       },
     ]);
   });

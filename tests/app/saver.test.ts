@@ -203,7 +203,7 @@ describe('saving what changed', () => {
     await page.saver.saveChanged();
     expect(page.names()).toEqual(['hero_walk.anim']);
     expect(page.messages.list.get()[0]?.text).toBe(
-      'hero_walk.anim: Not saved. It is gone. Save again to choose another place.',
+      'hero_walk.anim: Not saved. It is gone. Save again to choose another location.',
     );
     page.disk.picks = page.disk.put('hero_walk.anim', '');
     await page.saver.saveChanged();

@@ -47,7 +47,7 @@ describe('a guess', () => {
   it('is told with its other ways, in the line for a while and in the list', () => {
     const { messages, told } = opened(capture('walk'));
     expect(told()).toEqual([
-      ['walk is taken as centimetres, y up, as guessed: 1.5 m tall.', ['Z up', 'Inches', '1.7 m tall']],
+      ['walk is guessed to be in centimetres, y up: 1.5 m tall.', ['Z up', 'Inches', '1.7 m tall']],
     ]);
     expect(messages.passing.get()).toBe(told()[0][0]);
     expect(messages.offers.map(({ label }) => label)).toEqual(['Z up', 'Inches', '1.7 m tall']);
@@ -84,7 +84,7 @@ describe('a unit that a file states', () => {
 
   it('that makes a fox of 75 m stays, and the likely one is a click away', () => {
     const { store, press, told } = opened(stated('fox', 75, 1));
-    expect(told()).toEqual([['fox is 75 m tall, in metres as its file states.', ['Centimetres', '1.7 m tall']]]);
+    expect(told()).toEqual([['fox is 75 m tall: its file states metres.', ['Centimetres', '1.7 m tall']]]);
     expect(store.document.characters[0].space?.unit).toBe('metres');
     press('Centimetres');
     expect(store.document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: 0 });
@@ -93,8 +93,8 @@ describe('a unit that a file states', () => {
 
 describeShared('real files whose unit can hardly be', () => {
   it.each([
-    ['fbx/91_48.fbx', '91_48 is 169 m tall, in centimetres as its file states.', ['1.7 m tall']],
-    ['gltf/Fox.glb', 'Fox is 60.5 m tall, in metres as its file states.', ['Centimetres', '1.7 m tall']],
+    ['fbx/91_48.fbx', '91_48 is 169 m tall: its file states centimetres.', ['1.7 m tall']],
+    ['gltf/Fox.glb', 'Fox is 60.5 m tall: its file states metres.', ['Centimetres', '1.7 m tall']],
   ])('the file %s is offered what it can be', async (path, text, labels) => {
     const { files } = await loadAny([sharedPath(`data/${path}`)], '/');
     expect(opened(...files).told()).toEqual([[text, labels]]);

@@ -64,9 +64,9 @@ it('the overview of a class names all causes that explain the same, and none tha
 it('a page says in sentences what is wrong first and why, with both numbers beside each other, and when', () => {
   const html = report([cause('rotation-order')]);
   expect(html).toContain('<time datetime="2027-03-01T10:20:00.000Z">1 March 2027');
-  expect(html).toContain('The first that is wrong is joint 7 &quot;hip&quot; at 0.5 s. Of rotation-order.');
+  expect(html).toContain('First wrong: joint 7 &quot;hip&quot; at 0.5 s. Of rotation-order.');
   expect(html.replace(/<[^>]+>/g, ' ').replace(/\s+/g, ' ')).toContain(
-    'Position, the first that is wrong Yours 1.0000 2.0000 3.5000 Marrow’s 1.0000 2.0000 3.0000',
+    'Position, first wrong one Yours 1.0000 2.0000 3.5000 Marrow’s 1.0000 2.0000 3.0000',
   );
   expect(html.match(/class="differs"/g)).toHaveLength(2);
 });

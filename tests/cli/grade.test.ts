@@ -345,7 +345,7 @@ describe('marrow grade', () => {
     expect(dan.parts[0].shown?.yours).not.toEqual(dan.parts[0].shown?.marrows);
     const { out } = await command([...GRADE, '--html'], folder);
     expect(out).toMatch(
-      /The first that is wrong is joint 1 &quot;arm&quot; at 0\.7 s\. You use local matrices as world matrices. Each should be multiplied /,
+      /First wrong: joint 1 &quot;arm&quot; at 0\.7 s\. You use local matrices as world matrices. Each should be multiplied /,
     );
   });
 

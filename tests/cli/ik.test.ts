@@ -63,7 +63,9 @@ describeShared('marrow ik, against the reference', () => {
     expect(await told(file, '--pin', '#6=0,0,0', '--reach', 'arm')).toContain(
       '--reach takes limb, body or chain:JOINT',
     );
-    expect(await told(file, '--pin', '#6=0,0,0', '--reach', 'body', '--free-root')).toContain('goes without --reach');
+    expect(await told(file, '--pin', '#6=0,0,0', '--reach', 'body', '--free-root')).toContain(
+      "can't be used with --reach",
+    );
   });
 
   it('brings tips of axis-angle skeletons to reachable targets', async () => {

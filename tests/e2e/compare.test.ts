@@ -132,7 +132,7 @@ describeShared('another program’s numbers', () => {
       // Of the same name: in its place.
       await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
       await says(page, /^All agree: 23 world matrices at 1.5 s/);
-      await page.getByText('mine@1.5.txt took the place of the earlier numbers of that name.').waitFor();
+      await page.getByText('mine@1.5.txt replaced the earlier numbers of that name.').waitFor();
       await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [7, 8]) }]);
       await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: hip_03_r\. No known mistake/);
       await banner(page).getByRole('button', { name: 'Details' }).click();

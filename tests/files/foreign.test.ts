@@ -35,9 +35,9 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['404: Not Found', /web server/],
   ['%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!74 &7400000\n', /Unity.*YAML/],
   ['%YAML 1.2\n---\na: 1\n', /YAML/, ['dump']],
-  ['animVersion 1.1;\nmayaVersion 2018;\n', /animation of Maya/],
-  ['//Maya ASCII 2020 scene\n', /scene of Maya/],
-  ['\x1f\x8b\x08\0\0\0', /compressed by gzip/],
+  ['animVersion 1.1;\nmayaVersion 2018;\n', /Maya animation/],
+  ['//Maya ASCII 2020 scene\n', /Maya scene/],
+  ['\x1f\x8b\x08\0\0\0', /compressed with gzip/],
   ['BZh91AY&SY', /bzip2/],
   ['\xfd7zXZ\0', /xz/],
   ['\x28\xb5\x2f\xfd\0', /Zstandard/],
@@ -207,7 +207,7 @@ describe('a kind of file that is not read', () => {
     writeFileSync(join(folder, 'readme.md'), 'hello');
     writeFileSync(join(folder, 'a.skel'), 'balljoint a { }');
     const { code, err } = await command(['info', '.'], folder);
-    expect(err).toContain('readme.md warning format-unknown: Marrow does not read this kind of file; it reads .skel');
+    expect(err).toContain('readme.md warning format-unknown: Marrow does not read this type of file; it reads .skel');
     expect(code).toBe(0);
     expect((await command(['info', 'readme.md'], folder)).code).toBe(1);
   });

@@ -167,7 +167,7 @@ describe('dialogs', () => {
   it('dialogs that the browser does not open say to try again', async () => {
     for (const name of ['SecurityError', 'NotAllowedError']) {
       vi.stubGlobal('window', { showSaveFilePicker: () => Promise.reject(new DOMException('', name)) });
-      await expect(pickTarget('a.anim')).rejects.toThrow(new NotNowError('Save again to choose where it goes.'));
+      await expect(pickTarget('a.anim')).rejects.toThrow(new NotNowError('Save again to choose where to save it.'));
     }
   });
 
@@ -200,7 +200,7 @@ describe('writing', () => {
   it.each([
     ['NotFoundError', 'It was moved, renamed or deleted.', true],
     ['InvalidStateError', 'It changed in the meantime. Try again.', false],
-    ['AbortError', 'The browser or a virus scanner stopped it. Try again, or choose another place.', false],
+    ['AbortError', 'The browser or a virus scanner stopped it. Try again, or choose another location.', false],
     ['TypeMismatchError', 'A folder has that name.', false],
     ['UnknownError', 'Something went wrong. Try again. (UnknownError: no)', false],
     ['NoModificationAllowedError', 'Another program or tab is writing to it.', false],

@@ -67,7 +67,7 @@ describe('the pattern of joints and vertices', () => {
     [
       'exchanged axes',
       changed(tree, 'positions', (p) => p.set([p[1], p[0], p[2]])),
-      'All 6 joints, with x and y exchanged.',
+      'All 6 joints, with x and y swapped.',
     ],
     [
       'one axis',
@@ -96,7 +96,7 @@ describe('the pattern of joints and vertices', () => {
     [
       'what is no number',
       changed(tree, 'positions', (p, j) => (j === 3 ? p.fill(Number.NaN) : undefined)),
-      'Joint bough_r only, of which some are no finite numbers.',
+      'Joint bough_r only, of which some are not finite numbers.',
     ],
     [
       'all vertices',

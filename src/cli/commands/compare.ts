@@ -44,7 +44,7 @@ export const compareCommand = shellCommand({
   options: {
     time: option(
       number('T'),
-      'Sets the time, in seconds, of dumps that state none, which otherwise are of the file pose.',
+      'Sets the time, in seconds, of dumps that state none; otherwise they count as the file pose.',
     ),
     times: option(
       DISTINCT_TIMES,
@@ -151,7 +151,7 @@ function ofSeveral(
     return files.length > 0 ? [`${files.join(', ')} of ${character.name}`] : [];
   });
   if (fitting.length < 2 || each.some(({ character }) => !character)) return undefined;
-  const message = `Expected dumps of one character, found ${fitting.join('; ')}. Compare those of one at a time.`;
+  const message = `Expected dumps of one character, found ${fitting.join('; ')}. Compare one character at a time.`;
   return [withoutPlace('error', 'dumps-of-several', message, '')];
 }
 

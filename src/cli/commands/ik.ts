@@ -43,7 +43,7 @@ export const ik = shellCommand({
     dofs: option(numbers('v,v,…'), 'Starts from these values of all joint DOFs instead of the file pose.'),
     reach: option(
       REACH,
-      'Bends only the limbs of the pinned joints, or everything while feet that stand hold, or up to a joint.',
+      'Bends only the limbs of the pinned joints, everything while planted feet are held, or all joints up to one.',
     ),
     'free-root': flag('Lets the root move as well.'),
     json: flag('Prints the pose as JSON, with the distance left at each pin.'),
@@ -52,7 +52,7 @@ export const ik = shellCommand({
   exits: FILE_EXITS,
   async run({ inputs, options: { pin: asked, dofs: start, 'free-root': isRootFree, reach, json } }, io) {
     if (reach !== undefined && isRootFree)
-      throw new UsageError('--free-root goes without --reach: --reach body moves the root, and no other does.');
+      throw new UsageError("--free-root can't be used with --reach: --reach body moves the root, the others never do.");
     const opened = openLoaded(await loadAny(inputs, io.folder));
     const { diagnostics } = opened;
     report(diagnostics, io);

@@ -133,7 +133,7 @@ function partOf(part: PartGrade): string {
   const rest = unexplained.map((sentence) => `<p>${escaped(sentence)}</p>`).join('\n');
   return `<article>
 <h3>${files.map((file) => escaped(file)).join('<br>')}</h3>
-<p>${agrees ? 'All of it agrees.' : escaped(verdictText(part))}</p>
+<p>${agrees ? 'Everything agrees.' : escaped(verdictText(part))}</p>
 <dl>${shown.join('')}</dl>
 ${part.shown ? numbersOf(part.shown, part.first) : ''}
 ${explained.join('\n')}${rest}
@@ -147,7 +147,7 @@ function verdictText(part: PartGrade): string {
   const equal = equalCauses(part);
   const sentences = [
     ...(mismatches.length > 0 ? [`It does not fit: ${mismatches.join('; ')}.`] : []),
-    ...(where ? [`The first that is wrong is ${where}.`] : []),
+    ...(where ? [`First wrong: ${where}.`] : []),
     ...(equal.length === 1 ? [equal[0].sentence] : []),
   ];
   return sentences.join(' ');
@@ -167,7 +167,7 @@ function numbersOf({ what, yours, marrows, times }: SideBySide, first: FirstWron
     });
     return `<table><caption>${title}</caption><tbody>${lines.join('')}</tbody></table>`;
   };
-  return `<figure class="numbers"><figcaption>${what}${unit}, the first that is wrong</figcaption>${table('Yours', yours)}${table('Marrow’s', marrows)}</figure>`;
+  return `<figure class="numbers"><figcaption>${what}${unit}, first wrong one</figcaption>${table('Yours', yours)}${table('Marrow’s', marrows)}</figure>`;
 }
 
 /** Differences that four decimals show. */

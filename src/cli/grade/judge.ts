@@ -260,7 +260,7 @@ class Judging {
   private emptyDump(path: string): void {
     this.loads = false;
     if (this.problems.some(({ file, severity }) => file === path && severity === 'error')) return;
-    const message = "Expected numbers, as the reference's file of this name has them; found none.";
+    const message = "Expected numbers, as in the reference's file of this name, found none.";
     this.problems.push(withoutPlace('error', 'dump-empty', message, path));
   }
 

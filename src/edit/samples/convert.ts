@@ -151,7 +151,7 @@ export function* converting(
     for (; !step.done; step = measuring.next()) yield progress(0.7 + 0.3 * step.value);
     if (!tighten(fittings, skeleton, step.value, allowed, round)) return result(made, samples, fittings, step.value);
     if (round === MAX_ROUNDS)
-      throw new CommandError('That tolerance is too tight for the precision of numbers. Increase it a little.');
+      throw new CommandError('That tolerance is below the precision of the numbers. Increase it a little.');
   }
 }
 

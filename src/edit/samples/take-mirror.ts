@@ -208,7 +208,7 @@ function movedColumns(samples: Samples, { source, signs, from, to }: Exchange): 
     const channel = samples.firstChannel + column;
     if (channel >= source.length) return;
     const other = columnOf(samples, source[channel]);
-    if (other < 0) throw new CommandError('Only one side of this take is sampled, so the sides can’t be exchanged.');
+    if (other < 0) throw new CommandError('Only one side of this take is sampled, so the sides can’t be swapped.');
     const stays = other === column && signs[channel] > 0 && from[channel] === to[channel];
     if (!stays) found.push({ column, channel, source: other });
   });

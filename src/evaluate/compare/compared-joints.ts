@@ -128,7 +128,7 @@ export function whyLeftOut(
   const same = other.skeleton?.joints.findIndex((j) => j.name === name) ?? -1;
   if (same < 0) return `${other.name} has no matching joint`;
   const taken = there.indexOf(same);
-  if (taken < 0) return `${other.name} has a ${name} elsewhere in its hierarchy, as another part of the body`;
+  if (taken < 0) return `${other.name} has a ${name} elsewhere in its hierarchy, as another body part`;
   const partner = own.skeleton?.joints[here[taken]]?.name ?? '';
   return `The ${name} of ${other.name} is compared with ${partner}`;
 }

@@ -102,7 +102,7 @@ function resultOf(opening: Opening): Omit<OpenResult, 'dumps'> {
   for (const { file, why, waitsFor } of unused) {
     if (!given.has(file)) continue;
     const [code, message, assumed] = waitsFor
-      ? ['held-back', `Not opened. ${why}`, 'kept until that is mended']
+      ? ['held-back', `Not opened. ${why}`, 'kept until that is corrected']
       : ['file-unused', `Not used: ${why}`, 'kept for a matching file'];
     opening.diagnostics.push(withoutPlace('info', code, message, called(file.source), assumed));
   }

@@ -197,7 +197,7 @@ function* offsetOf(t: Tokens, open: Open): GrammarPart<Offset> {
   } else if (!open.toldRest) {
     open.toldRest = true;
     const message = 'Found 6 numbers after OFFSET, as SOMA writes them: the last 3 are angles of a rest orientation.';
-    t.report.info('rest-orientation', message, t.placeOf(place, 'info'), 'kept for writing; they turn nothing');
+    t.report.info('rest-orientation', message, t.placeOf(place, 'info'), 'kept for saving; they rotate nothing');
   }
   t.forget(place);
   return { at, rest: [rx, ry, rz] };

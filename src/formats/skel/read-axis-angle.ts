@@ -136,7 +136,7 @@ export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
   } while (open.hasAny);
   if ((yield* t.next()) !== 'end') {
     const count = joints.length === 1 ? '1 joint' : `${joints.length} joints`;
-    t.error('trailing', `Expected the end of the file after the ${count} of the tree, found ${t.found()}.`);
+    t.error('trailing', `Expected the end of the file after the ${count} of the skeleton, found ${t.found()}.`);
   }
   return joints;
 }

@@ -106,7 +106,7 @@ function numbersOf(words: readonly Word[]): readonly number[] {
 export function parentsReader(fileName: string): Reader<readonly Skeleton[]> {
   return bytesReader(fileName, (bytes, report) => {
     const message =
-      'Read as a joint on each line: x y z, its offset from the parent, and the index of that, -1 for a root.';
+      "Read as one joint per line: x y z, the offset from the parent, and the parent's index, -1 for a root.";
     report.info('parent-rows', message, WHOLE_FILE, 'ball joints; saved in the hierarchy form');
     const rows = rowsOf(bytes, report);
     const told = { report, bytes };
@@ -288,7 +288,7 @@ function skeletons(
     report.info('several-roots', message, placeIn(told, rows[roots[1]], 'start'));
   }
   if (moved >= 0) {
-    const message = `Joints are in the order of their tree, each before its siblings with all that is below it: joint ${rows[moved].index} of the file is joint ${number[moved]}.`;
+    const message = `Joints are reordered depth-first, each followed by its descendants: joint ${rows[moved].index} of the file is joint ${number[moved]}.`;
     report.info('joints-reordered', message, placeIn(told, rows[moved], 'start'));
   }
   return all;

@@ -192,7 +192,7 @@ function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]
       yield* t.next();
       if (t.kind === 'word' && !t.startsLine) joint.role = t.text();
       else {
-        t.error('name-expected', `Expected a part of the body after role, found ${t.found()}.`);
+        t.error('name-expected', `Expected a body part after role, found ${t.found()}.`);
         t.again();
       }
       return true;
@@ -266,7 +266,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     t.report.warn('dof-unknown', message, t.placeOf(place, 'warning'), 'limit ignored');
   }
   if (given.length && dofs.length && !takesLimits(motion)) {
-    const message = `Found limits on ${describe(joint)}, which takes none: its DOFs mean nothing on their own.`;
+    const message = `Found limits on ${describe(joint)}, which can't have any: its DOFs have no meaning on their own.`;
     t.report.warn('limits-not-taken', message, t.placeOf(given[0].place, 'warning'), 'kept, and ignored when clamping');
   }
   const values = pose ? dofs.map((dof, i) => pose.values[i] ?? dof.rest) : defaultsOf(dofs).pose;

@@ -80,7 +80,7 @@ function upright(report: FbxReport): FbxAxes {
 }
 
 function centimetre(report: FbxReport): number {
-  report.warn('bad-unit', 'The settings state a unit (UnitScaleFactor) that is no length.', 0, '1 cm');
+  report.warn('bad-unit', 'The settings state a unit (UnitScaleFactor) that is not a length.', 0, '1 cm');
   return 0.01;
 }
 

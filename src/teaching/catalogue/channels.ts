@@ -116,7 +116,7 @@ export const CHANNELS: readonly Mistake[] = [
     code: 'extrapolation-exchanged',
     subject: 'channels',
     sentence: () =>
-      'Your extrapolations before and after the keys are exchanged. The first word should be for the time before the keys, the second for the time after.',
+      'You swap the extrapolations before and after the keys. The first word should be for the time before the keys, the second for the time after.',
     formula: 'extrapolate IN OUT: IN before the first key, OUT after the last',
     variants: [inCurves('', { sides: 'exchanged' })],
   },

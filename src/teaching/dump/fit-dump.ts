@@ -159,7 +159,7 @@ class Fit {
     if (count === 0) return;
     const kept = new Set(lines);
     const line = given.lines.find((each) => !kept.has(each)) ?? 0;
-    const message = `Expected numbers of the ${counted(this.names.length, 'joint')} alone, found ${counted(count, 'row')} of other names.`;
+    const message = `Expected numbers of the ${counted(this.names.length, 'joint')} only, found ${counted(count, 'row')} with other names.`;
     const fileName = this.fileNames[this.fileNames.length - 1];
     this.diagnostics.push({ ...withoutPlace('info', 'dump-others', message, fileName, 'left out'), line, column: 1 });
   }

@@ -127,14 +127,14 @@ function sentencesOf(
   if (!isPose)
     return isFirst ? ['No pose of the skeleton has these numbers: its bones have other lengths, axes or limits.'] : [];
   if (isOneStep && agrees)
-    return [`A right step of ${what}: ${shortNumber(before)} from its target before${away} after it.`];
+    return [`A correct step of ${what}: ${shortNumber(before)} from its target before${away} after it.`];
   if (isThere || agrees)
-    return [`${start} is at its target, or as near as it can get${away}; ${shortNumber(before)} away before.`];
+    return [`${start} is at its target, or as close as possible${away}; ${shortNumber(before)} away before.`];
   const sentences = [`${start} is not at its target${away}; ${shortNumber(before)} away before.`];
   if (causes.length > 0) return sentences;
   if (!hasMoved) return [...sentences, 'All joints are where they were before.'];
   const none = isOneStep
-    ? 'It is no step of α·Jᵀe, damped least squares or the pseudo-inverse, and no known mistake explains these numbers. A longer step, or a smaller tolerance, tells more.'
+    ? 'It is not a step of α·Jᵀe, damped least squares or the pseudo-inverse, and no known mistake explains these numbers. A longer step, or a smaller tolerance, tells more.'
     : 'No known mistake explains these numbers. Those after one step of your solver, headed "one step", tell more.';
   return [...sentences, none];
 }

@@ -52,7 +52,7 @@ function howText(
   wrong: readonly number[],
   tolerance: number,
 ): string {
-  if (wrong.some((i) => !Number.isFinite(theirs[i]))) return 'where some are no finite numbers';
+  if (wrong.some((i) => !Number.isFinite(theirs[i]))) return 'where some are not finite numbers';
   const differences = wrong.map((i) => theirs[i] - ours[i]);
   const isNear = (a: number, b: number) => Math.abs(a - b) <= tolerance;
   if (differences.every((d) => isNear(d, differences[0]))) return byText(differences[0]);
@@ -87,7 +87,7 @@ function howText(
 const MIN_SAMPLES = 3;
 
 const byText = (difference: number) =>
-  Number.isFinite(difference) ? `by ${shortNumber(difference)}` : 'which is no finite number';
+  Number.isFinite(difference) ? `by ${shortNumber(difference)}` : 'which is not a finite number';
 
 /** In which period after the keys each time is, 1 the first; negative before them. Undefined if the channel doesn't repeat there. */
 function periodsOf(keys: KeyedChannel, times: readonly number[]): readonly number[] | undefined {

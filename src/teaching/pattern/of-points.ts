@@ -1,4 +1,4 @@
-/** What makes our points theirs: moved, exchanged axes, scaled, or one axis alone. */
+/** What makes our points theirs: moved, swapped axes, scaled, or one axis alone. */
 import { shortNumber } from '../compare/short-number.ts';
 
 /** Points of one time: x y z each. */
@@ -20,7 +20,7 @@ export function pointPattern(pairs: readonly PointPair[], wrong: readonly number
   const differing = [0, 1, 2].filter((k) => !every((pair, o) => isNear(pair, o + k, pair.ours[o + k]), wrong));
   if (differing.length === 0) return undefined;
   if (!every(({ theirs }, o) => [0, 1, 2].every((k) => Number.isFinite(theirs[o + k])), wrong))
-    return 'of which some are no finite numbers';
+    return 'of which some are not finite numbers';
   const [pair] = pairs;
   const offset = [0, 1, 2].map((k) => pair.theirs[3 * wrong[0] + k] - pair.ours[3 * wrong[0] + k]);
   if (every((each, o) => offset.every((d, k) => isNear(each, o + k, each.ours[o + k] + d)), wrong)) {
@@ -89,6 +89,6 @@ function mapWords(from: readonly number[], sign: readonly number[]): string {
   if (from.every((axis, k) => axis === k))
     return negative.length === 1 ? `mirrored in ${negative[0]}` : `with ${negative.join(', ')} negated`;
   const moved = AXES.filter((_, k) => from[k] !== k);
-  if (negative.length === 0 && moved.length === 2) return `with ${moved.join(' and ')} exchanged`;
+  if (negative.length === 0 && moved.length === 2) return `with ${moved.join(' and ')} swapped`;
   return `with ${from.map((axis, k) => `${sign[k] < 0 ? '-' : ''}${AXES[axis]}`).join(', ')} for x, y, z`;
 }

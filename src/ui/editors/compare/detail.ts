@@ -135,7 +135,7 @@ export class Detail {
     setText(this.note, samplesText(samples.length, wrong, of, this.showsAll));
     const canChoose = wrong > 0 && wrong < of;
     this.all.hidden = !canChoose;
-    const label = this.showsAll ? 'List those that differ' : 'List all';
+    const label = this.showsAll ? 'List differences only' : 'List all';
     setText(this.all, label);
     setAttribute(this.all, 'aria-label', label);
     this.build(`channel ${samples.length}`, () => [

@@ -13,7 +13,7 @@ export const REACH_NAMES: Readonly<Record<ChosenReach, string>> = { limb: 'Limb'
 /** A sentence each. */
 export const REACH_MEANINGS: Readonly<Record<ChosenReach, string>> = {
   limb: 'A dragged joint bends its own limb: a hand its arm, a foot its leg, a head its neck',
-  body: 'A dragged joint moves the whole character, and feet that stand on the ground hold',
+  body: 'A dragged joint moves the whole character while planted feet are held',
   chain: 'A dragged joint bends all joints up to a chosen one: select it, then choose this',
 };
 

@@ -42,7 +42,7 @@ export class CharacterSection {
     private readonly section: GUI,
   ) {
     this.buttons.append(
-      button('Add an instance beside it', { class: 'plain' }, 'Add instance', () => tryById(wb, 'character.copy')),
+      button('Add an instance next to it', { class: 'plain' }, 'Add instance', () => tryById(wb, 'character.copy')),
       button('Remove this instance', { class: 'plain remove-copy' }, 'Remove instance', () => this.removeShownCopy()),
     );
     wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, section));

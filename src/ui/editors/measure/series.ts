@@ -153,7 +153,7 @@ export function massText(all: readonly Measured[], subject: Subject, quantity: Q
   if (isBody) return 'Masses of limb segments by de Leva (1996), men';
   return isNone
     ? 'Mass uniform over the bones'
-    : 'Masses by de Leva (1996) where limbs are recognised, else uniform over the bones';
+    : 'Masses by de Leva (1996) where limbs are recognised, otherwise uniform over the bones';
 }
 
 /** Frames closer than this are the same row; seconds. */

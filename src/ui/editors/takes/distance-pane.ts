@@ -56,7 +56,10 @@ export class DistancePane {
     this.most = linkButton('Go to the largest distance, and select its joint', () => this.goToMost());
     this.left = linkButton('Which joints are not compared, and why', () => this.showLeftOut());
     this.left.setAttribute('aria-haspopup', 'menu');
-    setTooltip(this.means, 'Of all joints and frames; time-warped: frames up to a tenth of the take away are matched');
+    setTooltip(
+      this.means,
+      'Over all joints and frames; time-warped: frames up to a tenth of the take away are matched',
+    );
     this.facts.append(this.means, this.most, this.frames, this.left);
     const head = element(
       'div',

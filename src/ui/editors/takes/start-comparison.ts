@@ -85,11 +85,11 @@ const retargetOffer = (wb: Uses<'dialog'>) => ({ label: 'Retarget take…', run:
 /** What a comparison of skeletons that differ covers, in numbers of joints. */
 export function partText(compared: number, left: number): string {
   const are = compared === 1 ? 'is' : 'are';
-  const head = `${plural(compared, 'joint')} ${are} compared, matched by name and part of the body`;
+  const head = `${plural(compared, 'joint')} ${are} compared, matched by name and body part`;
   return left === 0 ? `${head}.` : `${head}; ${shown(left)} ${left === 1 ? 'has' : 'have'} no matching joint.`;
 }
 
 /** Two takes that share no joint, and what to do. */
 function nothingText(first: string, second: string): string {
-  return `${first} and ${second} have no joints in common, by name or part of the body. Match them by hand in Edit > Retarget take…, then compare again.`;
+  return `${first} and ${second} have no joints in common, by name or body part. Match them by hand in Edit > Retarget take…, then compare again.`;
 }

@@ -108,7 +108,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Select a joint and change its active DOF', 'drag its bone or skin up or down'],
       ['Rotate or move a DOF', 'drag its ring or arrow'],
       ['Rotate about the view axis', 'drag the outer ring'],
-      ['Rotate freely', 'drag inside the rings, beside the character'],
+      ['Rotate freely', 'drag inside the rings, next to the character'],
       ['Orbit from a character', 'Alt+drag'],
       ['Fine adjustment', 'Shift while dragging'],
       ['In steps of 5°', 'Ctrl while dragging'],

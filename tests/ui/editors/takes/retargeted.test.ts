@@ -154,7 +154,7 @@ describe('comparing after retargeting', () => {
     ]);
     compareTakes(wb, row('boxer/0'), row('dancer/0'));
     expect(wb.timeline.takes.comparison.get()).toBeDefined();
-    expect(wb.messages.passing.get()).toBe('21 joints are compared, matched by name and part of the body.');
+    expect(wb.messages.passing.get()).toBe('21 joints are compared, matched by name and body part.');
     runAction(wb, 'take.compare');
     expect(wb.messages.passing.get()).toBeUndefined();
   });
