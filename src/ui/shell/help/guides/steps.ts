@@ -104,7 +104,7 @@ export const GUIDE_TEXTS: Readonly<Record<GuideName, Guide>> = {
   checkProgram: {
     title: 'Check your program',
     about:
-      'Compare your program’s numbers with Marrow’s: the first that is wrong is named, with the mistake behind it.',
+      'Compare your program’s numbers with Marrow’s: the first one that is wrong is named, with the mistake that explains it.',
     page: 'guide/check-your-program.html',
     steps: [
       {
