@@ -209,6 +209,11 @@ describe('the files of src', () => {
     expect(native.test("element('p', { class: 'a', title: text }, 'b')")).toBe(true);
   });
 
+  it('errors of src that users read have one base, and only that of programmers has none', () => {
+    const bare = files.filter((file) => /\bextends \w*(?<!User)Error\b/.test(readFileSync(join(SRC, file), 'utf8')));
+    expect(bare).toEqual(['evaluate/ik/pins.ts', 'model/user-error.ts']);
+  });
+
   it('src exports no function that no other file names', () => {
     const texts = new Map<string, string>();
     for (const folder of ['src/', 'tests/', 'plugins/', 'examples/']) {

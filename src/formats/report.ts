@@ -6,10 +6,11 @@
 
 import { type Diagnostic, type Excerpt, MOST_KEPT, moreThanKept, type Severity } from '../model/diagnostic.ts';
 import { cutMessage } from '../model/names/cut-text.ts';
+import { UserError } from '../model/user-error.ts';
 import { excerptOf, type Place } from './places.ts';
 
 /** Thrown inside a reader when nothing after this place can be read; only the readers of `reader.ts` catch it. */
-export class ParseError extends Error {
+export class ParseError extends UserError {
   override readonly name = 'ParseError';
 }
 

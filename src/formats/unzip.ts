@@ -1,5 +1,7 @@
 /** Extracts files from a zip, by fflate. Unwanted entries are never unpacked. */
+
 import { strFromU8, unzipSync } from 'fflate';
+import { UserError } from '../model/user-error.ts';
 
 /** A file taken out of an archive. */
 export interface ZipEntry {
@@ -16,7 +18,7 @@ const HEADERS = 1024;
 const MAX_RATIO = 1032;
 
 /** A zip that is in order, but isn't unpacked; its message says why, to go on after a colon. */
-export class ZipRefusal extends Error {}
+export class ZipRefusal extends UserError {}
 
 /**
  * Throws an `Error` with a sentence if it is no zip or is damaged, a `ZipRefusal` if it is encrypted or would be too

@@ -9,12 +9,13 @@
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { cutMessage } from '../model/names/cut-text.ts';
 import { oneToken, restOfLine, wellFormed } from '../model/names/written-names.ts';
+import { UserError } from '../model/user-error.ts';
 import { NO_PLACE } from './places.ts';
 import type { WriteResult } from './reader.ts';
 import { Report } from './report.ts';
 
 /** Thrown for a number that no file can hold, such as NaN; the message says which. No file is written then. */
-export class UnwritableError extends Error {
+export class UnwritableError extends UserError {
   override readonly name = 'UnwritableError';
 }
 

@@ -1,6 +1,8 @@
 /** What reading a file of another program takes and gives: its reader may wait for other files and for decoders. */
+
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { SourceFile } from '../model/files.ts';
+import { UserError } from '../model/user-error.ts';
 import type { Scene } from './scene.ts';
 
 export interface Import {
@@ -27,7 +29,7 @@ export interface Imported {
 }
 
 /** Thrown inside a reader when nothing of the file can be used; what it says is told as an error. */
-export class ImportError extends Error {
+export class ImportError extends UserError {
   override readonly name = 'ImportError';
   constructor(
     /** As of a diagnostic. */

@@ -2,10 +2,11 @@
  * Files named in the address: `?files=a.skel,a.skin,walk.anim`. Commas separate, so one inside a name is `%2C`. Nothing
  * but what the address names is ever requested.
  */
+import { UserError } from '../model/user-error.ts';
 import type { GivenFile } from './given.ts';
 
 /** A file that could not be fetched; the message is a sentence. */
-export class FetchError extends Error {
+export class FetchError extends UserError {
   override readonly name = 'FetchError';
 }
 

@@ -5,7 +5,9 @@
  * All failures are `DiskError`s: a sentence that says what to do. Cancelling a dialog is no failure, but returns
  * undefined.
  */
+
 import { sentenceOf } from '../model/failure.ts';
+import { UserError } from '../model/user-error.ts';
 import { fetchFiles } from './address.ts';
 import { fromFileList, fromHandles, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
 
@@ -31,7 +33,7 @@ declare global {
 type FileAccess = 'read' | 'readwrite';
 
 /** A failure of the disk or the browser. The sentence does not contain the file's name. */
-export class DiskError extends Error {
+export class DiskError extends UserError {
   override readonly name = 'DiskError';
 
   constructor(

@@ -12,7 +12,9 @@
  * together they would be one long task. All else doesn't wait, since each answer takes a while on a busy machine. (A
  * record per array would need no pieces, but a put then takes as long as the array is large.)
  */
+
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
+import { UserError } from '../model/user-error.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 
 /** What is known of a session before it is read. */
@@ -101,7 +103,7 @@ export interface SessionStore {
 }
 
 /** An earlier save no longer exists: cleared by the user, or by the browser for lack of space. */
-export class SessionLostError extends Error {
+export class SessionLostError extends UserError {
   override readonly name = 'SessionLostError';
 }
 

@@ -2,6 +2,7 @@
  * What failed, as a sentence. Our own errors have one; what browsers say of theirs is about arrays and `postMessage`, so
  * it is told in words of ours. Ours are Errors, or of classes of their own; those of the language and of the DOM are not.
  */
+import { UserError } from './user-error.ts';
 
 const MEMORY = 'There is not enough memory for this. Close other tabs, or use smaller files.';
 
@@ -21,6 +22,7 @@ const MAX_QUOTED = 160;
 
 /** @param error anything that was thrown */
 export function sentenceOf(error: unknown): string {
+  if (error instanceof UserError) return error.message;
   if (!(error instanceof Error)) return String(error);
   const said = `${error.name}: ${error.message}`;
   const known = OF_BROWSERS.find(([pattern]) => pattern.test(said))?.[1];

@@ -2,7 +2,9 @@
  * The page's side of the worker. Cancelling a job terminates its worker: parsers are synchronous, and a new worker
  * costs a few milliseconds, whereas an abort flag would slow down every inner loop.
  */
+
 import { sentenceOf } from '../model/failure.ts';
+import { UserError } from '../model/user-error.ts';
 import type { FromWorker, JobName, Jobs, Progress, ToWorker } from './protocol.ts';
 
 /** The part of `Worker` that the client uses; tests pass one without a thread. */
@@ -33,7 +35,7 @@ function whenReleased(lock: string, tell: () => void): void {
 }
 
 /** A job that failed with its worker; the message is a sentence for the user. */
-export class WorkerError extends Error {
+export class WorkerError extends UserError {
   override readonly name = 'WorkerError';
 }
 

@@ -1,9 +1,11 @@
 /** Decodes a kept session: the inverse of `encode.ts`. */
+
 import type { ParsedFile } from '../../model/files.ts';
+import { UserError } from '../../model/user-error.ts';
 import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encoded.ts';
 
 /** A session that can't be restored; the message is a whole sentence. */
-export class RestoreError extends Error {
+export class RestoreError extends UserError {
   override readonly name = 'RestoreError';
 }
 

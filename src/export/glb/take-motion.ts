@@ -2,6 +2,7 @@
  * A take as a function of time, whatever drives it: keys with extrapolation, samples, a retargeted take. Limits and
  * linked DOFs are applied.
  */
+
 import { playedClip } from '../../evaluate/bake.ts';
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
@@ -10,6 +11,7 @@ import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type ChannelClip, type KeyedChannel, repeats } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import { UserError } from '../../model/user-error.ts';
 import type { WriteNodes } from './joint-nodes.ts';
 
 export interface TakeMotion {
@@ -32,7 +34,7 @@ export interface TakeMotion {
 }
 
 /** The motion is too long or too dense to be written; a sentence that says what to do. */
-export class TakeError extends Error {
+export class TakeError extends UserError {
   override readonly name = 'TakeError';
 }
 

@@ -1,5 +1,7 @@
 /** Rows of a dump as numbers of one joint, vertex or time each, and what is told from their lengths. */
+
 import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
+import { UserError } from '../../model/user-error.ts';
 
 /** Numbers of one joint, vertex or time. */
 export interface Entry {
@@ -12,7 +14,7 @@ export interface Entry {
 const NEARLY_ALL = 0.75;
 
 /** Thrown when a block fits nothing; caught for each block. */
-export class Misfit extends Error {
+export class Misfit extends UserError {
   constructor(
     readonly code: string,
     message: string,
