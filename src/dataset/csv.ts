@@ -5,6 +5,10 @@ import type { TakeArrays } from './take-arrays.ts';
 /** Frames in a piece: some hundred kilobytes. */
 const PIECE_ROWS = 64;
 
+/**
+ * The table of a take as CSV in pieces, to be written one after the other. Numbers are the shortest that read back the
+ * same.
+ */
 export function* csvPieces(arrays: TakeArrays): Generator<string> {
   const columns = tableColumns(arrays).map((column) => ({ ...column, short: shortest(column.data) }));
   yield `${columns.map(({ name }) => cell(name)).join(',')}\n`;

@@ -1,5 +1,6 @@
 /** Arrays of numbers or texts with a name and a shape, independent of the file that they are written to. */
 
+/** Numbers in either precision. */
 export type Floats = Float32Array | Float64Array;
 
 interface Named {
@@ -8,6 +9,7 @@ interface Named {
   readonly shape: readonly number[];
 }
 
+/** A named array of numbers, booleans or texts, told by `type`, in row-major order. */
 export type DataArray = Named &
   (
     | { readonly type: 'float'; readonly data: Floats }

@@ -4,9 +4,12 @@
  */
 import type { Floats } from './data-array.ts';
 
+/** Precisions that arrays can be written in. */
 export const PRECISIONS = ['float32', 'float64'] as const;
+/** The precision of an array; see `PRECISIONS`. */
 export type Precision = (typeof PRECISIONS)[number];
 
+/** Gives out arrays of one precision, and takes all of them back at once. */
 export class FloatPool {
   private readonly buffers: Floats[] = [];
   private next = 0;

@@ -33,6 +33,7 @@ export interface PosedBlock {
   readonly width: number;
 }
 
+/** Writes the joints of one block of frames after the other into the arrays of a take. */
 export class JointRowWriter {
   /** Positions in the two rows before the block: six per joint. */
   private readonly trail: Float64Array;

@@ -43,6 +43,7 @@ const turnsOf = perSkeleton((skeleton): readonly (Turn | undefined)[] => {
   });
 });
 
+/** Evaluates the rotations and positions of all joints for blocks of frames; reused from block to block. */
 export class JointTransforms {
   /** Of each frame of the block x y z of each joint, then of each End Site. */
   readonly points: readonly Float64Array[];

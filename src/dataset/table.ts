@@ -19,6 +19,7 @@ export interface TableColumn {
 
 const AXES = ['x', 'y', 'z', 'w'];
 
+/** The columns of a take's table, each a view into its arrays: rows of `data` from `first`, `step` apart. */
 export function tableColumns(arrays: TakeArrays): readonly TableColumn[] {
   const { positions, worldQuat, contacts, contactJoints, times } = arrays;
   const names = columnNames(arrays);

@@ -34,6 +34,7 @@ const PER_JOINT = 3 + 4 + 4 + 6 + 3;
 /** A file of more is refused: it would not fit beside those of the other threads. */
 const MAX_BYTES = 2 ** 31;
 
+/** All numbers of a take; shapes, units and spaces are listed at the top of this file. */
 export interface TakeArrays {
   readonly names: readonly string[];
   readonly parents: Int32Array;

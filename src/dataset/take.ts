@@ -25,6 +25,7 @@ export interface RetargetTarget {
   readonly map?: JointMap;
 }
 
+/** What is done to a take before its numbers are made. */
 export interface TakeOptions {
   /** Frames per second; absent: the take's own, or 60 for keys at uneven times. */
   readonly fps?: number;
@@ -36,6 +37,7 @@ export interface TakeOptions {
   readonly isRaw?: boolean;
 }
 
+/** A take that is ready to be sampled. */
 export interface Take {
   readonly character: Character;
   readonly skeleton: Skeleton;

@@ -6,6 +6,7 @@
  *     list       count ≪ 4 | type, or 0xf0 | type and the count from 15
  */
 
+/** A value with its type in Thrift's compact protocol. */
 export type ThriftValue =
   | { readonly i32: number }
   | { readonly i64: number }

@@ -20,6 +20,7 @@ export interface SelectedJoint {
   readonly joint?: number;
 }
 
+/** Whether a command's result states a selection, rather than being a document alone. */
 export function isChange(change: Document | Change): change is Change {
   return 'document' in change;
 }

@@ -15,12 +15,14 @@ import type { EditedChannel } from './keys/arrange.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { requireTake, withTake } from './takes.ts';
 
+/** Channels of a character's shown take, as arguments of commands. */
 export interface OfChannels {
   readonly characterId: string;
   /** Indices into the shown clip's channels. */
   readonly channels: readonly number[];
 }
 
+/** Keys of a character's shown take, as arguments of commands. */
 export interface OfKeys {
   readonly characterId: string;
   /** Of the shown clip; same form as in the selection. */

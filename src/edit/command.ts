@@ -58,6 +58,10 @@ export type AnyCommand = Omit<DocumentCommand<never, Document | Edit>, 'read'> &
 /** What a command takes. */
 export type ArgsOf<C> = C extends Command<infer Args, infer _Result> ? Args : never;
 
+/**
+ * Makes a command of its record. Its `read` copies and checks arguments from scripts; its `run` checks them too.
+ * @throws CommandError from `read` and `run` for arguments of another shape, and whatever the record's own `run` throws
+ */
 export function command<const F extends Fields, Result extends Document | Edit = Document>(
   declared: Declared<F, Result>,
 ): DocumentCommand<Given<F>, Result> {

@@ -7,6 +7,7 @@ import type { Document } from '../model/document.ts';
 import type { Edit } from './change.ts';
 import type { Gesture, Store } from './store.ts';
 
+/** A change that is shown and not yet confirmed. */
 export class EditPreview {
   private readonly gesture: Gesture;
   private readonly unsubscribe: () => void;
@@ -26,6 +27,7 @@ export class EditPreview {
     return this.gesture.base;
   }
 
+  /** Whether it has ended, by itself or by another change. */
   get over(): boolean {
     return this.gesture.closed;
   }
@@ -41,6 +43,7 @@ export class EditPreview {
     this.gesture.commit(label);
   }
 
+  /** Ends it and restores the document; no undo step. */
   putBack(): void {
     this.unsubscribe();
     this.gesture.cancel();

@@ -7,6 +7,7 @@ import type { Document } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import { applyDelta, type Delta, deltaTo } from './delta.ts';
 
+/** A document with its selection, as undo restores them. */
 export interface State {
   readonly document: Document;
   readonly selection: Selection;
@@ -27,6 +28,7 @@ interface Step {
   readonly against: WeakRef<Document>;
 }
 
+/** Steps that can be undone and redone. */
 export class History {
   /** The next one to undo last. */
   private past: Step[] = [];
@@ -38,6 +40,7 @@ export class History {
     return this.past.at(-1)?.label;
   }
 
+  /** Label of the step that redo would repeat; undefined if there is none. */
   get redoLabel(): string | undefined {
     return this.future.at(-1)?.label;
   }
@@ -72,6 +75,10 @@ export class History {
     return across(present, this.past, this.future);
   }
 
+  /**
+   * The state after the next step, which can then be undone; undefined if there is none.
+   * @param present the current state
+   */
   redo(present: State): State | undefined {
     return across(present, this.future, this.past);
   }

@@ -31,6 +31,7 @@ export interface KeyOptions {
   readonly outsideCycle?: OutsideCycle | undefined;
 }
 
+/** A character after keying, and its new keys. */
 export interface Keyed {
   readonly character: Character;
   /** The keys of these DOFs at this time. */

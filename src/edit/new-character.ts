@@ -6,6 +6,10 @@ import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { carriedOver } from './carried-over.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
 
+/**
+ * A character without content, in the scene's origin, with enforced limits.
+ * @param id unique in the document
+ */
 export function newCharacter(id: string, name: string): Character {
   return {
     id,

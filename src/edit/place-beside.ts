@@ -147,6 +147,7 @@ function rounded(length: number): number {
   return Number.isFinite(length) ? Number(length.toPrecision(4)) : 0;
 }
 
+/** The room that a character takes, in metres of the scene. */
 export interface Extent {
   /** Along the scene's x, before its placement. */
   readonly min: number;

@@ -6,6 +6,7 @@ export const LOOP_MODES = ['once', 'loop', 'pingpong', 'continue'] as const;
 /** `continue` plays past the range, to show extrapolation. */
 export type LoopMode = (typeof LOOP_MODES)[number];
 
+/** The state of the transport; times are seconds of the transport. */
 export interface Playback {
   readonly timeSeconds: number;
   readonly playing: boolean;
@@ -23,6 +24,7 @@ export interface Playback {
 /** Minimum and maximum FPS for display in frames. */
 export const FRAME_RATES = [1, 1000] as const;
 
+/** The transport of a page that has opened nothing: paused at 0, looping. */
 export const DEFAULT_PLAYBACK: Playback = {
   timeSeconds: 0,
   playing: false,

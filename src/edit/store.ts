@@ -49,6 +49,7 @@ interface OpenGesture extends Gesture {
 
 type Listener = (now: State, before: State) => void;
 
+/** A document with its selection and history. All changes go through it, and listeners hear of each. */
 export class Store {
   private present: State;
   private readonly history = new History();
@@ -63,6 +64,7 @@ export class Store {
     this.present = { document, selection: NOTHING_SELECTED };
   }
 
+  /** The current document, with what is only previewed. */
   get document(): Document {
     return this.present.document;
   }
@@ -73,6 +75,7 @@ export class Store {
     return gesture?.unfinished === 'tried' ? gesture.before : this.present;
   }
 
+  /** The current selection. */
   get selection(): Selection {
     return this.present.selection;
   }
@@ -82,6 +85,7 @@ export class Store {
     return this.history.undoLabel;
   }
 
+  /** Label of the step that `redo` would repeat; undefined if there is none. */
   get redoLabel(): string | undefined {
     return this.history.redoLabel;
   }
@@ -209,6 +213,7 @@ export class Store {
     this.become({ document: this.document, selection });
   }
 
+  /** Reverts the last step, after ending the current gesture; false if there is none. */
   undo(): boolean {
     this.settle();
     const before = this.history.undo(this.present);
@@ -216,6 +221,7 @@ export class Store {
     return before !== undefined;
   }
 
+  /** Repeats the step that was undone last, after ending the current gesture; false if there is none. */
   redo(): boolean {
     this.settle();
     const after = this.history.redo(this.present);

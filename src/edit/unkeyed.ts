@@ -22,6 +22,7 @@ export function withUnkeyed(character: Character, timeSeconds: number, values: R
   return { ...character, unkeyed: { timeSeconds, dofs, values: dofs.map((dof) => values.get(dof) ?? 0) } };
 }
 
+/** The character without unkeyed changes; the same object if it has none. */
 export function withoutUnkeyed(character: Character): Character {
   if (!character.unkeyed) return character;
   const { unkeyed: _gone, ...rest } = character;

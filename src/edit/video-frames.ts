@@ -1,6 +1,7 @@
 /** The times of a video's frames. */
 import type { Playback } from './playback.ts';
 
+/** The frames of a video, by the time that each shows. */
 export interface VideoFrames {
   /** At least 1. */
   readonly count: number;

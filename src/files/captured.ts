@@ -8,11 +8,16 @@ import type { CapturedFigure, ContentOf } from '../model/files.ts';
 import { positionsMeant, withPositions } from '../model/skeleton/position-channels.ts';
 import { sharedJoints } from '../model/skeleton/shared-joints.ts';
 
+/** The content of a motion capture file, with what was guessed about it. */
 export interface CapturedContent {
   readonly value: ContentOf<'bvh'>;
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/**
+ * Guesses the space of the figures of one file and the meaning of their position channels, and says so. Equal skeletons
+ * become one object.
+ */
 export function capturedContent(read: readonly CapturedFigure[], fileName: string): CapturedContent {
   const figures = read.map((figure) => {
     const joints = sharedJoints(figure.skeleton.joints);

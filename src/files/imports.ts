@@ -8,8 +8,10 @@ import { toCharacter } from '../import/to-character.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { baseName, type ContentOf, type SourceFile } from '../model/files.ts';
 
+/** The kinds of files that are read as whole characters of other programs. */
 export type ImportedKind = 'gltf' | 'fbx';
 
+/** The result of reading a file of another program. */
 export interface ImportedFile {
   /** Absent if and only if there is an error. */
   readonly value?: ContentOf<'character'>;

@@ -20,6 +20,7 @@ import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { type PartOrigin, withClip, withMorph, withSkin } from './open/assemble.ts';
 
+/** One kind of file: its names, its content, and how it is saved. */
 export interface Kind {
   /** Without the dot, in lower case; the first is used for writing. */
   readonly extensions: readonly [string, ...string[]];
@@ -49,6 +50,7 @@ const hasSkeleton = ({ skeleton }: Character) => skeleton !== undefined;
 const isAxisAngle = ({ skeleton }: Character) => skeleton !== undefined && savesAsAxisAngle(skeleton);
 const isAnyones = () => true;
 
+/** All kinds of files, by the name of their format. */
 export const KINDS = {
   skel: {
     extensions: ['skel'],
@@ -182,8 +184,10 @@ export type HeldBy<K extends FormatKind> = ContentOf<(typeof KINDS)[K]['content'
 
 /** In the order of the menus. */
 export const FORMAT_KINDS = Object.keys(KINDS) as readonly FormatKind[];
+/** The kinds that can be written. */
 export const SAVED_KINDS = FORMAT_KINDS.filter(isSaved);
 
+/** Whether files of a kind can be written. */
 export function isSaved(kind: FormatKind): kind is SavedKind {
   const { save }: Kind = KINDS[kind];
   return save !== undefined;
@@ -191,6 +195,7 @@ export function isSaved(kind: FormatKind): kind is SavedKind {
 
 /** Without dots. */
 export const READABLE_EXTENSIONS: readonly string[] = FORMAT_KINDS.flatMap((kind) => KINDS[kind].extensions);
+/** Extensions of files that can be written, without the dot, in lower case. */
 export const WRITABLE_EXTENSIONS: readonly string[] = SAVED_KINDS.flatMap((kind) => KINDS[kind].extensions);
 
 /** The kind of a file by its extension, in any case; undefined for other files. */

@@ -44,6 +44,7 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
 };
 
+/** How files of one format are read. */
 export interface Format {
   readonly format: FormatKind;
   /** The content of such a file. */

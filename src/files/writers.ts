@@ -35,6 +35,7 @@ export interface Writer<C> {
   lost?(character: Character): readonly string[];
 }
 
+/** A number of things, with their name: "1 joint", "2 joints". */
 export interface Counted {
   readonly count: number;
   readonly one: string;
@@ -49,6 +50,7 @@ export interface PlayedRange {
 
 const joints = ({ skeleton }: Character) => [{ count: skeleton?.joints.length ?? 0, one: 'joint' }];
 
+/** The writer of each kind that can be saved. */
 export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
   skel: {
     write: ({ skeletons }, name) => writeSkel(skeletons, name),

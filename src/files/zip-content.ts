@@ -11,6 +11,7 @@ export interface ZippedFile {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
+/** The files taken out of a zip. */
 export interface ZipContent {
   readonly files: readonly ZippedFile[];
   /** Paths of files of kinds that nobody asked for. */
@@ -45,10 +46,12 @@ export function zipContent(
   };
 }
 
+/** The message about more files than can be opened at once. */
 export function tooManyFiles(maxFiles: number): string {
   return `at most ${maxFiles.toLocaleString('en')} can be opened at once; try one folder at a time`;
 }
 
+/** Whether a file is a zip by its name, in upper or lower case. */
 export function isZip(name: string): boolean {
   return name.toLowerCase().endsWith('.zip');
 }

@@ -12,6 +12,7 @@ import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/m
 import { NOISE } from './noise.ts';
 import type { SceneMesh } from './scene.ts';
 
+/** The one binding of each joint, and how the meshes are moved for it. */
 export interface Binding {
   /** Of each node that has one: B⁻¹. */
   readonly inverse: ReadonlyMap<number, Float64Array>;
@@ -20,12 +21,14 @@ export interface Binding {
   readonly meshes: readonly BoundMesh[];
 }
 
+/** A joint that is added for a binding that its node can't have; 16 numbers. */
 export interface FurtherJoint {
   /** The node below which it is. */
   readonly node: number;
   readonly inverse: Float64Array;
 }
 
+/** How a mesh is moved and attached. */
 export interface BoundMesh {
   /** Moves its vertices; absent: identity. */
   readonly matrix?: Float64Array;
@@ -135,12 +138,14 @@ function identity(): Float64Array {
   return m;
 }
 
+/** The inverse of an affine matrix of 16 numbers, as a new array. */
 export function inverted(m: Float64Array): Float64Array {
   const out = new Float64Array(16);
   invertAffine(m, 0, out, 0);
   return out;
 }
 
+/** a · b of affine matrices of 16 numbers, as a new array. */
 export function product(a: Float64Array, b: Float64Array): Float64Array {
   const out = new Float64Array(16);
   multiplyAffine(a, 0, b, 0, out, 0);

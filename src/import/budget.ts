@@ -17,6 +17,7 @@ export function mostNumbers(bytes: number): number {
   return BASE + PER_BYTE * bytes;
 }
 
+/** The memory that one file may still ask for. */
 export class Budget {
   private left: number;
 

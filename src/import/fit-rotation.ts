@@ -45,6 +45,7 @@ export function eulerRotation(order: EulerOrder): RotationDofs {
   };
 }
 
+/** The rotation of a quaternion joint: four DOFs, with the sign nearer to those before. */
 export const QUATERNION_ROTATION: RotationDofs = {
   count: 4,
   write(q, dofs) {

@@ -5,6 +5,7 @@ import type { SourceFile } from '../model/files.ts';
 import { UserError } from '../model/user-error.ts';
 import type { Scene } from './scene.ts';
 
+/** A file of another program, and how its reader gets those beside it. */
 export interface Import {
   /** Without folders. */
   readonly fileName: string;
@@ -15,11 +16,13 @@ export interface Import {
   beside(path: string): Promise<Beside | undefined>;
 }
 
+/** A file that another one names. */
 export interface Beside {
   readonly source: SourceFile;
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
+/** The result of reading a file of another program. */
 export interface Imported {
   /** Absent if and only if there is an error. */
   readonly scene?: Scene;

@@ -24,6 +24,7 @@ import { NOISE } from './noise.ts';
 import { lockedness } from './rotations.ts';
 import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
 
+/** The type of joint of a node, at rest, with how its takes become channels. */
 export interface JointMotion {
   readonly motion: Motion;
   readonly offset: Vec3;

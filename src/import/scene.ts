@@ -15,6 +15,7 @@ import type { EulerOrder } from '../model/skeleton/skeleton.ts';
 import type { Attachments } from '../model/skin.ts';
 import type { Channel } from '../model/takes/clip.ts';
 
+/** All that is read of a file. */
 export interface Scene {
   /** Of the character: the file's name without its extension. */
   readonly name: string;
@@ -32,6 +33,7 @@ export interface Scene {
 /** x y z w, normalised. */
 export type Quaternion = readonly [number, number, number, number];
 
+/** A node at rest. */
 export interface SceneNode {
   /** As in the file; may be empty, or that of another node. */
   readonly name: string;
@@ -51,6 +53,7 @@ export interface SceneNode {
   readonly role?: string;
 }
 
+/** A rotation as Euler angles, in radians. */
 export interface SceneEuler {
   readonly order: EulerOrder;
   /** About x, y and z, whatever the order. */
@@ -81,6 +84,7 @@ export interface SceneSurface {
   readonly triangles: Uint32Array;
 }
 
+/** How the vertices of a mesh hang on joints. */
 export interface SceneSkinned {
   /** The same object for meshes that share it. */
   readonly skin: SceneSkin;
@@ -88,6 +92,7 @@ export interface SceneSkinned {
   readonly attachments: Attachments;
 }
 
+/** Joints with their bindings. */
 export interface SceneSkin {
   /** Nodes, each at most once. */
   readonly joints: readonly number[];
@@ -104,6 +109,7 @@ export interface SceneTarget {
   readonly weight: number;
 }
 
+/** A material, as far as skins have it. */
 export interface SceneMaterial {
   readonly name: string;
   /** Linear red, green and blue, 0 to 1; without a texture. */
@@ -112,6 +118,7 @@ export interface SceneMaterial {
   readonly texture?: string;
 }
 
+/** An animation of nodes and morph weights, in seconds. */
 export interface SceneTake {
   readonly name: string;
   /** First and last second. */

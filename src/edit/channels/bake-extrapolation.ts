@@ -21,6 +21,7 @@ import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
 
+/** A channel whose extrapolation is baked, with the numbers of its keys. */
 export interface Baked {
   readonly channel: KeyedChannel;
   readonly keysBefore: number;

@@ -22,6 +22,7 @@ import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '.
 const TURN = 2 * Math.PI;
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
 
+/** One of something for each of a rotation's three angles. */
 export type Triple<T> = readonly [T, T, T];
 
 /** Whether three channels are keyed at the same times, as `filterRotations` requires. */

@@ -14,6 +14,7 @@
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { FIXED_TANGENT, FLAT, type KeyedChannel, type Tangents } from '../../model/takes/clip.ts';
 
+/** A channel made to loop, and what that changed, in the channel's unit. */
 export interface Looped {
   readonly channel: KeyedChannel;
   /** Change of the last key's value; 0 if an offset is kept. */

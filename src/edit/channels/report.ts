@@ -13,6 +13,7 @@ export interface Reduction {
   readonly largest: Readonly<Partial<Record<DofUnit, WorstChannel>>>;
 }
 
+/** The channel of one unit that changed most, by index in the clip. */
 export interface WorstChannel extends Difference {
   readonly channel: number;
 }
@@ -23,6 +24,7 @@ export interface ChannelResult extends Difference {
   readonly keysAfter: number;
 }
 
+/** Adds the results of several channels up, with the largest error of each unit. */
 export function reductionOf(
   results: readonly { readonly index: number; readonly changed: boolean; readonly result: ChannelResult }[],
   unitOf: (channel: number) => DofUnit,

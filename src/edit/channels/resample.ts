@@ -18,6 +18,7 @@ import { unrolled } from './bake-extrapolation.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { frozen, meets, slopedKey } from './sloped-key.ts';
 
+/** Frames at which a channel gets keys, and how these are joined. */
 export interface Resampling {
   readonly framesPerSecond: number;
   /**

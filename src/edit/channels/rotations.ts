@@ -7,6 +7,7 @@ import { jointName } from '../../model/skeleton/joint-name.ts';
 import type { Channel, KeyedChannel } from '../../model/takes/clip.ts';
 import { filterRotations, keyedTogether, keysChanged, type Triple, unrollAngle } from './euler-filter.ts';
 
+/** Channels after the Euler filter. */
 export interface Filtered {
   /** All of the clip's channels; unchanged ones keep their identity. */
   readonly channels: readonly Channel[];

@@ -6,6 +6,7 @@ import type { Slopes } from '../../evaluate/slopes.ts';
 import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/takes/clip.ts';
 import { type Key, keyAt, type Tangent, tangent } from '../keys/columns.ts';
 
+/** A key with the slopes that its tangents have among its neighbours, in value per second. */
 export interface Sloped extends Key {
   readonly slopeIn: number;
   readonly slopeOut: number;

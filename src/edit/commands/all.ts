@@ -42,6 +42,7 @@ export function commandList(): readonly CommandInfo[] {
   }));
 }
 
+/** A command as `marrow.commands()` lists it. */
 export interface CommandInfo {
   readonly id: string;
   /** By name, what each must be. */

@@ -34,6 +34,7 @@ import { withTake } from '../takes.ts';
  */
 export type Tolerances = Readonly<Partial<Record<DofUnit, number>>>;
 
+/** Arguments of simplifying channels: fewer keys, within a tolerance in each channel's unit. */
 export interface Simplify extends OfChannels {
   /** Greater than 0: one per unit, to combine half a degree with a millimetre, or one for all. */
   readonly tolerance: number | Tolerances;
@@ -66,6 +67,7 @@ export function simplifyPreview(document: Document, args: Simplify): Reduction {
   return reduction(document, args, simplified(document, args));
 }
 
+/** Arguments of resampling channels. */
 export interface Resample extends OfChannels, Resampling {}
 
 /** A key on every frame; see `channels/resample.ts`. */
@@ -123,6 +125,7 @@ export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<E
   return { ...result, edit: { document: after, keys: allKeys(filtered, result.changed) } };
 }
 
+/** Arguments of baking the extrapolation of channels. */
 export interface BakeExtrapolation extends OfChannels {
   /** Seconds of the clip. */
   readonly from: number;
@@ -137,6 +140,7 @@ export const bakeExtrapolation = command({
   run: (document, args) => edited(document, args, baked(document, args)),
 });
 
+/** What baking the extrapolation would do, in numbers of keys. */
 export interface BakePreview {
   readonly keysBefore: number;
   readonly keysAfter: number;

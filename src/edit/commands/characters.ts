@@ -13,6 +13,7 @@ import { CHARACTER, placement } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
+/** Removes a character with all its takes. */
 export const removeCharacter = command({
   id: 'character.remove',
   args: CHARACTER,
@@ -23,6 +24,7 @@ export const removeCharacter = command({
   },
 });
 
+/** Renames a character; its files keep their names. */
 export const renameCharacter = command({
   id: 'character.rename',
   args: { ...CHARACTER, name: filledText },
@@ -61,6 +63,7 @@ export const showClip = command({
     }),
 });
 
+/** Sets how many seconds are added to the transport's time for a character. */
 export const setTimeOffset = command({
   id: 'character.setTimeOffset',
   args: { ...CHARACTER, seconds: number },
@@ -98,6 +101,7 @@ export const addCopy = command({
     }),
 });
 
+/** Removes an instance of a character. Refuses the last one. */
 export const removeCopy = command({
   id: 'character.removeCopy',
   args: { ...CHARACTER, index },

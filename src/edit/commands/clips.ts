@@ -23,6 +23,7 @@ interface OfTake {
   readonly clip?: number | undefined;
 }
 
+/** Sets the seconds of a take that play; its keys stay. */
 export const setClipRange = command({
   id: 'clip.setRange',
   args: {

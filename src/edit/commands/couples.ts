@@ -14,6 +14,7 @@ import { index, nullable, number, record, text } from '../schema/shape.ts';
 import { JOINT } from '../schema/shared-shapes.ts';
 import { jointIn } from '../step-names.ts';
 
+/** The DOF that a linked one follows, with gain and offset. */
 export interface FollowedDof {
   /** Index; may be the joint itself. */
   readonly joint: number;

@@ -22,6 +22,7 @@ import { requireTake, withChannels, withTake } from '../takes.ts';
 import { withUnkeyed } from '../unkeyed.ts';
 import { pinnedNames, requirePin } from './ik.ts';
 
+/** Arguments of holding pins over a range. */
 export interface HoldPins {
   readonly characterId: string;
   /** Ids; the character's other pins are ignored. */

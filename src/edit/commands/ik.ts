@@ -45,6 +45,7 @@ export const pinPoint = command({
     }),
 });
 
+/** Removes pins, by id. Refuses ids that the character has no pin of. */
 export const unpin = command({
   id: 'ik.unpin',
   args: {
@@ -60,6 +61,7 @@ export const unpin = command({
     }),
 });
 
+/** Removes all pins of a character. */
 export const clearPins = command({
   id: 'ik.clearPins',
   args: CHARACTER,
@@ -71,6 +73,9 @@ export const clearPins = command({
     change(document, characterId, (ik) => (ik.pins.length ? { ...ik, pins: [] } : ik)),
 });
 
+/**
+ * Changes a pin: its weight, orientation, joint or point. Refuses a point that another pin of the joint already holds.
+ */
 export const setPin = command({
   id: 'ik.setPin',
   args: {
@@ -109,6 +114,7 @@ export const setPin = command({
     }),
 });
 
+/** Sets how far joints resist bending in IK, or locks them. Affects dragging, not the pose. */
 export const setStiffness = command({
   id: 'ik.setStiffness',
   args: {

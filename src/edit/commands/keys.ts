@@ -28,6 +28,7 @@ import { ifGiven, index, list, number, optional } from '../schema/shape.ts';
 import { CHANNELS, KEYS, NOW, onCollision, PLACING, tangentKind } from '../schema/shared-shapes.ts';
 import { curvesIn, keysIn } from '../step-names.ts';
 
+/** A time at which keys are made. */
 export interface AtTime {
   /** Of the clip. */
   readonly timeSeconds: number;
@@ -88,6 +89,7 @@ export const addKey = command({
   },
 });
 
+/** Moves keys in time and value, and selects them at their new places. */
 export const moveKeys = command({
   id: 'keys.move',
   args: {
@@ -108,6 +110,7 @@ export const moveKeys = command({
   },
 });
 
+/** Scales keys in time and value about a point, and selects them at their new places; see `keys/scale.ts`. */
 export const scaleKeys = command({
   id: 'keys.scale',
   args: {

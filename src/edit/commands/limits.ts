@@ -15,6 +15,7 @@ import { index, number } from '../schema/shape.ts';
 import { CHARACTER } from '../schema/shared-shapes.ts';
 import { dofIn } from '../step-names.ts';
 
+/** A DOF of a character, as argument of commands. */
 export interface OfDof {
   readonly characterId: string;
   /** Index into the character's DOFs (`model/dofs.ts`), of one that takes limits. */
@@ -32,6 +33,7 @@ export const setLimit = command({
   },
 });
 
+/** Removes both limits of a DOF: it becomes unlimited. */
 export const clearLimit = command({
   id: 'skeleton.clearLimit',
   args: { ...CHARACTER, dof: index },

@@ -56,6 +56,7 @@ export const changeMarker = command({
     }),
 });
 
+/** Removes markers of a take, by index. */
 export const removeMarkers = command({
   id: 'markers.remove',
   args: {

@@ -17,6 +17,7 @@ const copied = record({
   ),
 });
 
+/** Pastes copied keys at a time, into their own channels or those given by `into`, and selects them. */
 export const pasteKeys = command({
   id: 'keys.paste',
   args: {

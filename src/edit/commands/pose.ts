@@ -28,6 +28,7 @@ import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
 import { withTake } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
+/** Arguments of posing: values in the DOFs' units. */
 export interface SetDofs {
   readonly characterId: string;
   readonly dofs: readonly DofValue[];
@@ -58,6 +59,7 @@ export const setDofs = command({
     }),
 });
 
+/** Sets every DOF to its value in the file, or at rest. */
 export const resetPose = command({
   id: 'pose.reset',
   args: {
@@ -76,6 +78,7 @@ export const resetPose = command({
     }),
 });
 
+/** Sets whether the limits of a character are enforced; its values stay as they are. */
 export const setClamping = command({
   id: 'pose.setClamping',
   args: { ...CHARACTER, clamps: boolean },

@@ -24,6 +24,10 @@ import { CHARACTER, indices, key, NOW, poseByNames } from '../schema/shared-shap
 import { characterIn, jointIn } from '../step-names.ts';
 import { setValues, withinLimit } from './pose.ts';
 
+/**
+ * Mirrors the displayed pose, or copies that of one side to the other. Refuses `toOther` where the joint is on neither
+ * side.
+ */
 export const mirrorPose = command({
   id: 'poses.mirror',
   args: {
@@ -114,6 +118,7 @@ export const updatePose = command({
     }),
 });
 
+/** Renames a pose of the library. Refuses a name that another one has. */
 export const renamePose = command({
   id: 'poses.rename',
   args: { ...CHARACTER, pose: index, name: filledText },
@@ -135,6 +140,7 @@ export const renamePose = command({
     }),
 });
 
+/** Removes poses of the library, by index. */
 export const removePoses = command({
   id: 'poses.remove',
   args: { ...CHARACTER, poses: indices },
@@ -152,6 +158,10 @@ export const removePoses = command({
     }),
 });
 
+/**
+ * Applies a pose of the library, or blends the displayed one to it.
+ * @throws CommandError if `share` is not from 0 to 1, or an index doesn't exist
+ */
 export const applyPose = command({
   id: 'poses.apply',
   args: {

@@ -40,6 +40,10 @@ const options: Shape<Partial<RetargetOptions>> = record({
 });
 const OPTIONS = { options: optional(options) } as const;
 
+/**
+ * Retargets another character's shown take live; without `pairs`, joints are matched by name and shape. Refuses a
+ * source that is retargeted itself, or has no skeleton or take.
+ */
 export const setRetarget = command({
   id: 'retarget.set',
   args: {

@@ -28,6 +28,7 @@ export const addToReview = command({
   },
 });
 
+/** Removes takes from the list of reviewed ones; their files stay. */
 export const removeFromReview = command({
   id: 'review.remove',
   args: PATHS,

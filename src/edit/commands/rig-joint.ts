@@ -24,6 +24,7 @@ import { index, nullable, number, oneOf, optional, record, text } from '../schem
 import { JOINT, RIGGING, vector } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 
+/** Renames a joint; names may repeat. */
 export const renameJoint = command({
   id: 'rig.rename',
   args: {

@@ -242,6 +242,7 @@ export const limitRigged = command({
   run: (document, args) => boundAnew(document, args, setLimit.runRead(document, args)),
 });
 
+/** Removes the limits of a DOF, and rebinds skins if asked to. */
 export const clearLimitRigged = command({
   id: 'rig.clearLimit',
   args: { ...RIGGING, dof: index },

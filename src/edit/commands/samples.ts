@@ -77,6 +77,7 @@ export const splitSamples = command({
     }),
 });
 
+/** Arguments of resampling samples; the rate must be greater than 0. */
 export interface ResampleSamples extends OfSamples {
   readonly framesPerSecond: number;
 }
@@ -110,6 +111,7 @@ export function* reverseSteps(document: Document, args: OfSamples): Steps<Docume
   return withClip(document, args, yield* reversing(ownTake(requireCharacter(document, args.characterId))));
 }
 
+/** Arguments of smoothing samples, or removing their spikes. */
 export interface SmoothSamples extends OfSamples {
   /** Default: all sampled channels. */
   readonly channels?: readonly number[] | undefined;
@@ -123,6 +125,7 @@ export interface SmoothSamples extends OfSamples {
   readonly range?: readonly [number, number] | undefined;
 }
 
+/** Smooths sampled channels, or removes their spikes; see `samples/smooth.ts`. */
 export const smoothSamples = command({
   id: 'samples.smooth',
   args: {
@@ -166,6 +169,7 @@ function interval(from: number, to: number): readonly [number, number] {
   throw new CommandError(`The range ends at ${to} s, before its start at ${from} s.`);
 }
 
+/** Arguments of converting samples to keys. */
 export interface ConvertToKeys extends OfSamples {
   /** Default: all sampled channels; others are skipped. */
   readonly channels?: readonly number[] | undefined;

@@ -28,8 +28,10 @@ import { NOW } from '../schema/shared-shapes.ts';
  * as posed now.
  */
 export const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
+/** The pose in which a skin is bound; see `BIND_PLACES`. */
 export type BindPlace = (typeof BIND_PLACES)[number];
 
+/** Arguments of computing weights. */
 export interface AutoWeights {
   readonly characterId: string;
   /** Index of the character's skins; default: the shown one. */
@@ -42,6 +44,7 @@ export interface AutoWeights {
   readonly mostInfluences?: number | undefined;
 }
 
+/** Joints per vertex at most, unless stated. */
 export const USUAL_INFLUENCES = 4;
 const MAX_INFLUENCES = 16;
 
@@ -57,6 +60,7 @@ export interface AutoWeighted {
   readonly idle: readonly number[];
 }
 
+/** Computes weights and bindings of a skin by heat equilibrium; existing ones are replaced. */
 export const autoWeights = command({
   id: 'skin.autoWeights',
   args: {

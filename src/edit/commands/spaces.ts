@@ -21,6 +21,7 @@ const space = record({
   metres: optional(number),
 });
 
+/** Sets unit, up axis and lift of a character, and of others with the same skeleton if asked to. */
 export const setSpace = command({
   id: 'character.setSpace',
   args: {

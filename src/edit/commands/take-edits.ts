@@ -25,6 +25,7 @@ import { withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 import { checkedRefs, nameOfTake, type TakeRef } from './takes.ts';
 
+/** Takes as arguments of commands; they may belong to different characters. */
 export interface OfTakes {
   readonly takes: readonly TakeRef[];
 }
@@ -44,6 +45,7 @@ export function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<
   );
 }
 
+/** Arguments of changing the speed of takes. */
 export interface SetSpeed extends OfTakes {
   /** 2 plays twice as fast; greater than 0. */
   readonly factor: number;
@@ -65,6 +67,7 @@ export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): 
   return changingTakes(document, takes, (character, clip) => retiming(character, clip, factor));
 }
 
+/** Arguments of making takes loop. */
 export interface LoopTakes extends OfTakes {
   /** Of frames; default 0.25, at most half of the take. */
   readonly blendSeconds?: number | undefined;
@@ -111,6 +114,7 @@ function loopedKeys({ skeleton, morphs }: Character, clip: ChannelClip): Channel
   return channels.every((channel, c) => channel === clip.channels[c]) ? clip : { ...clip, channels };
 }
 
+/** Arguments of locking feet. */
 export interface LockFeet extends OfTakes {
   /** Default 0.1. */
   readonly easeSeconds?: number | undefined;

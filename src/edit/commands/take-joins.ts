@@ -36,6 +36,7 @@ export interface HowJoined {
   readonly align?: JoinAlignment | undefined;
 }
 
+/** Arguments of joining takes, in the order in which they follow each other. */
 export interface JoinTakes extends OfTakes, HowJoined {
   /** Default: the first one's, with `_joined`. */
   readonly name?: string | undefined;
@@ -95,6 +96,7 @@ function fadeOf({ frameSeconds }: Samples, start: number, overlap: number, name:
   return [{ timeSeconds: start, endSeconds: start + (overlap - 1) * frameSeconds, label: `to ${name}` }];
 }
 
+/** Arguments of cutting frames out of takes. */
 export interface CutOut extends OfTakes, HowJoined {
   /** The first second of the clip that is removed, and the last. */
   readonly from: number;
@@ -140,6 +142,7 @@ export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   });
 }
 
+/** Arguments of inserting a take, or a held pose, into another take. */
 export interface InsertInto extends HowJoined {
   readonly into: TakeRef;
   /** Seconds of the clip; what is there goes on after it. */

@@ -76,6 +76,7 @@ export const alignStarts = command({
   },
 });
 
+/** Sets how many seconds are added to the transport's time for each of the characters. */
 export const setTimeOffsets = command({
   id: 'takes.setTimeOffsets',
   args: { ...CHARACTERS, seconds: number },
@@ -90,6 +91,7 @@ export const setTimeOffsets = command({
  * in the first one's coordinates, as recorded together.
  */
 export const ARRANGEMENTS = ['grid', 'spot', 'space'] as const;
+/** How characters are placed; see `ARRANGEMENTS`. */
 export type Arrangement = (typeof ARRANGEMENTS)[number];
 
 const ARRANGED: Readonly<Record<Arrangement, string>> = {
@@ -98,6 +100,7 @@ const ARRANGED: Readonly<Record<Arrangement, string>> = {
   space: 'in the same space',
 };
 
+/** Moves characters into a grid, onto one spot, or to one placement, so that they are as far apart as in their files. */
 export const arrange = command({
   id: 'takes.arrange',
   args: { ...CHARACTERS, how: oneOf(ARRANGEMENTS) },
@@ -382,6 +385,11 @@ function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<str
   return found;
 }
 
+/**
+ * The name of a take, cut to `length` characters: the retargeted one's if it is meant, the character's if there is
+ * none.
+ * @throws CommandError if the character does not exist
+ */
 export function nameOfTake(document: Document, { characterId, clip }: TakeRef, length?: number): string {
   const character = requireCharacter(document, characterId);
   const named = clip === RETARGETED ? character.driver?.source.clip : character.clips[clip];

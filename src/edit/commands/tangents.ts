@@ -36,6 +36,7 @@ export const setSlopes = command({
   },
 });
 
+/** Gives both tangents of each key the mean of their slopes; keys whose slopes agree are kept. */
 export const unifyTangents = command({
   id: 'keys.unify',
   args: KEYS,
@@ -43,6 +44,7 @@ export const unifyTangents = command({
   run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsUnified),
 });
 
+/** Breaks the tangents of keys, so that each can be changed alone; the curve stays. */
 export const breakTangents = command({
   id: 'keys.break',
   args: KEYS,

@@ -14,6 +14,7 @@ import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
+/** Options of converting samples to keys. */
 export interface SampleKeyOptions {
   /**
    * Keys are removed as long as every curve stays within this tolerance; radians or length units. 0: none are removed.

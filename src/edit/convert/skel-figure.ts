@@ -29,6 +29,7 @@ import {
 import { type Channel, type ChannelClip, restChannel } from '../../model/takes/clip.ts';
 import { keyedClip, type SampleKeyOptions } from './keys-of-samples.ts';
 
+/** A skeleton that `.skel` can store, and which old channel each of its channels comes from. */
 export interface SkelFigure {
   readonly skeleton: Skeleton;
   /** For each channel of a clip of the new skeleton, that of the old one; -1 for none. */

@@ -20,6 +20,7 @@ import { CommandError } from '../command-error.ts';
 import { takeAlone } from '../samples/take-alone.ts';
 import { holding } from './hold.ts';
 
+/** Options of locking feet. */
 export interface FootLockOptions {
   /** Ease in before a contact and ease out after it, at most half of the time in the air. */
   readonly easeSeconds: number;
@@ -39,6 +40,7 @@ export interface LockedContact {
   readonly slidesBefore: number;
 }
 
+/** A take with locked feet, and what was done. */
 export interface LockedFeet {
   /** The same object if no foot slides. */
   readonly clip: ChannelClip;

@@ -24,6 +24,7 @@ import { slides, withHalves } from './measure.ts';
 import { pruning } from './prune.ts';
 import { type HoldWindow, keyedWindow, sampledWindow } from './window.ts';
 
+/** The range of a hold, and how its frames are solved. */
 export interface HoldOptions {
   /** Seconds of the clip. */
   readonly range: readonly [number, number];
@@ -33,6 +34,7 @@ export interface HoldOptions {
   readonly tolerance: number | undefined;
 }
 
+/** How far a pin slides, before and after. */
 export interface HeldPin {
   /** Its id. */
   readonly pin: number;
@@ -41,6 +43,7 @@ export interface HeldPin {
   readonly slideAfter: number;
 }
 
+/** A take with held pins, and what was done. */
 export interface HeldTake {
   /** The same object if nothing had to be changed. */
   readonly clip: ChannelClip;

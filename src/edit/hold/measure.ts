@@ -87,6 +87,10 @@ export function measuredPoints(skeleton: Skeleton, pins: readonly Pin[]): readon
   ];
 }
 
+/**
+ * The length of the lever by which a rotation is compared with a displacement, in lengths: a fixed part of the
+ * skeleton's reach.
+ */
 export function armOf(skeleton: Skeleton): number {
   return ARM * reachOfSkeleton(skeleton);
 }

@@ -14,6 +14,7 @@ import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/col
 import { insertKey } from '../keys/insert.ts';
 import { findKey, sameTime } from '../keys/same-time.ts';
 
+/** The values that replace a stretch of a curve. */
 export interface Stretch {
   /** Seconds of the clip, strictly ascending; at least two. */
   readonly times: Float64Array;

@@ -16,6 +16,7 @@ import { sameTime } from '../keys/same-time.ts';
 import { firstFrameFrom, lastFrameTo } from '../samples/frames.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 
+/** The frames of a hold, with their weights. */
 export interface HoldWindow {
   /** Seconds of the clip, strictly ascending: nothing changes before the first and after the last. */
   readonly times: Float64Array;

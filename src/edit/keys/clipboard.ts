@@ -22,6 +22,7 @@ export interface CopiedKeys {
   readonly channels: readonly CopiedChannel[];
 }
 
+/** The copied keys of one channel, as columns. */
 export interface CopiedChannel {
   /** The source channel. */
   readonly channel: number;
@@ -39,6 +40,7 @@ export interface CopiedChannel {
  *  - insert: keys there and later are moved by the duration of the pasted keys.
  */
 export const PASTE_MODES = ['merge', 'replace', 'insert'] as const;
+/** What becomes of keys in the pasted range; see `PASTE_MODES`. */
 export type PasteMode = (typeof PASTE_MODES)[number];
 
 /** With `insert`, keys are always put at the requested time, since moving later keys changes the cycle anyway. */
@@ -50,6 +52,7 @@ export interface Paste extends KeyPlacing {
   readonly mode: PasteMode;
 }
 
+/** The channels after pasting. */
 export interface Pasted {
   /** All channels of the clip; unchanged ones keep their identity. */
   readonly channels: readonly Channel[];
@@ -57,6 +60,7 @@ export interface Pasted {
   readonly keys: readonly ChannelKeys[];
 }
 
+/** Copies keys, with times relative to the earliest one; channels without keys are left out. */
 export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): CopiedKeys {
   const taken = keys.flatMap(({ channel, indices }) => {
     const own = clip.channels[channel];

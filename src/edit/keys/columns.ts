@@ -12,6 +12,7 @@ export interface Tangent {
   readonly slope: number;
 }
 
+/** One key as an object, in the channel's unit. */
 export interface Key {
   /** Seconds of the clip. */
   readonly time: number;
@@ -20,10 +21,12 @@ export interface Key {
   readonly out: Tangent;
 }
 
+/** A tangent of a kind (an index into `TANGENT_KINDS`); the slope only counts for fixed ones. */
 export function tangent(kind: number, slope = 0): Tangent {
   return { kind, slope: kind === FIXED_TANGENT ? slope : 0 };
 }
 
+/** The key at an index of a channel, as an object; the index must exist. */
 export function keyAt(channel: KeyedChannel, index: number): Key {
   return {
     time: channel.times[index],

@@ -16,7 +16,9 @@ import { keyAt } from './columns.ts';
 import { sameTime } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
+/** What a key outside the cycle of a repeating channel can mean. */
 export const OUTSIDE_CYCLE = ['bake', 'inside', 'lengthen'] as const;
+/** What a key outside a cycle means; see `OUTSIDE_CYCLE`. */
 export type OutsideCycle = (typeof OUTSIDE_CYCLE)[number];
 
 /** What to do with keys outside a cycle. */
@@ -44,6 +46,7 @@ function hasCycle(channel: Channel): channel is KeyedChannel {
   );
 }
 
+/** A channel that now repeats with another period. */
 export interface ChangedCycle {
   readonly channel: number;
   /** Seconds from one repetition to the next, before and after. */

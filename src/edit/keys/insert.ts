@@ -35,6 +35,7 @@ import { withKeyAt } from './splice.ts';
 
 const SIDES = ['in', 'out'] as const;
 
+/** A channel with a key at the time asked for. */
 export interface Inserted {
   /** The same object if there was a key already. */
   readonly channel: KeyedChannel;

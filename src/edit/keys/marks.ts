@@ -12,6 +12,7 @@ import { countNotAbove } from './same-time.ts';
 
 /** Bits of a pixel's mark: a pixel with both has keys of which only some are selected. */
 export const PLAIN = 1;
+/** Bit of a pixel with a selected key. */
 export const SELECTED = 2;
 
 /** Keys per pixel above which a channel is searched. */

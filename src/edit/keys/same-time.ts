@@ -8,6 +8,7 @@ import type { KeyedChannel } from '../../model/takes/clip.ts';
 /** Seconds; relative for times above one second. */
 const WITHIN = 1e-9;
 
+/** Whether two times differ by no more than a billionth, of a second or of themselves if that is more. */
 export function sameTime(a: number, b: number): boolean {
   return Math.abs(a - b) <= WITHIN * Math.max(1, Math.abs(a), Math.abs(b));
 }

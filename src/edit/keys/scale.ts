@@ -13,6 +13,7 @@ import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 import { withValues } from './move.ts';
 
+/** Factors of times and values, and the point that stays. */
 export interface Scaling {
   /** Clip time that stays fixed. */
   readonly pivotSeconds: number;

@@ -8,6 +8,7 @@ import type { ChannelKeys } from '../../model/session.ts';
 import { type ChannelClip, keysOf } from '../../model/takes/clip.ts';
 import { sameTime } from './same-time.ts';
 
+/** The set without keys; always the same object. */
 export const NO_KEY_SELECTION: readonly ChannelKeys[] = [];
 
 /** Every key of these channels (indices into the clip's); default: all channels. */
@@ -52,6 +53,7 @@ export function hasKey(keys: readonly ChannelKeys[] | undefined, channel: number
   return indices !== undefined && indices[firstNotBelow(indices, index)] === index;
 }
 
+/** The number of keys in all channels; 0 for undefined. */
 export function countKeys(keys: readonly ChannelKeys[] | undefined): number {
   let count = 0;
   for (const { indices } of keys ?? []) count += indices.length;

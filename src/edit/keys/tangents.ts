@@ -6,6 +6,7 @@ import { type Tangent, tangent } from './columns.ts';
 
 /** The side of a key that is edited. */
 export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
+/** Which of a key's tangents is meant; see `TANGENT_SIDES`. */
 export type TangentSide = (typeof TANGENT_SIDES)[number];
 
 /**

@@ -32,6 +32,7 @@ export function poseByNames(character: Posed, { name, values }: NamedPose): Pose
   return { name, ...(root.length === 3 && { root: [x, y, z] }), joints, weights };
 }
 
+/** A pose by names, as values of a character's DOFs. */
 export interface TakenPose {
   /** By DOF of the character. */
   readonly values: ReadonlyMap<number, number>;

@@ -14,6 +14,7 @@ const MAX_DAMPING = 1e12;
 /** A result must be better by this fraction; otherwise the earlier one is kept. */
 const BETTER = 1e-9;
 
+/** The matrix that a joint should have, and the values that its DOFs may take. */
 export interface LocalFit {
   readonly motion: JointMotion;
   /** Index into `dofs`. */

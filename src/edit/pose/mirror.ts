@@ -35,6 +35,7 @@ export interface MirrorScope {
   readonly stays?: boolean;
 }
 
+/** The mirrored pose, and which joints take part. */
 export interface MirroredPose {
   /** The character's DOFs, without morphs. */
   readonly dofs: Float64Array;

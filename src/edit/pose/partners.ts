@@ -20,6 +20,7 @@ const BETTER_THAN_SELF = 0.5;
 /** With more siblings, only names are used. */
 const MAX_SIBLINGS = 400;
 
+/** The counterpart of each joint across a plane; distances are fractions of the skeleton's size. */
 export interface Partners {
   /** Each joint's partner, itself in the middle, -1 for none. */
   readonly partner: Int32Array;

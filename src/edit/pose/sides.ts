@@ -8,6 +8,7 @@
  * their side are counterparts, whatever they mean.
  */
 
+/** The side that a name states. */
 export type Side = 'left' | 'right';
 
 /** One reading of a name. */

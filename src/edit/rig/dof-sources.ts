@@ -15,6 +15,7 @@ import { isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '.
 import { sameDof, timesSign } from './same-dof.ts';
 import type { Likeness } from './tree.ts';
 
+/** Where a new DOF's values come from. */
 export interface DofSource {
   /** Index of the old DOF in the character's list; -1 for a new one. */
   readonly from: number;

@@ -65,6 +65,7 @@ export function snapped(value: number, step: number): number {
   return tidy(Math.round(value / step) * step) + 0;
 }
 
+/** The nearest point of the grid whose lines are `step` apart. */
 export function snappedPoint([x, y, z]: Vec3, step: number): Vec3 {
   return [snapped(x, step), snapped(y, step), snapped(z, step)];
 }
@@ -95,6 +96,7 @@ function dustOf(unitsPerPixel: number): number {
   return 10 ** Math.floor(Math.log10(Math.max(unitsPerPixel, 1e-12) / 10));
 }
 
+/** The lower or the upper side of a joint's box on an axis. */
 export type BoxSide = 'min' | 'max';
 
 /**

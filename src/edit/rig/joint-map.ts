@@ -13,6 +13,7 @@ import { type DofSource, dofSources, fittedJoint } from './dof-sources.ts';
 import { type SameDof, sameDof, timesSign } from './same-dof.ts';
 import { type Branch, type Likeness, listJoints } from './tree.ts';
 
+/** How the joints and DOFs of a skeleton become those of the next. */
 export interface JointMap {
   readonly before: Skeleton;
   readonly after: Skeleton;

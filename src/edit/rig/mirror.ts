@@ -29,6 +29,7 @@ const IN_PLANE = 1e-6;
 const IN_MIDDLE = 0.05;
 const NEAR = 0.05;
 
+/** A skeleton with a mirrored hierarchy. */
 export interface MirroredHierarchy {
   readonly map: JointMap;
   /** New index of the joint on the other side. */

@@ -22,6 +22,7 @@ import {
 } from '../../model/skeleton/joint-types.ts';
 import type { Box, Limit, Motion } from '../../model/skeleton/skeleton.ts';
 
+/** A mirrored motion, and the signs by which its values are those of the original. */
 export interface MirroredMotion {
   readonly motion: Motion;
   /** One per DOF: 1 or −1. */
@@ -54,6 +55,7 @@ function signOf(name: string, across: number): number {
   return 1;
 }
 
+/** A box reflected at the plane perpendicular to axis `across` (0, 1, 2 for x, y, z). */
 export function reflectedBox({ min, max }: Box, across: number): Box {
   const [a, b] = [reflected(min, across), reflected(max, across)];
   const low = (k: number) => (k === across ? b : a)[k];
@@ -61,6 +63,7 @@ export function reflectedBox({ min, max }: Box, across: number): Box {
   return { min: [low(0), low(1), low(2)], max: [high(0), high(1), high(2)] };
 }
 
+/** The limits of a DOF whose values are multiplied by `sign`, 1 or −1. */
 export function mirroredLimit(limit: Limit, sign: number): Limit {
   return sign > 0 ? limit : { min: -limit.max + 0, max: -limit.min + 0 };
 }

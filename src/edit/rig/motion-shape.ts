@@ -18,6 +18,9 @@ const axis: Shape<Vec3> = {
   },
 };
 
+/**
+ * The shape of a motion in arguments of commands; it refuses parameters that the kind lacks or that are out of range.
+ */
 export const motion: Shape<Motion> = {
   what: `{ kind: ${kind.what}; ${parametersInWords()} }`,
   read(value, path) {

@@ -3,8 +3,10 @@
  * the displayed pose. `follows` (pose mode): its bindings are kept, and it moves along.
  */
 export const SKIN_MODES = ['stays', 'follows'] as const;
+/** What the skin does when joints move; see `SKIN_MODES`. */
 export type SkinMode = (typeof SKIN_MODES)[number];
 
+/** What all rigging commands are given. */
 export interface Rigging {
   readonly characterId: string;
   /** Default `follows`. */
@@ -13,9 +15,12 @@ export interface Rigging {
   readonly timeSeconds?: number | undefined;
 }
 
+/** A joint, as argument of rigging commands. */
 export interface OfJoint extends Rigging {
   readonly joint: number;
 }
 
+/** An axis by its letter. */
 export type NamedAxis = 'x' | 'y' | 'z';
+/** The letters of the axes, in the order of their indices. */
 export const AXIS_LETTERS: readonly NamedAxis[] = ['x', 'y', 'z'];

@@ -6,6 +6,7 @@
 import { axisOf, dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Motion } from '../../model/skeleton/skeleton.ts';
 
+/** The DOF of another motion with the same effect. */
 export interface SameDof {
   readonly name: string;
   /** Factor of the values. */

@@ -5,6 +5,7 @@ import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { CommandError } from '../command-error.ts';
 
+/** A displayed pose with its matrices. */
 export interface ShownPose {
   readonly compiled: CompiledSkeleton;
   /** All DOFs of the character, with limits and links applied. */
@@ -23,6 +24,10 @@ export function shownAt(character: Character, timeSeconds: number): ShownPose {
   return { compiled, dofs, world };
 }
 
+/**
+ * The skeleton of a character.
+ * @throws CommandError if it has none
+ */
 export function requireSkeleton({ name, skeleton }: Character): Skeleton {
   if (!skeleton) throw new CommandError(`${name} has no skeleton.`);
   return skeleton;

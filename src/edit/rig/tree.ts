@@ -4,6 +4,7 @@
  */
 import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 
+/** A joint with its descendants, while a skeleton is being changed. */
 export interface Branch {
   /** Index of the old joint; -1 for a new one. */
   readonly origin: number;
@@ -21,6 +22,7 @@ export interface Likeness {
   readonly signs: readonly number[];
 }
 
+/** A tree as a list of joints in depth-first pre-order. */
 export interface Listed {
   readonly joints: readonly Joint[];
   /** The branch of each joint. */

@@ -40,6 +40,7 @@ export class VertexPlaces {
     }
   }
 
+  /** The skin with the vertices at their new positions; the same object if none is moved. */
   skin(): Skin {
     const { after, ways } = this;
     if (ways.size === 0) return after;
@@ -53,6 +54,7 @@ export class VertexPlaces {
     return { ...after, positions, ...(normals && { normals }) };
   }
 
+  /** The morphs with moved rows; unchanged ones keep their identity. */
   morphs(morphs: readonly Morph[]): readonly Morph[] {
     const next = morphs.map((morph) => {
       const positions = this.rows(morph.positions, 'position');

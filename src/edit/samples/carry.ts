@@ -13,6 +13,7 @@ import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { ChannelClip } from '../../model/takes/clip.ts';
 import { anglesOf, type JointRotation, jointRotations } from './rotations.ts';
 
+/** A rotation about the up axis, then a shift over the ground. */
 export interface Carry {
   /** Radians about the up axis. */
   readonly turn: number;
@@ -20,8 +21,10 @@ export interface Carry {
   readonly shift: readonly [number, number, number];
 }
 
+/** The carry that moves nothing. */
 export const STAYS: Carry = { turn: 0, shift: [0, 0, 0] };
 
+/** Whether a carry moves anything. */
 export function isCarried({ turn, shift }: Carry): boolean {
   return turn !== 0 || shift.some((v) => v !== 0);
 }
@@ -61,6 +64,7 @@ export class Carrier {
     return this.world;
   }
 
+  /** Place and rotation of the joint that carries the body, for a row of DOFs. */
   stanceOf(dofs: Float64Array): Stance {
     const world = this.worldOf(dofs);
     const rotation = new Float64Array(9);

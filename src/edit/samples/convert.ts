@@ -36,6 +36,7 @@ import { requireSamples } from './frames.ts';
 import { measuringPoses, type PoseErrors } from './pose-error.ts';
 import { jointRotations, unroll, unrollTriples } from './rotations.ts';
 
+/** How far a pose may differ after conversion. */
 export interface Tolerance {
   /** Maximum distance of a joint or End Site from its previous position, in the file's lengths; greater than 0. */
   readonly position: number;
@@ -61,6 +62,7 @@ function sizeOf({ joints }: Skeleton): number {
   return Math.max(...sides) || 1;
 }
 
+/** The largest error of a conversion, and where it is. */
 export interface Worst {
   readonly error: number;
   /** Index of the joint. */
@@ -69,6 +71,7 @@ export interface Worst {
   readonly atSeconds: number;
 }
 
+/** A take whose samples became keys, and how exact it is. */
 export interface Converted {
   readonly clip: ChannelClip;
   /** Channels that have keys now. */

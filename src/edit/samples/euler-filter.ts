@@ -16,6 +16,7 @@ import { keysChanged } from '../channels/euler-filter.ts';
 import { filterCharacter } from '../channels/rotations.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
 
+/** A take after the Euler filter. */
 export interface FilteredClip {
   /** The same channels and samples if nothing changed. */
   readonly clip: ChannelClip;

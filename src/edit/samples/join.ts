@@ -24,6 +24,7 @@ import { readFrame, writeFrame } from './take-frames.ts';
 
 /** What is laid over what: the root, the foot that stands, or nothing, where takes share a space. */
 export const JOIN_ALIGNMENTS = ['root', 'foot', 'none'] as const;
+/** What is aligned where takes are joined; see `JOIN_ALIGNMENTS`. */
 export type JoinAlignment = (typeof JOIN_ALIGNMENTS)[number];
 
 /** Frames between two yields. */
@@ -40,6 +41,7 @@ const FOLLOWS = { ofWay: 10, ofSize: 0.1 };
 /** Frames follow if they do within this share of a frame. */
 const IN_TIME = 1e-3;
 
+/** The character whose takes are joined, and how they are aligned. */
 export interface Joining {
   readonly character: Pick<Character, 'morphs' | 'space'> & { readonly skeleton: Skeleton };
   /** For what carries the body; of the first take. */

@@ -11,6 +11,7 @@
  * never had.) The window narrows towards the ends: the first and last frame are kept.
  */
 
+/** Windows that a median can have, in frames. */
 export const MEDIAN_FRAMES: readonly number[] = [3, 5, 7];
 
 /** @param reach frames to either side. @returns for each frame the one whose value replaces it */

@@ -12,6 +12,10 @@ import { withKeysScaled } from '../keys/scale.ts';
 import { retimed, withMarkers } from '../markers.ts';
 import { requireSamples } from './frames.ts';
 
+/**
+ * Reverses a take with samples, with its keys, range and markers; yields the fraction that is done.
+ * @throws CommandError if it has no samples
+ */
 export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
   const samples = requireSamples(clip);
   const { values, scales, frameCount } = samples;

@@ -29,6 +29,7 @@ export function frameRange(samples: Samples, range: readonly [number, number] | 
   throw new CommandError(`There are no frames there: the samples run from ${start} s to ${stop} s of the take.`);
 }
 
+/** Whether a range is the whole take, so that it has no seams. */
 export function isWhole({ first, end, frameCount }: FrameRange): boolean {
   return first === 0 && end === frameCount;
 }

@@ -31,6 +31,7 @@ import { medianFrame, medianRotation } from './median.ts';
 import { anglesOf, type JointRotation, nearestForm, putQuaternions, unroll } from './rotations.ts';
 import { type FrameRange, frameRange, isWhole, weightAt } from './seam.ts';
 
+/** A filter of samples, told by `kind`. */
 export type SampleFilter =
   /** σ in seconds; greater than 0. */
   | { readonly kind: 'gaussian'; readonly sigmaSeconds: number }

@@ -6,6 +6,7 @@
 import type { Character } from '../../model/document.ts';
 import type { ChannelClip } from '../../model/takes/clip.ts';
 
+/** The character with `clip` as its only take, shown; times of the transport are then those of the clip. */
 export function takeAlone(character: Character, clip: ChannelClip): Character {
   const { unkeyed: _byHand, driver: _another, ...rest } = character;
   return { ...rest, clips: [clip], shownClip: 0, clampsToLimits: false, timeOffsetSeconds: 0 };

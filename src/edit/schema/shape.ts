@@ -12,6 +12,7 @@
 import { described } from '../arguments.ts';
 import { CommandError } from '../command-error.ts';
 
+/** The shape of a value: checks it, copies it, and says what it must be. */
 export interface Shape<T> {
   /** In words: `a finite number`. */
   readonly what: string;
@@ -39,6 +40,11 @@ const MOST_ITEMS = 2 ** 24;
 /** Characters of a text. */
 const LONGEST_TEXT = 2 ** 20;
 
+/**
+ * The error for a value that doesn't fit.
+ * @param path of the value within the arguments; empty for all of them
+ * @param what the value must be, in words
+ */
 export function misfit(path: string, what: string, value: unknown): CommandError {
   return new CommandError(`${path === '' ? 'The arguments' : `"${path}"`} must be ${what}, found ${described(value)}.`);
 }
@@ -54,7 +60,9 @@ export function shape<T>(what: string, fits: (value: unknown) => value is T): Sh
   };
 }
 
+/** A finite number. */
 export const number: Shape<number> = shape('a finite number', (value): value is number => Number.isFinite(value));
+/** True or false. */
 export const boolean: Shape<boolean> = shape('true or false', (value) => typeof value === 'boolean');
 /** May be empty; commands that need a name say so. */
 export const text: Shape<string> = shape(
@@ -83,11 +91,13 @@ export function whole(from: number): Shape<number> {
 /** Of joints, channels, keys and the like. */
 export const index: Shape<number> = whole(0);
 
+/** One of a list of words or numbers. */
 export function oneOf<const T extends string | number>(values: readonly T[]): Shape<T> {
   const what = `one of ${values.map((value) => JSON.stringify(value)).join(', ')}`;
   return shape(what, (value): value is T => values.some((one) => one === value));
 }
 
+/** A value of one of two shapes, tried in this order. */
 export function either<A, B>(a: Shape<A>, b: Shape<B>): Shape<A | B> {
   const what = `${a.what}, or ${b.what}`;
   return {
@@ -105,6 +115,7 @@ export function either<A, B>(a: Shape<A>, b: Shape<B>): Shape<A | B> {
   };
 }
 
+/** A value of a shape, or null. */
 export function nullable<T>(of: Shape<T>): Shape<T | null> {
   return {
     what: `${of.what}, or null`,
@@ -122,6 +133,7 @@ export function ifGiven<T>(of: Shape<T>): Shape<T> & { readonly isOptional: true
   return { ...of, isOptional: true, hasNoDefault: true };
 }
 
+/** A list of values of one shape. */
 export function list<T>(of: Shape<T>): Shape<readonly T[]> {
   const what = `a list, each ${of.what}`;
   return {
@@ -165,6 +177,7 @@ function itemsOf(value: unknown, path: string, what: string): readonly unknown[]
 export const doubles: Shape<Float64Array> = column('a Float64Array of finite numbers', (value) =>
   value instanceof Float64Array && value.every(Number.isFinite) ? value : undefined,
 );
+/** A Uint8Array, copied. */
 export const bytes: Shape<Uint8Array> = column('a Uint8Array', (value) =>
   value instanceof Uint8Array ? value : undefined,
 );
@@ -181,6 +194,7 @@ function column<T extends Float64Array | Uint8Array>(what: string, of: (value: u
   };
 }
 
+/** The shapes of an object's fields, by name. */
 export type Fields = Readonly<Record<string, Shape<unknown>>>;
 
 type OptionalNames<F extends Fields> = {

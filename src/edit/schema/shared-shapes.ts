@@ -12,6 +12,7 @@ import { filledText, index, list, number, oneOf, optional, record, type Shape, t
 
 /** Of one character, by its id. */
 export const CHARACTER = { characterId: text } as const;
+/** A character at a time, in seconds of the transport. */
 export const NOW = { ...CHARACTER, timeSeconds: number } as const;
 
 const startAndEnd = tuple('start', 'end');
@@ -24,10 +25,14 @@ export const range: typeof startAndEnd = {
     return [start, end];
   },
 };
+/** Three finite numbers x y z. */
 export const vector = tuple('x', 'y', 'z');
+/** A `Placement`: turns in radians. */
 export const placement = record({ position: vector, turn: vector, scale: number });
 
+/** What a key outside a cycle means; see `OUTSIDE_CYCLE`. */
 export const outsideCycle = oneOf(OUTSIDE_CYCLE);
+/** How a DOF is keyed: kind of tangents, the playback range of a new take, and what a key outside a cycle means. */
 export const KEY_OPTIONS = {
   tangents: optional(oneOf(['smooth', 'linear', 'flat'])),
   playedRange: optional(range),
@@ -37,21 +42,30 @@ const keyOptions: Shape<KeyOptions> = record(KEY_OPTIONS);
 /** Auto-key. */
 export const key = optional(keyOptions);
 
+/** A `TangentSide`. */
 export const side = oneOf(TANGENT_SIDES);
+/** A `TangentKind`. */
 export const tangentKind = oneOf(TANGENT_KINDS);
+/** An `Extrapolation`. */
 export const extrapolation = oneOf(EXTRAPOLATIONS);
 
+/** A list of whole numbers from 0. */
 export const indices = list(index);
+/** Channels of a character's shown take, by index. */
 export const CHANNELS = { ...CHARACTER, channels: indices } as const;
+/** Keys by channel and index. */
 export const keys = list(record({ channel: index, indices }));
+/** Keys of a character's shown take. */
 export const KEYS = { ...CHARACTER, keys } as const;
 
 /** A take of a character; -1 for its pose, -2 for the retargeted one. */
 export const takeRef = record({ characterId: text, clip: whole(-2) });
 
+/** Takes of any characters. */
 export const TAKES = { takes: list(takeRef) } as const;
 /** The shown take unless another is given. */
 export const TAKE = { ...CHARACTER, clip: optional(index) } as const;
+/** Characters by their ids. */
 export const CHARACTERS = { characterIds: list(text) } as const;
 
 /** What happens to keys outside a cycle: `KeyPlacing`. */
@@ -61,9 +75,11 @@ export const onCollision = optional(oneOf(COLLISIONS));
 
 /** What commands on a skeleton share; `timeSeconds` is the transport time of the displayed pose, default 0. */
 export const RIGGING = { ...CHARACTER, skin: optional(oneOf(SKIN_MODES)), timeSeconds: optional(number) } as const;
+/** A joint of a character, with what rigging is given. */
 export const JOINT = { ...RIGGING, joint: index } as const;
 
 const namedValues = list(record({ name: filledText, value: number }));
+/** A `PoseByNames`. */
 export const poseByNames: Shape<PoseByNames> = record({
   name: filledText,
   root: optional(vector),

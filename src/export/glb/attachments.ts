@@ -4,6 +4,7 @@
  */
 import { type Skin, vertexCount } from '../../model/skin.ts';
 
+/** The attachments of all vertices in sets of four, with what had to be changed. */
 export interface AttachmentSets {
   /** Four per vertex and set, one array per set. */
   readonly joints: readonly (Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>)[];

@@ -6,21 +6,29 @@
  * Values are collected as typed arrays and written one after the other: no second copy of the whole is made.
  */
 
+/** glTF's code for components of 32-bit floats. */
 export const FLOAT = 5126;
+/** glTF's code for components of unsigned bytes. */
 export const UNSIGNED_BYTE = 5121;
+/** glTF's code for components of unsigned 16-bit integers. */
 export const UNSIGNED_SHORT = 5123;
+/** glTF's code for components of unsigned 32-bit integers. */
 export const UNSIGNED_INT = 5125;
+/** glTF's code for a buffer view with vertex attributes. */
 export const VERTICES = 34962;
+/** glTF's code for a buffer view with vertex indices. */
 export const INDICES = 34963;
 
 type Values = Float32Array<ArrayBuffer> | Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
 const WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 } as const;
+/** What one element of an accessor is. */
 export type AccessorType = keyof typeof WIDTHS;
 
 /** Part of the JSON. */
 export type Json = { readonly [name: string]: unknown };
 
+/** What an accessor states beside its values. */
 export interface AccessorOptions {
   readonly target?: typeof VERTICES | typeof INDICES;
   /** Whether to state the minimum and maximum of each component. */

@@ -22,6 +22,7 @@ export interface Figure {
   readonly tolerance: number;
 }
 
+/** The joints of a character as nodes in the file pose. */
 export interface FigureJoints {
   readonly skeleton: NonNullable<Character['skeleton']>;
   readonly nodes: JointNodes;
@@ -31,6 +32,7 @@ export interface FigureJoints {
   readonly worlds: Float64Array;
 }
 
+/** A character in its file pose, with its skin, or a body of bones if it has none and options ask for it. */
 export function figureOf(character: Character, { body, influences, tolerance }: GlbOptions): Figure {
   const { skeleton } = character;
   const { unkeyed: _unkeyed, driver: _driver, ...plain } = character;

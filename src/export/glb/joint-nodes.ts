@@ -15,8 +15,10 @@ import { quaternionOfRotation } from '../../math/quaternion.ts';
 export const NODE_WIDTH = 10;
 /** Where they are. */
 export const ROTATION = 3;
+/** Where a node's scale begins among its numbers. */
 export const SCALE = 7;
 
+/** A node of a joint's chain. */
 export interface JointNode {
   readonly joint: number;
   /** Index of the parent among the nodes, smaller than its own; -1 for the root's first. */
@@ -29,6 +31,7 @@ export interface JointNode {
   readonly parts?: readonly MotionPart[];
 }
 
+/** The nodes of all joints. */
 export interface JointNodes {
   readonly nodes: readonly JointNode[];
   /** The last node of each joint. */
@@ -72,6 +75,10 @@ function groups(parts: readonly MotionPart[]): readonly (readonly MotionPart[])[
 /** Writes a pose as a row: `NODE_WIDTH` numbers for each node. Allocates nothing. */
 export type WriteNodes = (dofs: Float64Array, out: Float64Array, o: number) => void;
 
+/**
+ * Makes a function that writes the translation, rotation and scale of all nodes for a row of DOFs, `NODE_WIDTH` numbers
+ * each.
+ */
 export function nodeWriter(skeleton: CompiledSkeleton, { nodes }: JointNodes): WriteNodes {
   const local = new Float64Array(16 * skeleton.jointCount);
   const nine = new Float64Array(9);

@@ -12,6 +12,7 @@ import type { GlbOptions } from './options.ts';
 import { displacementText, type Loss } from './report.ts';
 import type { TakeMotion } from './take-motion.ts';
 
+/** What was written, as far as losses depend on it. */
 export interface Written {
   readonly character: Character;
   readonly options: GlbOptions;
@@ -21,6 +22,7 @@ export interface Written {
   readonly missing: readonly string[];
 }
 
+/** Everything that the file lacks or changes. */
 export function lossesOf(written: Written): readonly Loss[] {
   const { missing } = written;
   return [

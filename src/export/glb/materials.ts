@@ -5,6 +5,7 @@ import type { Skin } from '../../model/skin.ts';
 import type { BinaryChunk, Json } from './container.ts';
 import { imageOf } from './images/images.ts';
 
+/** The materials of a skin as JSON, with what is missing. */
 export interface GlbMaterials {
   /** Materials, one per surface, textures and images, and the extensions that they need. */
   readonly json: Json;
@@ -15,6 +16,7 @@ export interface GlbMaterials {
 /** Colour of what has none: a light grey. */
 const PLAIN = [0.8, 0.8, 0.8, 1];
 
+/** Makes materials of a skin's surfaces, and adds their images to the binary chunk, each once. */
 export function addMaterials(chunk: BinaryChunk, { textures }: Character, skin: Skin): GlbMaterials {
   const images: Json[] = [];
   const entries: Json[] = [];

@@ -14,6 +14,7 @@ export interface GlbOptions {
   readonly body: boolean;
 }
 
+/** The options of a first export. */
 export const DEFAULT_GLB: GlbOptions = { keys: 'linear', body: true };
 
 /** The default tolerance, as a fraction of the character's size. */

@@ -1,6 +1,7 @@
 /** What a GLB file has, and what of the character it hasn't. */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 
+/** What a file has, and what was lost. */
 export interface GlbReport {
   readonly bytes: number;
   readonly joints: number;
@@ -13,6 +14,7 @@ export interface GlbReport {
   readonly losses: readonly Loss[];
 }
 
+/** A take in the file, in numbers. */
 export interface TakeReport {
   readonly name: string;
   readonly seconds: number;
@@ -42,6 +44,7 @@ export function displacementText(length: number, size: number): string {
   return `${lengthText(length)} (${Number(((100 * length) / size).toPrecision(2))} % of the size)`;
 }
 
+/** The losses of a report as messages about a file. */
 export function diagnosticsOf({ losses }: GlbReport, fileName: string): readonly Diagnostic[] {
   return losses.map(({ severity, code, message }) => withoutPlace(severity, code, message, fileName));
 }

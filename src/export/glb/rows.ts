@@ -4,6 +4,7 @@
  */
 import { keepNear } from './joint-nodes.ts';
 
+/** The rows of one stretch; grows, and is reused. */
 export class Rows {
   readonly width: number;
   private readonly nodeCount: number;

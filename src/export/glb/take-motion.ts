@@ -14,6 +14,7 @@ import type { Samples } from '../../model/takes/samples.ts';
 import { UserError } from '../../model/user-error.ts';
 import type { WriteNodes } from './joint-nodes.ts';
 
+/** A take by its numbers at any time. */
 export interface TakeMotion {
   readonly name: string;
   /** Seconds of the clip. */

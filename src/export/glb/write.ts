@@ -27,11 +27,13 @@ import type { GlbReport, TakeReport } from './report.ts';
 import { TakeError, type TakeMotion, takeMotion } from './take-motion.ts';
 import { type Moment, rowWidth, type Track, tracksOf } from './tracks.ts';
 
+/** A GLB file in pieces, to be written one after the other, and what is in it. */
 export interface GlbFile {
   readonly pieces: readonly Uint8Array<ArrayBuffer>[];
   readonly report: GlbReport;
 }
 
+/** How far writing has come. */
 export interface GlbProgress {
   /** What is being done: the name of a take. */
   readonly label: string;

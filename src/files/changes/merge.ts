@@ -11,6 +11,7 @@ import type { LineHunk } from '../../model/text-changes.ts';
 import { commonLines } from './line-diff.ts';
 import { headOf, joinLines, LineIds, lineMeaning, meaningOf, splitLines, TOKEN, tokensOf } from './text-lines.ts';
 
+/** The merged text, and where it differs from the original. */
 export interface MergedText {
   readonly text: string;
   readonly hunks: readonly LineHunk[];

@@ -1,5 +1,6 @@
 /** A text as lines, and lines as what they mean: numbers by value, words in any case, whatever the blanks between them. */
 
+/** The lines of a text, without their ends. */
 export interface TextLines {
   readonly lines: readonly string[];
   /** What ends each line; empty for the last one. */
@@ -21,6 +22,7 @@ export function splitLines(text: string): TextLines {
   return { lines, ends };
 }
 
+/** The text that the lines were split from. */
 export function joinLines({ lines, ends }: TextLines): string {
   return lines.map((line, i) => line + ends[i]).join('');
 }
@@ -57,6 +59,7 @@ export function headOf(meaning: string): string {
 export class LineIds {
   private readonly ids = new Map<string, number>();
 
+  /** A number for each line; equal lines have equal ones, in all calls. */
   of(lines: readonly string[]): Int32Array {
     return Int32Array.from(lines, (line) => {
       const known = this.ids.get(line);

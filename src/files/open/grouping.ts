@@ -41,6 +41,7 @@ export interface FileGroup {
 /** Files that may belong to a character that is already open. */
 export type LooseRole = Exclude<Role, 'characters' | 'rig'>;
 
+/** Which files belong together, before anything is opened. */
 export interface Grouping {
   readonly groups: readonly FileGroup[];
   /** By role: what belongs to no skeleton among the files. */
@@ -50,14 +51,20 @@ export interface Grouping {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** Whether a file has errors, so that it has no content. */
 export function isBroken(file: ReadFile): file is BrokenFile & { readonly broken: true } {
   return 'broken' in file;
 }
 
+/** Whether a file was read without errors. */
 export function isRead(file: ReadFile): file is ParsedFile {
   return !isBroken(file);
 }
 
+/**
+ * Groups files by skeleton, by the rules at the top of this file.
+ * @param called how messages name a file
+ */
 export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grouping {
   const diagnostics: Diagnostic[] = [];
   const groups: { -readonly [K in keyof FileGroup]: FileGroup[K] }[] = [];
@@ -180,6 +187,7 @@ export class ByStem<T> {
     return undefined;
   }
 
+  /** The only entry; undefined if there are none or several. */
   get only(): T | undefined {
     return this.count === 1 ? this.first : undefined;
   }

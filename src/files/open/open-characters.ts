@@ -4,6 +4,7 @@ import type { Character } from '../../model/document.ts';
 import type { SourceFile } from '../../model/files.ts';
 import { hasSource } from './matching.ts';
 
+/** The characters of an opening, in the document's order, with indices by id and by file. */
 export class OpenCharacters {
   private list: Character[];
   /** Indices by id. */

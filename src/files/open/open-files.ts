@@ -23,6 +23,7 @@ import { Opening } from './opening.ts';
 /** A file with numbers of another program. */
 export type DumpFile = Extract<ParsedFile, { readonly kind: 'dump' }>;
 
+/** The document after opening files, and what there is to say about it. */
 export interface OpenResult {
   /** The same object if nothing was opened. */
   readonly document: Document;

@@ -6,6 +6,7 @@ import type { BrokenFile, FileKind, FileNaming, ParsedFile, SourceFile } from '.
 import { OpenCharacters } from './open-characters.ts';
 import { OpenSpaces } from './open-spaces.ts';
 
+/** The state of one opening, which the steps of `open-files.ts` add to. */
 export class Opening {
   /**
    * The document without the opening example, which is replaced and never extended; it is kept only when nothing but
@@ -60,6 +61,7 @@ export class Opening {
     this.unused.push({ file, why, waitsFor: missing });
   }
 
+  /** Adds a message about a whole file. */
   tell(severity: Diagnostic['severity'], code: string, message: string, source: SourceFile): void {
     this.diagnostics.push(withoutPlace(severity, code, message, this.called(source)));
   }

@@ -7,6 +7,7 @@ import { type FileNaming, type ParsedFile, type SourceFile, sameName } from '../
 import { NO_MARKS, readAs, UNMARKED } from '../../model/part.ts';
 import { formatKindOf, KINDS } from '../kinds.ts';
 
+/** A pose file that was read. */
 export type PoseFile = Extract<ParsedFile, { readonly kind: 'pose' }>;
 
 /** The fraction of a file's joints that a character must have. */

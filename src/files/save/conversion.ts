@@ -19,6 +19,7 @@ import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
 export const TARGETS = ['skel', 'anim', 'bvh', 'rig'] as const;
+/** A format that characters are converted to; see `TARGETS`. */
 export type Target = (typeof TARGETS)[number];
 
 /** The file from which something of this name was read: the skeleton's, or a clip's. */

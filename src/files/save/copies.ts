@@ -23,6 +23,7 @@ export interface Copy {
   readonly diagnostics?: readonly Diagnostic[];
 }
 
+/** Options of writing a character in another format. */
 export interface ConversionOptions extends SampleKeyOptions {
   /** Of `.bvh`; absent: each clip's own, or 30. */
   readonly framesPerSecond?: number;

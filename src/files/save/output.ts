@@ -14,6 +14,7 @@ export interface Output {
 /** Text, or bytes: of a text in UTF-8. */
 export type FilePiece = string | Uint8Array<ArrayBuffer>;
 
+/** A text file that is ready to be written. */
 export interface SavedFile {
   readonly name: string;
   readonly text: string;

@@ -91,6 +91,10 @@ export class SavedParts {
     return this.saved.get(id)?.file;
   }
 
+  /**
+   * Names the file of a part; whether the part is saved stays as it was.
+   * @param id of the part
+   */
   setFile(id: number, file: PartFile): void {
     this.saved.set(id, { revision: 0, own: 0, pose: [], ...this.saved.get(id), file });
   }
@@ -107,6 +111,7 @@ export class SavedParts {
     return document.characters.flatMap((character) => this.listOf(character));
   }
 
+  /** What of each character is saved, in plain data; a session keeps it across visits. */
   snapshot(document: Document): readonly SavedCharacter[] {
     return document.characters.map((character) => ({
       characterId: character.id,

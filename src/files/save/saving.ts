@@ -19,6 +19,7 @@ import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts'
 import type { Owned } from './owned.ts';
 import { jointPose, posesByNames } from './saved-poses.ts';
 
+/** Options of writing a character in its own formats. */
 export interface SavingOptions {
   /** Of `.bvh`, for clips without a rate of their own; absent: 30. */
   readonly framesPerSecond?: number;
@@ -48,6 +49,7 @@ export function copiesOf(character: Character, kind: SavedKind, options: SavingO
   return copies?.(character, haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
 }
 
+/** The parts of a character that are saved in files of a kind. */
 export function partsOfKind(character: Character, kind: SavedKind): readonly Part[] {
   return partsOf(character).filter((part) => part.kind === KINDS[kind].content);
 }

@@ -10,6 +10,7 @@ import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import type { FbxReport } from './failure.ts';
 import { timeModeRate } from './time-mode.ts';
 
+/** An animation stack: a take in seconds. */
 export interface FbxTake {
   readonly name: string;
   /** First and last second. */
@@ -19,6 +20,7 @@ export interface FbxTake {
   readonly layers: readonly FbxLayer[];
 }
 
+/** A layer of a take, and what it drives. */
 export interface FbxLayer {
   readonly object: FbxObject;
   readonly mode: 'add' | 'override' | 'pass through';
@@ -45,6 +47,7 @@ export function drivenKey(objectId: string, property: string): string {
 
 const AXES: Readonly<Record<string, number>> = { 'd|X': 0, 'd|Y': 1, 'd|Z': 2 };
 
+/** All takes of a file, in its order. */
 export function takesOf(document: FbxDocument, report: FbxReport): FbxTake[] {
   const stacks = document.objects.filter(({ kind }) => kind === 'AnimationStack');
   return stacks.map((stack) => {

@@ -1,6 +1,7 @@
 /** The axes and the unit of an FBX file, as its settings state them. */
 import type { Properties } from './document.ts';
 
+/** The axes of a file, and how they are turned to ours. */
 export interface FbxAxes {
   /** 16 numbers: from the file's axes to right-handed ones with y up. */
   readonly matrix: Float64Array;

@@ -22,6 +22,7 @@ const VERSION_AT = 23;
 const MAX_DEPTH = 64;
 const UTF8 = new TextDecoder();
 
+/** Whether bytes begin like a binary FBX file; all others are read as text. */
 export function isBinaryFbx(bytes: Uint8Array): boolean {
   return bytes.length >= MAGIC.length && [...MAGIC].every((char, i) => bytes[i] === char.charCodeAt(0));
 }

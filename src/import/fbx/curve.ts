@@ -13,6 +13,7 @@ import { lastNotAbove } from '../../math/search.ts';
 import type { FbxReport } from './failure.ts';
 import { childOf, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './record.ts';
 
+/** A curve as columns with an entry per key; values are those of the file, angles in degrees. */
 export interface FbxCurve {
   /** Seconds, ascending; several may be equal. */
   readonly times: Float64Array;
@@ -38,8 +39,11 @@ export interface Beyond {
 
 /** Kinds of spans. `next` holds the value of the key at its end. */
 export const HOLD = 0;
+/** The span has the next key's value. */
 export const HOLD_NEXT = 1;
+/** The span is straight. */
 export const LINE = 2;
+/** The span is a cubic with slopes and weights. */
 export const CUBIC = 3;
 
 const CONSTANT_FLAG = 0x2;

@@ -5,6 +5,7 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { childOf, childrenOf, type FbxFile, type FbxRecord, type FbxValue, idAt, numberAt, textAt } from './record.ts';
 
+/** An object of the file, with its properties. */
 export interface FbxObject {
   readonly id: string;
   /** Of its record: `Model`, `Geometry`, `Deformer` … */
@@ -23,6 +24,7 @@ export interface Link {
   readonly property: string | undefined;
 }
 
+/** The objects of a file and their connections. */
 export interface FbxDocument {
   readonly file: FbxFile;
   readonly settings: Properties;
@@ -59,28 +61,33 @@ export class Properties {
     }
   }
 
+  /** The values of a property, or else of the template of its kind; undefined if neither has it. */
   of(name: string): readonly FbxValue[] | undefined {
     return this.values.get(name) ?? this.template?.of(name);
   }
 
+  /** A property's first value as a number; undefined if there is none, or it is not finite. */
   number(name: string): number | undefined {
     const value = this.of(name)?.[0];
     const number = typeof value === 'bigint' ? Number(value) : value;
     return typeof number === 'number' && Number.isFinite(number) ? number : undefined;
   }
 
+  /** A property's first three values; `otherwise` if they are not three finite numbers. */
   vector(name: string, otherwise: Vec3): Vec3 {
     const [x, y, z] = this.of(name) ?? [];
     const isVector = [x, y, z].every((value) => typeof value === 'number' && Number.isFinite(value));
     return isVector ? [Number(x), Number(y), Number(z)] : otherwise;
   }
 
+  /** A property's first value as text; undefined if it is no text. */
   text(name: string): string | undefined {
     const value = this.of(name)?.[0];
     return typeof value === 'string' ? value : undefined;
   }
 }
 
+/** Sorts the records of a file into objects, and follows its connections. */
 export function documentOf(file: FbxFile): FbxDocument {
   const section = (name: string) => file.records.find((record) => record.name === name);
   const templates = templatesOf(section('Definitions'));

@@ -29,6 +29,7 @@ export class FbxReport {
     throw new ParseError(message);
   }
 
+  /** Reports an error at a byte offset of the file. */
   error(code: string, message: string, offset: number): void {
     this.report.error(code, this.located(message, offset), this.placeOf(offset));
   }

@@ -8,6 +8,7 @@ import type { FbxReport } from './failure.ts';
 import { cutPolygon, type Effort } from './polygons.ts';
 import { childOf, childrenOf, type FbxNumbers, type FbxRecord, numbersOf, textAt } from './record.ts';
 
+/** A mesh as vertices and triangles, in the space of its model. */
 export interface FbxMesh {
   /** x y z per point, as in the file. */
   readonly points: Float64Array;

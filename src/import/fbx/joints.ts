@@ -14,6 +14,7 @@ import { type KeptAngles, keptAngles } from './kept-angles.ts';
 import { NodeMotion, stretchSource } from './motion.ts';
 import type { FbxNode } from './nodes.ts';
 
+/** How one node of the file becomes one or two nodes of the scene. */
 export interface FbxJoint {
   readonly node: FbxNode;
   /** Index into the scene's nodes. */
@@ -105,6 +106,7 @@ export class Stretches {
     this.motions = nodes.map((node) => new NodeMotion(node, take));
   }
 
+  /** The factors of node `i` with those that it inherits, at a time in seconds; 1 for −1. */
   of(i: number, time: number): Vec3 {
     if (i < 0) return ONE;
     const motion = this.motions[i];

@@ -35,6 +35,7 @@ const SAME = 1e-6;
 /** From here on the middle angle is too near to gimbal lock for angles that are to be edited. */
 const LOCKED = Math.sin((88 * Math.PI) / 180);
 
+/** How the angles of a node are those of its joint; undefined if they are not. */
 export function keptAngles(node: FbxNode, takes: readonly FbxTake[]): KeptAngles | undefined {
   return turnedAtEnds(node) ?? turnedAboutOne(node, takes);
 }

@@ -11,12 +11,14 @@ import {
 /** A slope at a key, or that of the straight line to its neighbour. */
 export type Slope = number | 'line';
 
+/** The keys of one channel, in the order in which they are added. */
 export class KeyList {
   private readonly times: number[] = [];
   private readonly values: number[] = [];
   private readonly slopesIn: Slope[] = [];
   private readonly slopesOut: Slope[] = [];
 
+  /** Number of keys so far. */
   get count(): number {
     return this.times.length;
   }
@@ -48,6 +50,7 @@ export class KeyList {
     return this.values.every((value) => Math.abs(value - this.values[0]) <= tolerance);
   }
 
+  /** Value of the first key; there must be one. */
   get firstValue(): number {
     return this.values[0];
   }

@@ -15,6 +15,7 @@ const COLOR =
   /^(DiffuseColor|Diffuse|.*\|(baseColor|base_color|base_color_map|basecolor|DiffuseTexture|TEX_color_map))$/i;
 const GREY: Vec3 = [0.8, 0.8, 0.8];
 
+/** Collects the materials and textures that meshes use, each once. */
 export class Materials {
   readonly materials: SceneMaterial[] = [];
   readonly textures: Texture[] = [];

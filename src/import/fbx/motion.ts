@@ -10,6 +10,7 @@ import { type Driven, drivenKey, type FbxLayer, type FbxTake, layerWeight } from
 import { evaluateCurve } from './curve.ts';
 import { type FbxNode, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
 
+/** The properties of a node that takes move. */
 export type MovedProperty = 'Lcl Translation' | 'Lcl Rotation' | 'Lcl Scaling';
 
 const IDENTITY = Float64Array.of(0, 0, 0, 1);
@@ -161,6 +162,7 @@ export class SceneMotion {
     this.motions = nodes.map((node) => new NodeMotion(node, take));
   }
 
+  /** Evaluates all nodes at a time of the take, in seconds. */
   at(time: number): void {
     for (const [i, node] of this.nodes.entries()) {
       const motion = this.motions[i];

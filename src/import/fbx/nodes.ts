@@ -12,12 +12,13 @@ import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
 import { multiplyQuaternions, writeQuaternion } from '../rotations.ts';
 import { type FbxDocument, type FbxObject, type Properties, SCENE_ID } from './document.ts';
 
+/** A node at rest, in the file's units of length. */
 export interface FbxNode {
   readonly object: FbxObject;
   /** Index of the parent, smaller than its own; -1 for a root. */
   readonly parent: number;
-  /** In radians; `angles` about x, y and z. */
   readonly translation: Vec3;
+  /** About x, y and z, in radians. */
   readonly angles: Vec3;
   readonly scale: Vec3;
   readonly order: EulerOrder;
@@ -125,6 +126,7 @@ function pivotsOf(properties: Properties, hasSpace: boolean): Pivots {
   };
 }
 
+/** Angles in degrees as radians. */
 export function inRadians([x, y, z]: Vec3): Vec3 {
   return [x * RADIANS_PER_DEGREE, y * RADIANS_PER_DEGREE, z * RADIANS_PER_DEGREE];
 }

@@ -10,6 +10,7 @@ export type FbxNumbers = Float64Array | Float32Array | Int32Array | Uint8Array;
 /** Integers are numbers where they are exact, else bigints. Raw data is a `Uint8Array`. */
 export type FbxValue = number | bigint | string | FbxNumbers;
 
+/** A record of the file. */
 export interface FbxRecord {
   readonly name: string;
   readonly values: readonly FbxValue[];

@@ -5,6 +5,7 @@
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import { childOf, type FbxNumbers, numberAt, numbersOf } from './record.ts';
 
+/** A channel of blend shapes. */
 export interface FbxChannel {
   readonly object: FbxObject;
   readonly name: string;
@@ -14,6 +15,7 @@ export interface FbxChannel {
   readonly shapes: readonly FbxShape[];
 }
 
+/** A blend shape: what it adds to points. */
 export interface FbxShape {
   readonly name: string;
   /** The percentage at which it is full. */
@@ -25,6 +27,7 @@ export interface FbxShape {
   readonly normals: FbxNumbers;
 }
 
+/** The channels of a geometry, in the order of the file. */
 export function channelsOf(document: FbxDocument, geometry: FbxObject): FbxChannel[] {
   return partsOfKind(document, geometry, 'Deformer', 'BlendShape')
     .flatMap((blend) => partsOfKind(document, blend, 'Deformer', 'BlendShapeChannel'))

@@ -6,6 +6,7 @@ import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../../mat
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import { childOf, numbersOf, textAt } from './record.ts';
 
+/** The weights of one joint, with the matrices of its binding. */
 export interface FbxCluster {
   /** Index of the node. */
   readonly node: number;
@@ -17,6 +18,7 @@ export interface FbxCluster {
   readonly link: Float64Array | undefined;
 }
 
+/** A skin: the clusters of a mesh. */
 export interface FbxSkin {
   readonly clusters: readonly FbxCluster[];
   /** `Linear`, `Rigid`, `DualQuaternion` or `Blend`. */

@@ -43,6 +43,7 @@ export interface SparseNumbers {
   readonly values: Float64Array;
 }
 
+/** Reads the accessors of a file, each once. */
 export class Accessors {
   private readonly known = new Map<number, Numbers>();
   private zeros = 0;

@@ -17,6 +17,7 @@ export interface View {
   readonly stride?: number;
 }
 
+/** The bytes of a file's buffers, and views into them, unpacked where they are compressed. */
 export class Buffers {
   private readonly views = new Map<number, View>();
 

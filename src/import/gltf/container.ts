@@ -13,6 +13,7 @@ const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
 
+/** The JSON of a file, and its binary chunk. */
 export interface Container {
   readonly document: Document;
   /** The file's own binary chunk. */

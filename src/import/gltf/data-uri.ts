@@ -8,6 +8,7 @@ for (let i = 0; i < 64; i++) VALUES[ALPHABET.charCodeAt(i)] = i;
 VALUES['-'.charCodeAt(0)] = 62;
 VALUES['_'.charCodeAt(0)] = 63;
 
+/** The content of a data URI. */
 export interface DataUri {
   readonly mime: string;
   readonly bytes: Uint8Array<ArrayBuffer>;

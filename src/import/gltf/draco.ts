@@ -10,6 +10,7 @@ import { fromBase64 } from './data-uri.ts';
 import { type Document, extensionOf, type Json, listOf, objectOf } from './json.ts';
 import type { Unpacked } from './meshes.ts';
 
+/** The name of the extension. */
 export const DRACO = 'KHR_draco_mesh_compression';
 
 type Module = Awaited<ReturnType<typeof loadModule>>;

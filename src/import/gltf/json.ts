@@ -4,19 +4,23 @@ import { ImportError } from '../imported.ts';
 /** An object of the file. */
 export type Json = Readonly<Record<string, unknown>>;
 
+/** The value as an object; undefined if it is none, or a list. */
 export function objectOf(value: unknown): Json | undefined {
   // Any object that is no list has names and values.
   return typeof value === 'object' && value !== null && !Array.isArray(value) ? (value as Json) : undefined;
 }
 
+/** The value as a list; empty if it is none. */
 export function listOf(value: unknown): readonly unknown[] {
   return Array.isArray(value) ? value : [];
 }
 
+/** The value as text; undefined if it is none. */
 export function textOf(value: unknown): string | undefined {
   return typeof value === 'string' ? value : undefined;
 }
 
+/** The value as a finite number; undefined if it is none. */
 export function numberOf(value: unknown): number | undefined {
   return typeof value === 'number' && Number.isFinite(value) ? value : undefined;
 }
@@ -53,6 +57,7 @@ export class Document {
     return listOf(this.root[kind]).map((item) => objectOf(item) ?? {});
   }
 
+  /** Number of entries in one of the file's lists, such as `nodes`; 0 without the list. */
   count(kind: string): number {
     return listOf(this.root[kind]).length;
   }

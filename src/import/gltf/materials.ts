@@ -14,6 +14,7 @@ import type { Buffers } from './buffers.ts';
 import { readDataUri, unescaped } from './data-uri.ts';
 import { countOf, type Document, extensionOf, type Json, numberOf, numbersOf, objectOf, textOf } from './json.ts';
 
+/** The materials and textures of a file. */
 export interface Materials {
   readonly materials: readonly SceneMaterial[];
   readonly textures: readonly Texture[];
@@ -39,6 +40,7 @@ const OTHER_TEXTURES = {
   occlusionTexture: 'occlusion',
 } as const;
 
+/** Reads all materials, with images inside the file and beside it; what can't be used is left out with a remark. */
 export async function readMaterials(
   document: Document,
   buffers: Buffers,

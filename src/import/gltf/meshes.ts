@@ -27,6 +27,7 @@ interface Part {
   readonly first: number;
 }
 
+/** Reads the meshes of nodes; skins are shared by those that have the same. */
 export class Meshes {
   private readonly skins = new Map<number, SceneSkin>();
 

@@ -1,6 +1,7 @@
 /** EXT_meshopt_compression: buffer views packed by meshoptimizer. Its decoder is fetched only for files that need it. */
 import { ImportError } from '../imported.ts';
 
+/** Unpacks buffer views. */
 export interface MeshoptDecoder {
   /** @throws ImportError if the bytes are damaged */
   decode(
@@ -16,6 +17,7 @@ export interface MeshoptDecoder {
 /** Bytes that a view may unpack to: a count may be made up. */
 const MOST_BYTES = 2 ** 29;
 
+/** Fetches the decoder. Its `decode` limits how much bytes may become. */
 export async function meshoptDecoder(): Promise<MeshoptDecoder> {
   const { MeshoptDecoder: decoder } = await import('meshoptimizer/decoder');
   await decoder.ready;

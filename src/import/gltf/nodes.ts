@@ -6,6 +6,7 @@ import { ImportError, type Remarks } from '../imported.ts';
 import type { Quaternion, SceneNode } from '../scene.ts';
 import { countOf, type Document, type Json, listOf, numbersOf, textOf } from './json.ts';
 
+/** The nodes of the scene. */
 export interface Nodes {
   /** Their names, rests and parents. */
   readonly nodes: readonly SceneNode[];

@@ -28,6 +28,10 @@ const WIDTHS = { translation: 3, rotation: 4, scale: 3 } as const;
 const PER_VALUE = 8;
 const PER_ROTATION = 32;
 
+/**
+ * Reads all animations as takes. What can't be held is left out with a remark.
+ * @param indexOf index of each node of the file among the scene's
+ */
 export function readTakes(
   document: Document,
   accessors: Accessors,

@@ -7,4 +7,5 @@ import { KINEMATICS } from './kinematics.ts';
 import type { Mistake } from './mistake.ts';
 import { SKINNING } from './skinning.ts';
 
+/** All known mistakes, in the order in which they are tried. */
 export const CATALOGUE: readonly Mistake[] = [...KINEMATICS, ...SKINNING, ...CHANNELS];

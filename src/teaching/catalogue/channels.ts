@@ -29,6 +29,7 @@ const PAIRS = [
   [2, 3],
 ] as const;
 
+/** All known mistakes in channels, each with its variants. */
 export const CHANNELS: readonly Mistake[] = [
   {
     code: 'tangent-smooth-mean',

@@ -35,6 +35,7 @@ const SIGNS: readonly (readonly [string, JointRules['signs']['are']])[] = [
   ['angles about x, y and z negated', [-1, -1, -1, 1]],
 ];
 
+/** All known mistakes in kinematics, each with its variants. */
 export const KINEMATICS: readonly Mistake[] = [
   {
     code: 'rotation-order',

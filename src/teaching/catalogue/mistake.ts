@@ -17,6 +17,7 @@ export interface Mistake {
   readonly variants: readonly Variant[];
 }
 
+/** One way to make a mistake. */
 export interface Variant {
   /** What exactly, for people: "Rx·Ry·Rz instead of Rz·Ry·Rx"; empty if there is only one way. */
   readonly detail: string;
@@ -26,18 +27,22 @@ export interface Variant {
   readonly isFiner?: true;
 }
 
+/** The variant, marked as a finer form of one before it. */
 export function finer(variant: Variant): Variant {
   return { ...variant, isFiner: true };
 }
 
+/** A variant that changes rules of joints. */
 export function inJoints(detail: string, rules: Partial<JointRules>): Variant {
   return { detail, apply: (program) => ({ ...program, joints: { ...program.joints, ...rules } }) };
 }
 
+/** A variant that changes rules of skinning. */
 export function inSkin(detail: string, rules: Partial<SkinRules>): Variant {
   return { detail, apply: (program) => ({ ...program, skin: { ...program.skin, ...rules } }) };
 }
 
+/** A variant that changes rules of channels. */
 export function inCurves(detail: string, rules: Partial<CurveRules>): Variant {
   return { detail, apply: (program) => ({ ...program, curves: { ...program.curves, ...rules } }) };
 }

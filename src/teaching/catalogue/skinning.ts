@@ -9,6 +9,7 @@ const BEYOND = [
 ] as const;
 const SKINNING_FORMULA = 'v′ = Σ wᵢ·Wᵢ·Bᵢ⁻¹·v';
 
+/** All known mistakes in skinning, morphs and normals, each with its variants. */
 export const SKINNING: readonly Mistake[] = [
   {
     code: 'no-inverse-binding',

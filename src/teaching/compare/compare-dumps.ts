@@ -6,6 +6,7 @@ import type { Dump, DumpBlock } from '../../model/dump.ts';
 import { matricesOf } from '../dump/matrix-layout.ts';
 import { diagonalOf, larger } from './errors.ts';
 
+/** How far the numbers of two dumps agree. */
 export interface DumpComparison {
   readonly agrees: boolean;
   /** How many numbers were compared. */
@@ -16,6 +17,10 @@ export interface DumpComparison {
   readonly first?: string;
 }
 
+/**
+ * Compares a dump with the right one, block by block.
+ * @param tolerance of lengths over the size of what is compared, of other numbers as they are; greater than 0
+ */
 export function compareDumps(theirs: Dump, right: Dump, tolerance: number): DumpComparison {
   let worst = 0;
   let numbers = 0;

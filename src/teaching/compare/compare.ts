@@ -28,6 +28,7 @@ export interface Compared {
   readonly channels: number;
 }
 
+/** A number that is wrong, by its joint, vertex or channel. */
 export interface FirstWrong {
   readonly what: 'joint' | 'vertex' | 'normal' | 'channel';
   /** From 0. */
@@ -66,6 +67,7 @@ export interface FrameComparison {
   readonly size: number;
 }
 
+/** The result of comparing dumps with a character. Errors of lengths are over the size of what is compared. */
 export interface Comparison {
   readonly agrees: boolean;
   readonly compared: Compared;

@@ -24,6 +24,7 @@ const KINDS: Readonly<Record<FirstWrong['what'], readonly FrameKind[]>> = {
   channel: [],
 };
 
+/** A comparison, with what it was made from. */
 export interface FirstWrongInput {
   readonly comparison: Comparison;
   readonly targets: Targets;

@@ -7,6 +7,7 @@ import type { FrameComparison } from './compare.ts';
  */
 export type JointMark = 'agrees' | 'own' | 'inherited' | 'differs';
 
+/** The words for each mark, as lists show them. */
 export const MARK_TEXTS: Readonly<Record<JointMark, string>> = {
   agrees: 'agrees',
   own: 'own error',

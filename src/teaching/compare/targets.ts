@@ -38,6 +38,7 @@ export interface MatrixLayout {
   readonly numbers: 12 | 16;
 }
 
+/** Another program's numbers, sorted by frame and channel. */
 export interface Targets {
   readonly frames: readonly FrameTarget[];
   readonly channels: ChannelTarget;
@@ -55,5 +56,7 @@ export interface Origins {
   readonly samples: Uint32Array;
 }
 
+/** The kinds of numbers that belong to a frame. */
 export type FrameKind = Exclude<DumpKind, 'channels'>;
+/** All kinds of numbers that belong to a frame. */
 export const FRAME_KINDS: readonly FrameKind[] = ['world', 'local', 'positions', 'vertices', 'normals'];

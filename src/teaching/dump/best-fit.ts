@@ -9,6 +9,7 @@ import type { Targets } from '../compare/targets.ts';
 import type { Fitted, NamedDump } from './fit-dump.ts';
 import { fitDumpsAt } from './times.ts';
 
+/** The character that dumps fit best, and how they do. */
 export interface BestFit {
   readonly character: Character;
   readonly fitted: Fitted;

@@ -22,12 +22,14 @@ import { JointNames, withKnownLabels, withTimes } from './labels.ts';
 import { matricesOf } from './matrix-layout.ts';
 import { placesOf } from './places.ts';
 
+/** What the numbers of dumps are for a character. */
 export interface Fitted {
   /** Absent if a dump doesn't fit. */
   readonly targets?: Targets;
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** A dump with the file that it came from. */
 export interface NamedDump {
   /** For diagnostics. */
   readonly fileName: string;

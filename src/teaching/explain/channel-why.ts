@@ -38,6 +38,7 @@ export interface SegmentWhy {
   readonly value: number;
 }
 
+/** Why a channel has its value before its first or after its last key, told by `kind`; key indices from 0. */
 export type OutsideWhy =
   | { readonly kind: 'constant'; readonly side: 'before' | 'after'; readonly key: number }
   | {
@@ -66,6 +67,7 @@ export type OutsideWhy =
       readonly added: number;
     };
 
+/** Why a channel has its value at a time, told by `kind`; values are in the DOF's unit. */
 export type ChannelWhy =
   | { readonly kind: 'rest'; readonly value: number }
   | {

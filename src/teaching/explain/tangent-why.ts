@@ -8,6 +8,7 @@ export interface Secant {
   readonly to: number;
 }
 
+/** Why one tangent of a key has its slope. */
 export interface TangentWhy {
   readonly key: number;
   readonly side: 'in' | 'out';
@@ -20,6 +21,7 @@ export interface TangentWhy {
   readonly because?: 'lone key' | 'first key' | 'last key' | 'one time' | 'overflow';
 }
 
+/** The rule that gives a key's tangent its slope, with the keys that it depends on; the key must exist. */
 export function whyTangent(keys: Keys, key: number, side: 'in' | 'out'): TangentWhy {
   const tangents = side === 'in' ? keys.tangentsIn : keys.tangentsOut;
   const code = tangents.kinds[key];

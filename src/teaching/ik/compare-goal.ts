@@ -30,6 +30,7 @@ import {
   wholeSteps,
 } from './steps.ts';
 
+/** How a program's numbers reach one target; lengths are in the units of the files. */
 export interface GoalComparison {
   readonly agrees: boolean;
   /** Distances from the target: in the pose from which the program started, and in its numbers, if they tell. */

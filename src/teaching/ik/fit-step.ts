@@ -1,6 +1,7 @@
 /** The number of a kind of step that comes nearest to what a program printed. */
 import type { StepKind } from './steps.ts';
 
+/** The step of one kind that comes nearest: its size, the change of each variable, and what remains. */
 export interface FittedStep {
   readonly relative: number;
   readonly step: readonly number[];

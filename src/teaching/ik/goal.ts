@@ -10,6 +10,7 @@ export interface EndEffector {
   readonly point: Vec3;
 }
 
+/** A point of a joint with its target. */
 export interface Goal extends EndEffector {
   /** In the space of the world matrices. */
   readonly target: Vec3;

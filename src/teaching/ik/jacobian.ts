@@ -16,6 +16,7 @@ export interface SeenPoint {
   readonly columns: readonly Vec3[];
 }
 
+/** The Jacobian of points of joints at one pose. */
 export class Jacobian {
   private readonly local: Float64Array;
   private readonly world: Float64Array;
@@ -41,6 +42,9 @@ export class Jacobian {
     }
   }
 
+  /**
+   * Position, error and columns of J for a point; the error is target − position, in the space of the world matrices.
+   */
   see(effector: EndEffector, target: Vec3): SeenPoint {
     const { parent, firstDof, couples } = this.compiled;
     const speeds = new Map<number, Vec3>();

@@ -15,11 +15,13 @@ import { effectorText, type Goal } from './goal.ts';
 import { SolverStart } from './start.ts';
 import { bestLength, transposed } from './steps.ts';
 
+/** A target, and how the program's numbers reach it. */
 export interface JudgedGoal {
   readonly goal: Goal;
   readonly found: GoalComparison;
 }
 
+/** The judgement of all targets of a dump. */
 export interface JudgedSolver {
   readonly agrees: boolean;
   readonly goals: readonly JudgedGoal[];
@@ -31,6 +33,10 @@ export interface JudgedSolver {
   readonly size: number;
 }
 
+/**
+ * Judges the numbers of a solver by its targets.
+ * @param tolerance over the size of the skeleton
+ */
 export function judgeSolver(
   character: Character,
   skeleton: Skeleton,

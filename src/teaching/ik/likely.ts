@@ -21,6 +21,7 @@ const SLACK = 4;
 const MOST_BY_FEW = 64;
 const MOST = 8;
 
+/** Sorts out which points of joints a program can't have moved, from the joints that turned. */
 export class LikelyEffectors {
   private readonly tolerance: number;
   /** How far a joint's matrix in its parent's space is from the dump's, as far as that tells. */

@@ -14,6 +14,7 @@ import { inFilePose } from '../program/file-pose.ts';
 import type { EndEffector, Goal } from './goal.ts';
 import { Jacobian, type SeenPoint } from './jacobian.ts';
 
+/** The pose of a character from which a solver starts, with what is needed to move it. */
 export class SolverStart {
   readonly pose: Float64Array;
   /** DOFs that a solver may change: all but root translation and bone lengths. */

@@ -5,6 +5,7 @@ import { Misfit } from '../dump/entries.ts';
 import { JointNames } from '../dump/labels.ts';
 import type { Goal } from './goal.ts';
 
+/** A target that a dump states, for all of its numbers or those of one time. */
 export interface StatedGoal {
   readonly goal: Goal;
   /** Of the numbers that it is for; undefined: of all. */

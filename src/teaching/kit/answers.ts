@@ -26,6 +26,7 @@ export interface SetAnswers {
   readonly channels?: ChannelAnswers;
 }
 
+/** The right numbers of one frame. */
 export interface FrameAnswers {
   /** Seconds; absent: the pose of the file, without the animation. */
   readonly time?: number;
@@ -35,6 +36,7 @@ export interface FrameAnswers {
   readonly normals?: readonly (readonly number[])[];
 }
 
+/** The right matrices of a joint: 16 numbers each. */
 export interface JointAnswer {
   readonly name: string;
   /** By columns: the last four are x y z 1 of its position. */
@@ -42,12 +44,14 @@ export interface JointAnswer {
   readonly local: readonly number[];
 }
 
+/** The right values of channels: angles in radians. */
 export interface ChannelAnswers {
   readonly times: readonly number[];
   /** Of each channel, at each time. */
   readonly values: readonly (readonly number[])[];
 }
 
+/** Evaluates all sets of the test kit. */
 export function setAnswers(): readonly SetAnswers[] {
   const files = kitFiles();
   return KIT_SETS.map((set) => answersOf(set, characterOf(set.files, files)));

@@ -302,6 +302,7 @@ export function kitFiles(): ReadonlyMap<string, string> {
 /** From −5.2 to 6.3 s, beside the keys and at the first and the last of them. */
 const CURVE_TIMES = [...Array.from({ length: 37 }, (_, i) => Number((-5.2 + 0.32 * i).toFixed(2))), -0.4, 0.3, 1.9];
 
+/** The sets of the test kit: which files belong together, and when they are evaluated. */
 export const KIT_SETS: readonly KitSet[] = [
   {
     name: 'tree',

@@ -4,6 +4,7 @@ import type { SetAnswers } from './answers.ts';
 /** A word of a program in the text, which tools would take for one of this file's. */
 const IMPORT = 'import';
 
+/** The text of the test kit's README, with an entry per set. */
 export function readme(sets: readonly SetAnswers[]): string {
   const entries = sets.map(
     ({ name, about, files, tells }) =>

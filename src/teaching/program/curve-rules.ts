@@ -25,11 +25,13 @@ import {
 /** Rows a b c d, columns p0 p1 m0 m1. */
 export type HermiteBasis = readonly number[];
 
+/** The cubic Hermite basis, by rows: (a b c d) = M · (p0 p1 h·m0 h·m1). */
 export const HERMITE: HermiteBasis = [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0];
 
 /** What follows from a negative remainder: the first segment runs on or its key holds; `first`: in mirrored periods, too. */
 type Unfolded = 'run on' | 'hold' | 'run on first' | 'hold first';
 
+/** The rules by which a program evaluates channels; `RIGHT_CURVES` has the right ones. */
 export interface CurveRules {
   /** `halved`: the difference of the values over 2, whatever the time between them; `halved ends`: over 1 at the ends. */
   readonly smooth: 'across' | 'mean of segments' | 'halved' | 'halved ends';
@@ -66,6 +68,7 @@ export interface CurveRules {
   readonly linearSlope: 'tangent' | 'segment' | 'other tangents' | 'other tangent before' | 'other tangent after';
 }
 
+/** The rules of channels as the lecture has them. */
 export const RIGHT_CURVES: CurveRules = {
   smooth: 'across',
   smoothEnds: 'segment',

@@ -37,6 +37,7 @@ const NONE = new Float64Array(0);
 const JUMP = 1e-4;
 const IDENTITY_SCRATCH = new Float64Array(16);
 
+/** Evaluates one character by the rules of any program; its arrays are overwritten by the next frame. */
 export class Evaluator {
   readonly jointCount: number;
   private readonly skeletons: ProgramSkeletons | undefined;
@@ -80,6 +81,7 @@ export class Evaluator {
     }
   }
 
+  /** The numbers of a program at a time; those that are not wanted may be empty. The next call overwrites them. */
   frame(program: Program, time: FrameTime, wanted: Wanted): FrameNumbers {
     const given = this.dofsAt(program.curves, time);
     const { jointCount, skeletons } = this;

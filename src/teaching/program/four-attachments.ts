@@ -14,12 +14,14 @@ import { diagonalOf } from '../compare/errors.ts';
 import { RIGHT_PROGRAM, type SkinRules } from './program.ts';
 import { attachmentsUsed, sumPoint } from './skin-run.ts';
 
+/** Ways to keep four attachments per vertex. */
 export const KEPT_FOUR = [
   'largest four normalised',
   'largest four',
   'first four normalised',
   'first four',
 ] as const satisfies readonly SkinRules['attachments'][];
+/** A way to keep four attachments; see `KEPT_FOUR`. */
 export type KeptFour = (typeof KEPT_FOUR)[number];
 
 const FOUR = 4;

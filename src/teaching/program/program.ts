@@ -14,6 +14,7 @@ import { type CurveRules, RIGHT_CURVES } from './curve-rules.ts';
  */
 export type Breadth = 'balls' | 'ordered' | 'not listed' | 'all';
 
+/** The rules by which a program makes the matrices of joints. */
 export interface JointRules {
   /** One for all joints with three angles; absent: each its own. */
   readonly order?: { readonly is: EulerOrder; readonly for: Breadth };
@@ -46,6 +47,7 @@ export interface JointRules {
 /** `W⁻¹`; S·W·S with z mirrored, or with y and z exchanged; `points`: vertices and bindings as well. */
 export type WorldMap = 'inverse' | 'mirror z' | 'mirror z of points' | 'swap y z' | 'swap y z of points';
 
+/** The rules by which a program morphs and skins. */
 export interface SkinRules {
   /** M: W·B⁻¹, W, W·B or B⁻¹·W. */
   readonly binding: 'inverse' | 'none' | 'not inverted' | 'before world';
@@ -72,6 +74,7 @@ export interface SkinRules {
   readonly joint: { readonly shift: number; readonly beyond: 'clamped' | 'wrapped' | 'left out' };
 }
 
+/** A program by its rules. */
 export interface Program {
   readonly curves: CurveRules;
   readonly joints: JointRules;
@@ -85,6 +88,7 @@ export interface Wanted {
   readonly normals: boolean;
 }
 
+/** The program without mistakes. */
 export const RIGHT_PROGRAM: Program = {
   curves: RIGHT_CURVES,
   joints: {

@@ -13,6 +13,7 @@ import {
 import type { BvhChannel, EulerOrder, Joint, Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Breadth, JointRules } from './program.ts';
 
+/** A skeleton as a program reads it. */
 export interface ProgramSkeleton {
   readonly compiled: CompiledSkeleton;
   /** For each DOF of the joints, the file's DOF whose value it has; absent: the same. */
@@ -32,10 +33,12 @@ export function hasThreeAngles(motion: Motion): boolean {
   return !isOfBvh(motion) && eulerDofs(motion) !== undefined;
 }
 
+/** Whether a joint rotates: one of its DOFs is an angle or part of a quaternion. */
 export function turns(motion: Motion): boolean {
   return dofsOf(motion).some(({ name, unit }) => unit === 'angle' || name.startsWith('q'));
 }
 
+/** The skeletons that programs make of one, each made once. */
 export class ProgramSkeletons {
   private readonly known = new Map<string, ProgramSkeleton>();
   private readonly first: CompiledSkeleton;
@@ -44,6 +47,7 @@ export class ProgramSkeletons {
     this.first = compileSkeleton(skeleton);
   }
 
+  /** The skeleton by these rules; the file's where they leave it as it is. */
   get(rules: JointRules): ProgramSkeleton {
     const { order, bvhPositions, bvhOrder } = rules;
     if (!order && bvhPositions === 'given' && bvhOrder === 'listed')

@@ -19,6 +19,7 @@ const NO_RULES_FOR_ROOT: Attachments = {
   weights: Float64Array.of(1),
 };
 
+/** Runs the skinning of any program on one skin; its arrays are overwritten by the next run. */
 export class SkinRun {
   private readonly skin: CompiledSkin;
   private readonly positions: Float64Array;

@@ -11,7 +11,9 @@ import type { Evaluator, FrameNumbers, FrameTime } from '../program/evaluator.ts
 import { valuesNearest } from '../program/own-values.ts';
 import type { Program } from '../program/program.ts';
 
+/** The steps of a program whose numbers are told apart. */
 export const CELL_GROUPS = ['joints', 'vertices', 'channels'] as const;
+/** A step of a program; see `CELL_GROUPS`. */
 export type CellGroup = (typeof CELL_GROUPS)[number];
 
 const GROUPS: Readonly<Record<DumpKind, CellGroup>> = {
@@ -28,6 +30,7 @@ export function groupOf(kinds: readonly DumpKind[]): CellGroup {
   return CELL_GROUPS.find((group) => kinds.some((kind) => GROUPS[kind] === group)) ?? 'joints';
 }
 
+/** The numbers of one dump that one step makes. */
 export interface Cell {
   /** Into the dumps. */
   readonly dump: number;
@@ -41,6 +44,7 @@ export interface Cell {
   readonly channels: ChannelTarget;
 }
 
+/** Numbers of a cell in one frame. */
 export interface CellPiece {
   /** Into all frames. */
   readonly frame: number;

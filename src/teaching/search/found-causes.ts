@@ -103,11 +103,16 @@ export class Finder {
     return this.open.some(isBy) || this.smallest.every(isBy);
   }
 
+  /** Ends the trials of single mistakes: pairs are only tried for what none of these explains. */
   endSingles(): void {
     const explained = new Set(this.parts.flatMap(({ part, singles }) => (singles.size > 0 ? part.wrong : [])));
     this.open = this.smallest.filter(({ cell }) => !explained.has(cell));
   }
 
+  /**
+   * Keeps a mistake for the parts that it explains, or of which it explains what it touches.
+   * @param outcomes one per cell
+   */
   addSingle(candidate: Candidate, outcomes: readonly CellOutcome[]): void {
     for (const { part, singles, partial } of this.parts) {
       const outcome = outcomeOf(part, this.cells, outcomes);
@@ -117,6 +122,10 @@ export class Finder {
     }
   }
 
+  /**
+   * Keeps a pair of mistakes for the parts that it explains.
+   * @param outcomes one per cell
+   */
   addPair(pair: readonly Candidate[], outcomes: readonly CellOutcome[]): void {
     for (const { part, pairs } of this.parts) {
       const outcome = outcomeOf(part, this.cells, outcomes);

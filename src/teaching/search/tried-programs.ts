@@ -35,6 +35,7 @@ interface Own extends FrameNumbers {
   readonly size: number;
 }
 
+/** The numbers that programs are tried against, cell by cell. */
 export class Trial {
   private readonly evaluator: Evaluator;
   private readonly own: readonly Own[];

@@ -9,6 +9,7 @@
 import { CELL_GROUPS, type Cell, type CellGroup } from './cells.ts';
 import type { CellOutcome } from './tried-programs.ts';
 
+/** Cells that a mistake may explain together, with the right ones beside them. */
 export interface Part {
   /** Indices of cells. */
   readonly cells: readonly number[];
@@ -37,6 +38,7 @@ export interface PartOutcome {
   readonly frames: readonly number[];
 }
 
+/** The parts of the numbers in which mistakes are looked for, the largest first, each once. */
 export function partsOf(cells: readonly Cell[]): readonly Part[] {
   const all = cells.map((_, c) => c);
   const wrong = all.filter((c) => cells[c].isWrong);
@@ -65,6 +67,10 @@ export function partsOf(cells: readonly Cell[]): readonly Part[] {
   return parts;
 }
 
+/**
+ * What a program makes of a part.
+ * @param outcomes of all cells, by index
+ */
 export function outcomeOf(part: Part, cells: readonly Cell[], outcomes: readonly CellOutcome[]): PartOutcome {
   let touches = false;
   let agrees = true;

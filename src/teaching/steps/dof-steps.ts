@@ -9,6 +9,7 @@ import type { DofUnit } from '../../model/skeleton/skeleton.ts';
 /** What sets a DOF. */
 export type DofSource = 'channel' | 'pose' | 'unkeyed' | 'retargeted' | 'link';
 
+/** The steps by which a DOF gets its value, in its unit. */
 export interface DofStep {
   /** Into the character's DOFs. */
   readonly dof: number;

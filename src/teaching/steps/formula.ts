@@ -6,6 +6,7 @@ export type Meaning =
   /** Into the character's DOFs (`model/dofs.ts`). */
   | { readonly kind: 'dof'; readonly dof: number };
 
+/** A part of a formula that stands for something. */
 export interface FormulaSymbol {
   readonly text: string;
   readonly means: Meaning;
@@ -14,10 +15,12 @@ export interface FormulaSymbol {
 /** From left to right. */
 export type Formula = readonly (string | FormulaSymbol)[];
 
+/** A letter with the joint's index as subscript: `L₇`. */
 export function jointSymbol(letter: string, joint: number): FormulaSymbol {
   return { text: `${letter}${subscript(joint)}`, means: { kind: 'joint', joint } };
 }
 
+/** A text that stands for a DOF, by its index in the character's list. */
 export function dofSymbol(text: string, dof: number): FormulaSymbol {
   return { text, means: { kind: 'dof', dof } };
 }

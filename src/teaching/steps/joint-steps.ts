@@ -32,6 +32,7 @@ export interface Factor {
   readonly dofs: readonly number[];
 }
 
+/** The steps by which a joint gets its world matrix; matrices have 16 numbers. */
 export interface JointSteps {
   readonly joint: number;
   /** In the order of the joint's DOFs; of a root with root translation those first. */

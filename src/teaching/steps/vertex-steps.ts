@@ -28,6 +28,7 @@ export interface MorphTerm {
   readonly sum: Vec3;
 }
 
+/** What one attachment adds to a vertex. */
 export interface AttachmentStep {
   readonly joint: number;
   /** w. */
@@ -45,6 +46,7 @@ export interface AttachmentStep {
   readonly normalSum: Vec3;
 }
 
+/** The steps by which a vertex gets its position and normal. */
 export interface VertexSteps {
   readonly vertex: number;
   /** v₀ and n₀: in the file, n₀ also as computed from the triangles. */

@@ -18,6 +18,7 @@ interface Piece {
   readonly cubics: Float64Array;
 }
 
+/** Keys of cubics that give a curve exactly; one column per property. */
 export interface ExactKeys {
   readonly seconds: readonly number[];
   readonly values: Float64Array;

@@ -64,6 +64,10 @@ function fitSlopes(rows: Rows, at: number, dims: number, i: number, j: number): 
   }
 }
 
+/**
+ * A test whether one cubic from row i to row j is within the tolerance at all rows between, and halfway between them.
+ * @param tolerance radians for rotations, else in the track's unit
+ */
 export function cubicHolds(rows: Rows, { at, width: dims, path }: Track, tolerance: number): SegmentHolds {
   const { values, seconds, width } = rows;
   const isRotation = path === 'rotation';

@@ -24,8 +24,10 @@ import { moveKeys } from './move-key.ts';
 import { removeKeys } from './remove-keys.ts';
 import type { WatchPoints } from './watch-points.ts';
 
+/** How keys are joined. */
 export type KeyStyle = 'linear' | 'cubic';
 
+/** How the keys of a stretch are found. */
 export interface StretchOptions {
   readonly style: KeyStyle;
   /** How far points may be off. */

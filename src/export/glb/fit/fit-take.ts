@@ -23,6 +23,7 @@ export interface TrackKeys {
   readonly isConstant: boolean;
 }
 
+/** How the keys of a take are found; lengths are in the file's units. */
 export interface FitOptions {
   readonly style: KeyStyle;
   /** How far points may be off. */
@@ -58,6 +59,9 @@ const LEAST_ROWS = 256;
 /** Fraction of the size that counts as exact. */
 const EXACT = 1e-6;
 
+/**
+ * Finds the keys of each track of a take: one per frame if a frame rate is given, else as few as the tolerance allows.
+ */
 export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptions): readonly TrackKeys[] {
   if (options.framesPerSecond !== undefined) return framesOf(motion, moved, options.framesPerSecond, options.style);
   const { nodes, points, tracks, width } = moved;

@@ -17,6 +17,7 @@ interface Moved {
   readonly turns: Uint8Array;
 }
 
+/** Compares keys with the rows of a stretch, and keeps the errors as keys change. */
 export class Measured {
   readonly rows: Rows;
   readonly tracks: readonly Track[];

@@ -8,6 +8,7 @@
  */
 import type { Watch } from './watch.ts';
 
+/** The middles of the nodes' points, and how far points are from these. */
 export interface PointBounds {
   /** The middle of the points of each node, in its space: x y z each. */
   readonly middles: Float64Array;
@@ -18,6 +19,7 @@ export interface PointBounds {
 /** More than what rounding adds to a bound. */
 const ROUNDING = 1 + 1e-9;
 
+/** Computes the bounds of all watched points. */
 export function bounded({ nodeOf, local, morphStart }: Watch, nodeCount: number): PointBounds {
   const least = new Float64Array(3 * nodeCount).fill(Infinity);
   const greatest = new Float64Array(3 * nodeCount).fill(-Infinity);

@@ -38,6 +38,7 @@ export interface RigidPoint {
   readonly point: readonly number[];
 }
 
+/** Collects the points that are watched. */
 export class WatchPoints {
   private readonly start = [0];
   private readonly nodeOf: number[] = [];
@@ -86,6 +87,7 @@ export class WatchPoints {
     return this.made;
   }
 
+  /** Watches a point that moves with one joint. */
   addPoint({ joint, point }: RigidPoint): void {
     this.addPair(joint, point, 1);
     this.endPoint();

@@ -3,6 +3,7 @@
  * run-length encoded or not ("Bitmap Storage", learn.microsoft.com).
  */
 
+/** A picture of 8 bits a channel. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;

@@ -3,6 +3,7 @@ import type { Texture } from '../../../model/files.ts';
 import { readBmp } from './bmp.ts';
 import { writePng } from './png.ts';
 
+/** An image in a format that glTF has. */
 export interface EmbeddedImage {
   readonly mime: 'image/png' | 'image/jpeg' | 'image/webp';
   readonly bytes: Uint8Array<ArrayBuffer>;

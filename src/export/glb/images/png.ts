@@ -3,6 +3,7 @@ import { zlibSync } from 'fflate';
 import { pngFile } from '../../../formats/png/chunks.ts';
 import type { Pixels } from './bmp.ts';
 
+/** A PNG of a picture; the alpha channel is left out where it isn't used. */
 export function writePng({ width, height, rgba, hasAlpha }: Pixels): Uint8Array<ArrayBuffer> {
   const channels = hasAlpha ? 4 : 3;
   const stride = 1 + channels * width;
