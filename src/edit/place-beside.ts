@@ -154,14 +154,16 @@ export interface Extent {
   readonly max: number;
   /** Position of its root along the scene's z. */
   readonly depth: number;
+  /** Of its lowest point, along the scene's y. */
+  readonly low: number;
   /** Along the scene's y. */
   readonly height: number;
   /** The longest side of its bounding box. */
   readonly size: number;
 }
 
-function scaled({ min, max, depth, height, size }: Extent, by: number): Extent {
-  return { min: by * min, max: by * max, depth: by * depth, height: by * height, size: by * size };
+function scaled({ min, max, depth, low, height, size }: Extent, by: number): Extent {
+  return { min: by * min, max: by * max, depth: by * depth, low: by * low, height: by * height, size: by * size };
 }
 
 /** Scratch; never escapes. */
@@ -224,6 +226,6 @@ function measure(character: Character): Extent {
   // Between values near the largest number the difference is infinite.
   const span = (k: number) => Math.min(most[k] - least[k], Number.MAX_VALUE);
   return min <= max
-    ? { min, max, depth, height: span(1), size: Math.max(span(0), span(1), span(2)) }
-    : { min: 0, max: 0, depth, height: 0, size: 0 };
+    ? { min, max, depth, low: least[1], height: span(1), size: Math.max(span(0), span(1), span(2)) }
+    : { min: 0, max: 0, depth, low: 0, height: 0, size: 0 };
 }

@@ -58,6 +58,8 @@ export interface Display {
   readonly normals: boolean;
   readonly grid: boolean;
   readonly shadow: boolean;
+  /** The floor is at the lowest point of characters whose origin is in their middle, instead of at 0. */
+  readonly floorAtLowest: boolean;
   readonly orthographic: boolean;
   /** Motion path of the selected joint over the playback range. */
   readonly trail: boolean;
@@ -89,6 +91,7 @@ export const DEFAULT_DISPLAY: Display = {
   normals: false,
   grid: true,
   shadow: true,
+  floorAtLowest: true,
   orthographic: false,
   trail: false,
   ghosts: false,

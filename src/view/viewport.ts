@@ -332,6 +332,13 @@ export class Viewport {
     return grid.object.visible ? grid.step : undefined;
   }
 
+  /** The scene's y of the floor: of its grid and the shadow on it. */
+  setFloor(y: number): void {
+    const { grid, stage } = this.shown;
+    grid.floor = stage.floor = y;
+    this.requestRender();
+  }
+
   /** What draws pictures of another size, for `beginShots`: the first picture on screen does without that. */
   get shotParts(): ShotParts {
     const { screen, shown, rig, redraw } = this;

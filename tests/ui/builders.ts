@@ -108,8 +108,10 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
   const seeks: number[] = [];
   const saved: string[] = [];
   const revealed: string[] = [];
+  const floors: number[] = [];
   const viewport = {
     seek: (seconds: number) => void seeks.push(seconds),
+    setFloor: (y: number) => void floors.push(y),
     show: () => {},
     pick: () => undefined,
     frameAll: () => {},
@@ -155,5 +157,5 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     },
     viewport,
   } as unknown as Workbench;
-  return { wb, seeks, saved, revealed };
+  return { wb, seeks, saved, revealed, floors };
 }

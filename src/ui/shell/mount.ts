@@ -19,6 +19,7 @@ import { startTooltips } from '../widgets/tooltip/tooltip-layer.ts';
 import { pageActions } from './actions.ts';
 import { askAboutCycles } from './cycle-questions.ts';
 import { startDialogs } from './dialogs.ts';
+import { followFloor } from './floor.ts';
 import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
@@ -74,6 +75,7 @@ export function mountWorkbench(
     followCharacter(wb),
     followOpened(wb),
     followForm(wb),
+    followFloor(wb),
     followPeriods(wb),
     askAboutCycles(wb),
     limitUndo(wb),

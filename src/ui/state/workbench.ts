@@ -59,6 +59,7 @@ export type WorkbenchStage = Pick<
   | 'turnCharacter'
   | 'eye'
   | 'gridStep'
+  | 'setFloor'
   | 'heatSkin'
   | 'canvas'
   | 'stats'

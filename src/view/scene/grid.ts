@@ -56,6 +56,8 @@ export class Grid {
   /** Spacing of the finest lines. */
   step = 0.1;
   /** Of the labelled ones. */
+  /** World height of the grid on the ground. */
+  floor = 0;
   private spacing = 1;
   private readonly quad: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly glyphs = new Glyphs(512);
@@ -108,6 +110,7 @@ export class Grid {
   /** Call every frame in which the camera moved. */
   update({ target, distance, unitsPerPixel, plane }: GridView): void {
     const { drawnFor } = this;
+    this.object.position.y = plane === 'ground' ? this.floor : 0;
     if (
       drawnFor.target.equals(target) &&
       drawnFor.distance === distance &&

@@ -71,6 +71,8 @@ export class Stage {
   private readonly rim = new DirectionalLight('#b9d2ff', 2.4);
   private readonly fill = new DirectionalLight('#fff4e8', 0.95);
   private readonly sky = new HemisphereLight('#eaf0ff', '#cfc6bb', 1.5);
+  /** World height of the ground that gets the shadow. */
+  floor = 0;
   private readonly background = createBackground();
   private readonly ground = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), createShadowMaterial());
   private readonly sphere = new Sphere();
@@ -149,7 +151,7 @@ export class Stage {
     centre.addScaledVector(KEY, sphere.center.dot(KEY));
 
     // Maximum horizontal distance of the shadow of the box's highest point; ground below that gets none.
-    const fall = Math.max(0, centre.y + radius) / KEY.y;
+    const fall = Math.max(0, centre.y - this.floor + radius) / KEY.y;
     const camera = key.shadow.camera;
     camera.left = camera.bottom = -radius;
     camera.right = camera.top = radius;
@@ -163,9 +165,9 @@ export class Stage {
 
     // Where the light through the box's centre meets the ground.
     const reach = radius / KEY.y;
-    const down = centre.y / KEY.y;
+    const down = (centre.y - this.floor) / KEY.y;
     ground.position.copy(centre).addScaledVector(KEY, -down);
-    ground.position.y = 0;
+    ground.position.y = this.floor;
     ground.scale.setScalar(2.3 * reach);
     const shader = ground.material.userData.uniforms;
     // Height above the ground that counts as far, as a part of the map's depth: half a "foot" of the box's height.

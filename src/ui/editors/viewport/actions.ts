@@ -167,6 +167,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
   { ...toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']), also: 'ghosts' },
   { ...toggle('grid', 'Grid', 'grid', ['G']), also: 'floor ground background' },
   { ...toggle('shadow', 'Shadow', 'shadow', ['Shift+G']), also: 'light' },
+  { ...toggle('floorAtLowest', 'Floor at lowest point', undefined, []), also: 'ground origin level' },
 ];
 
 function look(from: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom', label: string, key: string): Action {

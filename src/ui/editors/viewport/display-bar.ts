@@ -22,7 +22,7 @@ const SHORT_LABELS: Readonly<Record<string, string>> = { heat: 'Weights', four: 
 const SWITCHES: readonly (readonly [title: string, ids: readonly string[]])[] = [
   ['Draw', ['draw.bones', 'View/Boxes', 'draw.axes', 'draw.names', 'draw.characterNames', 'draw.normals']],
   ['Motion', ['draw.ghosts', 'draw.trail']],
-  ['Floor', ['draw.grid', 'draw.shadow']],
+  ['Floor', ['draw.grid', 'draw.shadow', 'draw.floorAtLowest']],
 ];
 
 /** A menu that is named by its text, which a small viewport hides. */
