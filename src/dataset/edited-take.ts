@@ -41,7 +41,7 @@ function baked(character: Character, name: string): Character {
   return { ...characters[0], clips: clip ? [{ ...clip, name }] : [], shownClip: 0 };
 }
 
-/** Of samples the frames alone, from second 0; of keys the range. */
+/** Crops a take: samples to the frames alone, from second 0; keys to the range. */
 function cropped(
   clip: ChannelClip,
   first: number,

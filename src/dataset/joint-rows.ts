@@ -1,5 +1,5 @@
 /**
- * What is written of the joints of a block of frames: positions, velocities and rotations, as rows of arrays.
+ * Numbers that are written of the joints of a block of frames: positions, velocities and rotations, as rows of arrays.
  * Velocities are central differences, so those of a row are written with the next one.
  */
 import type { Floats } from './data-array.ts';
@@ -7,7 +7,7 @@ import type { Floats } from './data-array.ts';
 /** Most frames of a block: what is computed of them fits into the processor's nearer memory. */
 export const BLOCK = 32;
 
-/** What is written of each joint, frame after frame. */
+/** Numbers that are written of each joint, frame after frame. */
 export interface JointRows {
   /** 3, 4, 4 and 6 numbers per joint. */
   readonly positions: Floats;

@@ -45,14 +45,14 @@ const turnsOf = perSkeleton((skeleton): readonly (Turn | undefined)[] => {
 
 /** Evaluates the rotations and positions of all joints for blocks of frames; reused from block to block. */
 export class JointTransforms {
-  /** Of each frame of the block x y z of each joint, then of each End Site. */
+  /** Points of each frame of the block: x y z of each joint, then of each End Site. */
   readonly points: readonly Float64Array[];
 
   private readonly compiled: CompiledSkeleton;
   private readonly isRigid: boolean;
   private readonly metres: number;
   private readonly isTurned: boolean;
-  /** Of each joint; undefined for those that turn otherwise. */
+  /** Rotation of each joint; undefined for those that turn otherwise. */
   private readonly turns: readonly (Turn | undefined)[];
   /** All of `points`, and how many numbers a frame has. */
   private readonly allPoints: Float64Array;
@@ -67,7 +67,7 @@ export class JointTransforms {
   private readonly ways: Float64Array;
   /** Whether its DOFs move the pivot of a joint; that of others stays where it is. */
   private readonly moves: readonly boolean[];
-  /** Of one joint, per frame: angles, their sines and cosines. */
+  /** Numbers of one joint, per frame: angles, their sines and cosines. */
   private readonly halves = new Float64Array(3 * BLOCK);
   private readonly turned = new Float64Array(6 * BLOCK);
   private readonly matrices: Float64Array;

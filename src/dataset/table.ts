@@ -36,7 +36,7 @@ export function tableColumns(arrays: TakeArrays): readonly TableColumn[] {
   ];
 }
 
-/** What is the same in all rows: the skeleton, and the joints that stand for columns. */
+/** Facts that are the same in all rows: the skeleton, and the joints that stand for columns. */
 export function besideTable(arrays: TakeArrays): Readonly<Record<string, unknown>> {
   const { names, parents, offsets, endNames, endParents, endOffsets, contactJoints, fps, carrier } = arrays;
   return {

@@ -25,7 +25,7 @@ export interface RetargetTarget {
   readonly map?: JointMap;
 }
 
-/** What is done to a take before its numbers are made. */
+/** Changes made to a take before its numbers are made. */
 export interface TakeOptions {
   /** Frames per second; absent: the take's own, or 60 for keys at uneven times. */
   readonly fps?: number;
@@ -43,7 +43,7 @@ export interface Take {
   readonly skeleton: Skeleton;
   /** Absent: as in the file. */
   readonly space?: Space;
-  /** Of the whole take, in seconds of its clip. */
+  /** Frames of the whole take, in seconds of its clip. */
   readonly frames: Frames;
   /** The frames to export: the first, and how many. */
   readonly first: number;

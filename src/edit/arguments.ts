@@ -1,4 +1,4 @@
-/** What checks of command arguments share that shapes can't make: those that depend on the document. */
+/** Checks of command arguments that shapes can't make: those that depend on the document. */
 import { cutText } from '../model/names/cut-text.ts';
 import { CommandError } from './command-error.ts';
 

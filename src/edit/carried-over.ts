@@ -1,6 +1,6 @@
 /**
- * What a character keeps when its skeleton is loaded again from a file: its pose library, IK settings and retargeting.
- * All of these refer to joints, which may have changed.
+ * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings and
+ * retargeting. All of these refer to joints, which may have changed.
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';

@@ -1,4 +1,4 @@
-/** What a command makes of a document. */
+/** The result of a command. */
 import type { Document } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 

@@ -25,7 +25,7 @@ export interface OfChannels {
 /** Keys of a character's shown take, as arguments of commands. */
 export interface OfKeys {
   readonly characterId: string;
-  /** Of the shown clip; same form as in the selection. */
+  /** Keys of the shown clip; same form as in the selection. */
   readonly keys: readonly ChannelKeys[];
 }
 

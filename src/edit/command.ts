@@ -29,7 +29,7 @@ export interface Command<Args, Result extends Document | Edit = Document> {
 /** How a command of the document is declared. */
 export interface Declared<F extends Fields, Result extends Document | Edit> {
   readonly id: string;
-  /** What each argument must be, by name. */
+  /** Shape of each argument, by name. */
   readonly args: F;
   /** Creates a character, so that none has to be named. */
   readonly makesCharacter?: true;
@@ -55,7 +55,7 @@ export interface DocumentCommand<Args, Result extends Document | Edit = Document
 /** Any command of the document, whatever it takes. */
 export type AnyCommand = Omit<DocumentCommand<never, Document | Edit>, 'read'> & { read(given: unknown): object };
 
-/** What a command takes. */
+/** The arguments of a command. */
 export type ArgsOf<C> = C extends Command<infer Args, infer _Result> ? Args : never;
 
 /**

@@ -3,9 +3,9 @@
  * `step-names.ts`, since opening a file needs no more.
  */
 
-/** Of a name that shares the label with a few words. */
+/** Length of a name that shares the label with a few words. */
 const NAME_LENGTH = 24;
-/** Of one of two names in a label, or beside many words. */
+/** Length of one of two names in a label, or beside many words. */
 export const SHORT_NAME = 16;
 
 /** The name, or its start and end around an ellipsis. */

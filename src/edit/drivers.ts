@@ -10,7 +10,7 @@ import { type Character, type Document, type DriverSource, findCharacter, shownC
 /** As the clip of a `TakeRef`: the take of another character, which is retargeted to this one live. */
 export const RETARGETED = -2;
 
-/** What retargeting needs of a character; undefined if it has no skeleton or shows no take. */
+/** The data that retargeting needs of a character; undefined if it has no skeleton or shows no take. */
 export function driverSource(character: Character): DriverSource | undefined {
   const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space } = character;
   const clip = shownClip(character);

@@ -2,7 +2,7 @@
 import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
 import { type Document, playingCharacters, shownClip } from '../model/document.ts';
 
-/** Of everything that plays and is visible; undefined for takes without a rate. */
+/** Frame rates of everything that plays and is visible; undefined for takes without a rate. */
 function ratesPlayed(document: Document): (number | undefined)[] {
   const clips = playingCharacters(document).map((c) => c.driver?.source.clip ?? shownClip(c));
   return clips.map((clip) => clip && frameRateOf(clip));

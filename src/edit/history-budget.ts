@@ -11,9 +11,9 @@
 import type { Document } from '../model/document.ts';
 import type { History, StoredDelta } from './history.ts';
 
-/** What a value consists of. */
+/** The memory that a value consists of. */
 interface Weight {
-  /** Of everything but `buffers`: strings, and an estimate for objects and lists. */
+  /** Bytes of everything but `buffers`: strings, and an estimate for objects and lists. */
   readonly bytes: number;
   readonly buffers: ReadonlySet<ArrayBufferLike>;
 }
@@ -62,7 +62,7 @@ function total({ bytes, buffers }: Weight): number {
   return sum;
 }
 
-/** Of plain data. Each object counts once. */
+/** Weight of plain data. Each object counts once. */
 function weigh(value: unknown): Weight {
   let bytes = 0;
   const buffers = new Set<ArrayBufferLike>();

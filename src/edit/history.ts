@@ -13,7 +13,7 @@ export interface State {
   readonly selection: Selection;
 }
 
-/** What a step stores; undefined if both sides are equal. */
+/** The difference that a step stores; undefined if both sides are equal. */
 export type StoredDelta = Delta | undefined;
 
 /** A step seen from one side. */
@@ -45,7 +45,7 @@ export class History {
     return this.future.at(-1)?.label;
   }
 
-  /** What the steps store, in the order of time. */
+  /** Differences that the steps store, in the order of time. */
   get stored(): { readonly past: readonly StoredDelta[]; readonly future: readonly StoredDelta[] } {
     const deltas = (steps: readonly Step[]) => steps.map(({ delta }) => delta);
     return { past: deltas(this.past), future: deltas(this.future).reverse() };

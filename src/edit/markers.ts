@@ -1,4 +1,4 @@
-/** What becomes of a take's markers when its times change. */
+/** Markers of a take whose times change. */
 import type { ChannelClip } from '../model/takes/clip.ts';
 import { inOrder, type Marker } from '../model/takes/markers.ts';
 

@@ -117,7 +117,7 @@ class FirstFigures {
   }
 }
 
-/** Of the skeleton: textures and buffers may be those of many. */
+/** File of the skeleton: textures and buffers may be those of many. */
 function fileOf({ space, parts }: Character): SourceFile | undefined {
   return space && parts?.skeleton?.file?.source;
 }

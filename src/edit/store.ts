@@ -36,8 +36,8 @@ export interface Gesture {
 }
 
 /**
- * What happens to a gesture when another change precedes its end. A drag is `kept`, since the user saw its result. What
- * is only `tried`, as behind a dialog with an Apply button, is reverted.
+ * Treatment of a gesture when another change precedes its end. A drag is `kept`, since the user saw its result. What is
+ * only `tried`, as behind a dialog with an Apply button, is reverted.
  */
 export type Unfinished = 'kept' | 'tried';
 
@@ -90,7 +90,7 @@ export class Store {
     return this.history.redoLabel;
   }
 
-  /** What the history stores (`history-budget.ts`). */
+  /** Differences that the history stores (`history-budget.ts`). */
   get stored(): History['stored'] {
     return this.history.stored;
   }

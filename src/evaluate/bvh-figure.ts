@@ -31,7 +31,7 @@ import { framesOfClip } from './samples/key-frames.ts';
 /** A character as a BVH figure, with what was lost on the way. */
 export interface BvhFigure {
   readonly figure: CapturedFigure;
-  /** What BVH can't store. */
+  /** Messages about everything that BVH can't store. */
   readonly diagnostics: readonly Diagnostic[];
 }
 

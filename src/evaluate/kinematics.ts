@@ -22,7 +22,7 @@ import type { PoseRotations } from './rotations/pose-rotations.ts';
 /** A skeleton ready for posing. Joints are in depth-first pre-order, so a subtree is a contiguous range. */
 export interface CompiledSkeleton {
   readonly jointCount: number;
-  /** Of all joints, without root translation and morphs. */
+  /** Number of DOFs of all joints, without root translation and morphs. */
   readonly dofCount: number;
   /** -1 for the root; otherwise smaller than the joint's own index. */
   readonly parent: Int32Array;

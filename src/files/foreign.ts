@@ -11,7 +11,7 @@ export const HEAD_BYTES = 1024;
 /** ␀ */
 const CONTROL_PICTURES = 0x2400;
 
-/** What a reader is for: zips are read as the files in them. */
+/** The kinds that readers are for: zips are read as the files in them. */
 export type ContentKind = FormatKind | 'zip';
 
 interface Foreign {
@@ -21,7 +21,10 @@ interface Foreign {
   readonly now: string;
   /** Without dots, in lower case: files of these kinds have no reader. */
   readonly extensions?: readonly string[];
-  /** Of its first bytes, a character for each; control characters but tabs and line ends as their pictures, such as ␀. */
+  /**
+   * Pattern of its first bytes, a character for each; control characters but tabs and line ends as their pictures, such
+   * as ␀.
+   */
   readonly start?: RegExp;
   /** Kinds that may start like this. */
   readonly of?: readonly ContentKind[];
@@ -36,7 +39,7 @@ const BY_BLENDER = `Import it into Blender, export it as glTF (.glb) ${OPEN_AGAI
 const BY_MAYA = 'In Maya, export the character as FBX and open that.';
 const TO_PNG = 'Save it as PNG and open that.';
 
-/** What isn't read at all comes first: some of it looks like text, or like XML. */
+/** Files that aren't read at all come first: some of it looks like text, or like XML. */
 const FOREIGN: readonly Foreign[] = [
   {
     name: 'a Git LFS pointer',
@@ -255,7 +258,7 @@ function characterOf(byte: number): string {
   return String.fromCharCode(isControl ? CONTROL_PICTURES + byte : byte);
 }
 
-/** What is said of a file that has no reader. */
+/** The message about a file that has no reader. */
 export function unreadMessage(fileName: string): string {
   const extension = extensionOf(fileName);
   const found = FOREIGN.find(({ extensions }) => extensions?.includes(extension));

@@ -210,7 +210,7 @@ export function isBuffer(path: string): boolean {
   return path.toLowerCase().endsWith('.bin');
 }
 
-/** What opening makes of the content of a file (`open/open-files.ts`). */
+/** The result of opening the content of a file (`open/open-files.ts`). */
 export type Opening<C> = CharacterOpening<C> | PartOpening<C> | OtherOpening;
 
 /** It has skeletons: each is a character. */
@@ -241,7 +241,7 @@ export interface OtherOpening {
   readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'markers';
 }
 
-/** What a file is in an opening. */
+/** The role of a file in an opening. */
 export type Role = Opening<never>['as'];
 
 const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
@@ -305,7 +305,7 @@ function materialFacts(skin: Skin): Facts {
   };
 }
 
-/** What `marrow info` says about the content of a file. */
+/** Sentences of `marrow info` about the content of a file. */
 const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
   skel: ({ skeletons }) => ({
     joints: sum(skeletons.map((s) => s.joints.length)),

@@ -23,15 +23,15 @@ import {
   skelCopies,
 } from './save/copies.ts';
 
-/** What saving in a kind of file takes. */
+/** The functions that saving in a kind of file takes. */
 export interface Writer<C> {
   /** Text, or pieces of bytes. Infos name the file. */
   write(content: C, fileName: string): WriteResult | WrittenPieces;
-  /** What a character's files of it hold, in the save dialog. */
+  /** Contents of a character's files, in the save dialog. */
   detail(character: Character, framesPerSecond: number): readonly (string | Counted | PlayedRange)[];
   /** The files of a character whose own parts are no such files (`isOwn`). */
   copies?(character: Character, options: ConversionOptions): readonly Copy[];
-  /** What of the character such files can't hold, as sentences. */
+  /** Losses of the character in such files, as sentences. */
   lost?(character: Character): readonly string[];
 }
 

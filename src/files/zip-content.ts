@@ -1,7 +1,7 @@
-/** What is in a zip, for page and command alike. */
+/** Contents of a zip, for page and command alike. */
 import { unzip, ZipRefusal } from '../formats/unzip.ts';
 
-/** Of one opening. What more files hold would keep the page busy for seconds at a time. */
+/** Most files of one opening. What more files hold would keep the page busy for seconds at a time. */
 export const MAX_FILES = 10_000;
 
 /** A file in a zip. */

@@ -1,4 +1,4 @@
-/** What text formats share beyond tokens: counted blocks, single numbers, names, unknown keywords. */
+/** Grammar that text formats share beyond tokens: counted blocks, single numbers, names, unknown keywords. */
 import type { Severity } from '../model/diagnostic.ts';
 import type { Place } from './places.ts';
 import type { Keywords, Mark, NumberSink, Tokens } from './tokens.ts';
@@ -145,8 +145,9 @@ function isOfHead(t: Tokens, keywords: Keywords): boolean {
 }
 
 /**
- * What the line of a block's keyword has before the brace though nothing is expected there: an index, and names, which
- * are skipped with one warning for all such blocks. A second number is what is in the block, and its brace is missing.
+ * Tokens that the line of a block's keyword has before the brace though nothing is expected there: an index, and names,
+ * which are skipped with one warning for all such blocks. A second number is what is in the block, and its brace is
+ * missing.
  *
  * @param index undefined if the block has a count, so that no number is an index
  */
@@ -168,7 +169,7 @@ function* headExtras(t: Tokens, keyword: string, index: number | undefined, keyw
   t.again();
 }
 
-/** Of a block's number, which is the current token unless it has a mark. */
+/** Reports a block's number, which is the current token unless it has a mark. */
 function tellIndex(t: Tokens, keyword: string, index: number, found: number, mark?: Mark): void {
   if (found === index) return;
   const place = (severity: Severity) => (mark ? t.placeOf(mark, severity) : t.place());

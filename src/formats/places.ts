@@ -75,7 +75,7 @@ export class Places {
   private startCharacters = 0;
   private startPendingCrs = 0;
   private unfinished: Unfinished[] = [];
-  /** What follows in their line, kept once for all of them: bytes [tailBase, tailEnd) of the file. */
+  /** Bytes that follow in their line, kept once for all of them: bytes [tailBase, tailEnd) of the file. */
   private readonly tail = new Uint8Array(2 * WINDOW);
   private tailBase = 0;
   private tailEnd = 0;

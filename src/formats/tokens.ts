@@ -48,7 +48,7 @@ export class Mark {
 
   constructor(
     readonly offset: number,
-    /** Of the marks that may still be needed, in the order of the file. */
+    /** Index among the marks that may still be needed, in the order of the file. */
     readonly index: number,
   ) {}
 }

@@ -14,7 +14,7 @@ export interface ZipEntry {
 const MAX_UNPACKED_BYTES = 2 ** 31;
 /** Compressed data is never larger than what it holds, but for its headers. */
 const HEADERS = 1024;
-/** What a byte of deflated data can hold at most. */
+/** Most bytes that one byte of deflated data can hold. */
 const MAX_RATIO = 1032;
 
 /** A zip that is in order, but isn't unpacked; its message says why, to go on after a colon. */

@@ -1,6 +1,6 @@
 /**
- * What the writers share: numbers as the shortest decimals that read back the same, names adapted to the format, text
- * built from pieces.
+ * Parts that the writers share: numbers as the shortest decimals that read back the same, names adapted to the format,
+ * text built from pieces.
  *
  * Tabs, LF, one blank between numbers, as in the course's own files. Rejected: aligned columns, which need two passes,
  * make files a third larger, and would not align the shortest decimals at their points anyway.

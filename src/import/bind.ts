@@ -14,10 +14,10 @@ import type { SceneMesh } from './scene.ts';
 
 /** The one binding of each joint, and how the meshes are moved for it. */
 export interface Binding {
-  /** Of each node that has one: B⁻¹. */
+  /** B⁻¹ of each node that has one. */
   readonly inverse: ReadonlyMap<number, Float64Array>;
   readonly further: readonly FurtherJoint[];
-  /** Of each mesh. */
+  /** Bindings of the meshes. */
   readonly meshes: readonly BoundMesh[];
 }
 

@@ -12,7 +12,7 @@ const PER_BYTE = 16;
 /** Numbers that a take holds for each node and each morph target, moved or not. */
 const PER_NODE_OF_TAKE = 30;
 
-/** What a file of that size may become, in numbers. */
+/** Most numbers that a file of that size may become. */
 export function mostNumbers(bytes: number): number {
   return BASE + PER_BYTE * bytes;
 }

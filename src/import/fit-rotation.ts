@@ -24,7 +24,7 @@ const MOST_PER_KEY = 8;
 export class SpareKeys {
   left = 20_000;
 }
-/** Of that time, for slopes. */
+/** Fraction of that time, for slopes. */
 const STEP = 1e-3;
 
 /** How a joint's DOFs say a rotation. */

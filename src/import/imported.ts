@@ -1,4 +1,4 @@
-/** What reading a file of another program takes and gives: its reader may wait for other files and for decoders. */
+/** Input and result of reading a file of another program: its reader may wait for other files and for decoders. */
 
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { SourceFile } from '../model/files.ts';
@@ -43,7 +43,7 @@ export class ImportError extends UserError {
   }
 }
 
-/** What is wrong with or lost of a file, while it is read. Each sentence is told once. */
+/** Collects what is wrong with or lost of a file, while it is read. Each sentence is told once. */
 export class Remarks {
   private readonly told = new Map<string, Diagnostic>();
   private readonly lost = new Set<string>();
@@ -61,7 +61,7 @@ export class Remarks {
     this.lost.add(what);
   }
 
-  /** What a thrown error says. */
+  /** A thrown error as a diagnostic. */
   error({ code, message }: ImportError): Diagnostic {
     return withoutPlace('error', code, message, this.fileName);
   }

@@ -17,7 +17,7 @@ import type { Channel } from '../model/takes/clip.ts';
 
 /** All that is read of a file. */
 export interface Scene {
-  /** Of the character: the file's name without its extension. */
+  /** Name of the character: the file's name without its extension. */
   readonly name: string;
   /** Metres per unit of length, as the file or its format states; greater than 0. */
   readonly metres: number;
@@ -125,7 +125,7 @@ export interface SceneTake {
   readonly range: readonly [number, number];
   /** As the file states, else of its keys, which fitting adds to; absent for keys at uneven times. */
   readonly framesPerSecond?: number;
-  /** Of each node at most one. */
+  /** Moves of nodes, at most one for each. */
   readonly moves: readonly SceneMove[];
   readonly weights: readonly SceneWeight[];
 }
@@ -138,7 +138,7 @@ export interface SceneMove {
   readonly scale?: AxisCurves;
 }
 
-/** Of x, y and z, in absolute values: keys and tangents are kept. Absent where an axis rests. */
+/** Curves of x, y and z, in absolute values: keys and tangents are kept. Absent where an axis rests. */
 export type AxisCurves = readonly [Channel | undefined, Channel | undefined, Channel | undefined];
 
 /** Euler angles are kept with their keys and tangents; quaternions are fitted. */
@@ -157,7 +157,7 @@ export interface QuaternionCurve {
    * Hermite cubic and normalises.
    */
   readonly interpolation: 'step' | 'linear' | 'cubic';
-  /** Of `cubic`: x y z w per key, per second. */
+  /** Slopes of `cubic`: x y z w per key, per second. */
   readonly slopesIn?: Float64Array;
   readonly slopesOut?: Float64Array;
 }

@@ -174,7 +174,7 @@ function tooFar(what: string): ImportError {
   return new ImportError('scene-too-large', `${what} is too far away or too large for a number (1.8e308 at most).`);
 }
 
-/** Of each joint; one without vertices has its rest. */
+/** Bindings of each joint; one without vertices has its rest. */
 function bindingsOf(slots: readonly Slot[], worlds: Float64Array): Float64Array {
   const out = new Float64Array(16 * slots.length);
   slots.forEach(({ inverse, node }, j) => {
@@ -323,7 +323,7 @@ function morphsOf(meshes: readonly SceneMesh[], binding: Binding) {
   return { morphs, weightsOf };
 }
 
-/** Of a mesh without vertices, none. */
+/** The first vertex of a mesh; none if it has no vertices. */
 function firstVertex({ positions }: SceneMesh): MorphRows {
   const values = positions.slice(0, 3);
   return { indices: new Uint32Array(values.length / 3), values };

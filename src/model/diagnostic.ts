@@ -13,7 +13,7 @@ export interface Diagnostic {
   readonly line: number;
   /** From 1, in characters; 0 as for `line`. */
   readonly column: number;
-  /** What was used instead, if loading continued: "used 3". */
+  /** The value that was used instead, if loading continued: "used 3". */
   readonly assumed?: string;
   /**
    * Name of a file that was not given, without folders: this is over once the character that has `file` has that one,

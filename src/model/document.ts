@@ -91,7 +91,7 @@ export interface Driver {
   readonly options: RetargetOptions;
 }
 
-/** What retargeting needs of the source character. */
+/** The data that retargeting needs of the source character. */
 export interface DriverSource {
   readonly name: string;
   readonly skeleton: Skeleton;
@@ -152,7 +152,7 @@ export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
   return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;
 }
 
-/** Of more characters than these, looking through them for each would take time by the square of their number. */
+/** Number of characters above which they are found by a map: searching the list for each takes time by the square. */
 const FEW = 32;
 const byId = perObject((characters: readonly Character[]) => new Map(characters.map((c) => [c.id, c])));
 

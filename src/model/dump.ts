@@ -4,9 +4,9 @@
  */
 import type { Vec3 } from '../math/vec3.ts';
 
-/** What a dump can hold. Positions are those of joints. */
+/** Kinds of numbers that a dump can hold. Positions are those of joints. */
 export const DUMP_KINDS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
-/** What a block of a dump contains; see `DUMP_KINDS`. */
+/** Kind of the numbers in a block; see `DUMP_KINDS`. */
 export type DumpKind = (typeof DUMP_KINDS)[number];
 
 /** The numbers of one dump, in blocks, with what the file says about their time and purpose. */
@@ -19,7 +19,7 @@ export interface Dump {
   readonly blocks: readonly DumpBlock[];
   /** Lines with numbers that were taken for headings; absent if there are none. */
   readonly headings?: readonly DumpHeading[];
-  /** Of inverse kinematics: its joints are right wherever these are reached; absent if there are none. */
+  /** Targets of inverse kinematics: its joints are right wherever these are reached; absent if there are none. */
   readonly targets?: readonly DumpTarget[];
   /** Whether it says that its solver made one step. */
   readonly isOneStep?: true;
@@ -52,7 +52,7 @@ export function isEmptyDump(content: { readonly kind: string; readonly dump?: Du
   return content.kind === 'dump' && content.dump?.blocks.length === 0;
 }
 
-/** What is said of an empty dump. */
+/** The message about an empty dump. */
 export function emptyDumpMessage(bytes: number): string {
   const found = bytes === 0 ? 'an empty file' : 'a file without them';
   return `Expected numbers of joints, vertices or channels, found ${found}.`;
@@ -64,7 +64,7 @@ export interface DumpBlock {
   readonly holds?: DumpKind;
   /** Seconds, as stated. */
   readonly time?: number;
-  /** Of a block headed `channel N`. */
+  /** The channel of a block headed `channel N`. */
   readonly channel?: number;
   /** Times of the values of each channel, if stated apart from them. */
   readonly times?: Float64Array;

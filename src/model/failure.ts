@@ -1,6 +1,6 @@
 /**
- * What failed, as a sentence. Our own errors have one; what browsers say of theirs is about arrays and `postMessage`, so
- * it is told in words of ours. Ours are Errors, or of classes of their own; those of the language and of the DOM are not.
+ * An error as a sentence. Our own errors have one; what browsers say of theirs is about arrays and `postMessage`, so it
+ * is told in words of ours. Ours are Errors, or of classes of their own; those of the language and of the DOM are not.
  */
 import { UserError } from './user-error.ts';
 
@@ -17,7 +17,7 @@ const OF_BROWSERS: readonly (readonly [RegExp, string])[] = [
 ];
 
 const OF_THE_LANGUAGE = /^(Type|Range|Reference|Syntax|URI|Eval|Internal)Error$/;
-/** Of those that nobody expected: enough to find out more by. */
+/** Length to which unexpected messages are quoted: enough to find out more by. */
 const MAX_QUOTED = 160;
 
 /** @param error anything that was thrown */

@@ -63,7 +63,7 @@ interface Contents {
 /** The kind of content that a file can have: a key of `Contents`. */
 export type FileKind = keyof Contents;
 
-/** What reading a file of that kind results in. */
+/** The result of reading a file of that kind. */
 export type ContentOf<K extends FileKind> = { readonly [C in K]: { readonly kind: C } & Contents[C]['file'] }[K];
 /** The content of a file of any kind, told by `kind`. */
 export type FileContent = ContentOf<FileKind>;
@@ -74,7 +74,7 @@ export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: u
 /** The content of each kind of part. */
 export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 
-/** What a motion capture file doesn't state, the same for all of its figures. */
+/** Facts that a motion capture file doesn't state, the same for all of its figures. */
 export interface GuessedCapture extends FileSpace {
   /** The meaning of position channels; the figures still have that of the format. */
   readonly positions: Positions;

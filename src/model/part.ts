@@ -22,13 +22,13 @@ export interface PartFile {
   readonly holds: string;
 }
 
-/** What is known about a part besides its content. */
+/** Facts about a part besides its content. */
 export interface PartMark {
   /** Unique to this part. 0: not assigned yet; the store assigns it. */
   readonly id: number;
   /** Identifies its content. 0: not assigned yet. */
   readonly revision: number;
-  /** Of a take whose markers were changed, which are saved beside it: the revision of all else. Absent: `revision`. */
+  /** Revision of a take without its markers, which are saved beside it; absent: `revision`. */
   readonly withoutMarkers?: number;
   readonly file?: PartFile;
 }

@@ -3,7 +3,7 @@
  * visits; the transport's time is neither.
  */
 
-/** What is selected; indices into the character's own lists. */
+/** The selected character, joint and keys; indices into the character's own lists. */
 export interface Selection {
   readonly characterId?: string;
   /** Which instance of the character was picked; absent if that does not matter, as in a list. */
@@ -42,7 +42,7 @@ export type GhostUnit = (typeof GHOST_UNITS)[number];
 /** On each side of the current time. */
 export const MAX_GHOSTS = 20;
 
-/** What is drawn, for all characters. */
+/** Display settings, for all characters. */
 export interface Display {
   readonly skin: SkinStyle;
   readonly boxes: BoxStyle;

@@ -21,11 +21,11 @@ export interface LineRange {
   readonly to: number;
 }
 
-/** Of some lines, the offset of the first byte: enough that any other is near one. */
+/** Offsets of the first bytes of some lines: enough that any other is near one. */
 export interface LineIndex {
   /** Ascending; the first is line 1. */
   readonly lines: Float64Array;
-  /** Of the same length. */
+  /** Offset of each one's first byte. */
   readonly offsets: Float64Array;
   /** Number of lines, at least 1. */
   readonly count: number;
@@ -50,7 +50,7 @@ export interface RowLines {
 /** A block of rows, one for each part. */
 export interface SourceRows {
   readonly of: 'joint' | 'vertex' | 'triangle' | 'key' | 'frame';
-  /** Of keys. */
+  /** Channel of the keys. */
   readonly channel?: number;
   readonly lines: RowLines;
   /** The index of each row's part; absent: row i is part `first` + i. */

@@ -6,7 +6,7 @@ import type { Difference } from './difference.ts';
 export interface Reduction {
   /** Number of channels whose keys changed. */
   readonly changed: number;
-  /** Of all given channels together. */
+  /** Keys of all given channels together. */
   readonly keysBefore: number;
   readonly keysAfter: number;
   /** The largest error for each unit, since angles, lengths and weights can't be compared. */

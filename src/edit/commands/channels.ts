@@ -140,7 +140,7 @@ export const bakeExtrapolation = command({
   run: (document, args) => edited(document, args, baked(document, args)),
 });
 
-/** What baking the extrapolation would do, in numbers of keys. */
+/** The outcome of baking the extrapolation, in numbers of keys. */
 export interface BakePreview {
   readonly keysBefore: number;
   readonly keysAfter: number;

@@ -30,7 +30,7 @@ import { curvesIn, keysIn } from '../step-names.ts';
 
 /** A time at which keys are made. */
 export interface AtTime {
-  /** Of the clip. */
+  /** Seconds of the clip. */
   readonly timeSeconds: number;
 }
 
@@ -71,7 +71,7 @@ export const addKey = command({
     ...NOW,
     channel: index,
     value: number,
-    /** Of both sides of a new key; default smooth. `fixed` is level. */
+    /** Kind of the tangents on both sides of a new key; default smooth. `fixed` is level. */
     tangents: optional(tangentKind),
     ...PLACING,
   },
@@ -98,7 +98,7 @@ export const moveKeys = command({
     seconds: number,
     /** Added to the values, one number per entry of `keys`; default none. */
     values: optional(list(number)),
-    /** What happens to a key that a moved one lands on; default: it is replaced. */
+    /** Treatment of a key that a moved one lands on; default: it is replaced. */
     onCollision,
   },
   label: (document, { characterId, keys }) => `Move ${keysIn(document, characterId, keys)}`,

@@ -19,7 +19,7 @@ import { requireTake, withChannels, withTake } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 import { withinLimit } from './pose.ts';
 
-/** Of easing, in seconds: less is a jump. */
+/** Shortest easing, in seconds: less is a jump. */
 const LEAST_EASE = 1e-3;
 
 /**

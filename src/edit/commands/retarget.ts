@@ -223,7 +223,7 @@ function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Ske
   return checked;
 }
 
-/** Of ants to mountains; beyond it, positions are no longer finite. */
+/** Scale of ants to mountains; beyond it, positions are no longer finite. */
 const LARGEST_SCALE = 1e9;
 
 function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): RetargetOptions {

@@ -127,7 +127,7 @@ function withMotion(skeleton: Skeleton, index: number, motion: Motion): JointMap
   );
 }
 
-/** What the takes lose by this change of motion: `3 keys of r`. Undefined if nothing. */
+/** Keys that the takes lose by this change of motion: `3 keys of r`. Undefined if nothing. */
 export function keysLostBy(
   document: Document,
   { characterId, joint, motion }: Pick<OfJoint, 'characterId' | 'joint'> & { readonly motion: Motion },

@@ -32,7 +32,7 @@ import { clearLimit, setLimit } from './limits.ts';
 export const createRig = command({
   id: 'rig.create',
   args: {
-    /** Of the character; default `character`. */
+    /** Name of the character; default `character`. */
     name: optional(filledText),
     /** A character without a skeleton; default: a new one. */
     characterId: optional(text),

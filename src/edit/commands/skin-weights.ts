@@ -36,7 +36,7 @@ export interface AutoWeights {
   readonly characterId: string;
   /** Index of the character's skins; default: the shown one. */
   readonly skin?: number | undefined;
-  /** Of the transport: the pose for `drawn` and `file`. */
+  /** Seconds of the transport: the pose for `drawn` and `file`. */
   readonly timeSeconds: number;
   /** One of `bindPlaces`; default: the first of them. */
   readonly bind?: BindPlace | undefined;

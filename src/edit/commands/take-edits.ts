@@ -69,7 +69,7 @@ export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): 
 
 /** Arguments of making takes loop. */
 export interface LoopTakes extends OfTakes {
-  /** Of frames; default 0.25, at most half of the take. */
+  /** Length of the cross-fade; default 0.25, at most half of the take. */
   readonly blendSeconds?: number | undefined;
 }
 
@@ -133,7 +133,7 @@ export const lockFeet = command({
   run: (document, args) => runToEnd(lockFeetSteps(document, args)).document,
 });
 
-/** What was locked, of all takes together. */
+/** The feet that were locked, in all takes together. */
 export interface FeetReport {
   readonly document: Document;
   readonly contacts: readonly LockedContact[];

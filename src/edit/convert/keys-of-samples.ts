@@ -45,7 +45,7 @@ export function keyedClip(
   return { ...rest, channels: clip.channels.map((channel, c) => made.get(c) ?? channel) };
 }
 
-/** What the channels of one clip share; none of it ever changes. */
+/** Columns that the channels of one clip share; none of it ever changes. */
 function sharedColumns({ frameCount, frameSeconds, startSeconds }: Samples) {
   const times = new Float64Array(frameCount);
   for (let f = 0; f < frameCount; f++) times[f] = startSeconds + f * frameSeconds;

@@ -26,7 +26,7 @@ export interface FootLockOptions {
   readonly easeSeconds: number;
   /** A foot that stays within this distance of its place slides no further; metres. */
   readonly toleranceMetres: number;
-  /** Of takes with keys. */
+  /** Frames to solve per second, for takes with keys. */
   readonly framesPerSecond: number;
 }
 

@@ -29,7 +29,7 @@ import { calm } from './calm.ts';
 import type { HeldFrames } from './frames.ts';
 import type { HoldWindow } from './window.ts';
 
-/** What is held, the same for all frames. */
+/** The held pins, the same for all frames. */
 export interface Holding {
   /** Without unkeyed changes. */
   readonly character: Character;

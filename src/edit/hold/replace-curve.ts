@@ -85,7 +85,7 @@ function number(slope: number): Tangent {
   return slope === 0 ? tangent(FLAT) : tangent(FIXED_TANGENT, slope);
 }
 
-/** Of the parabola through a value and the next two on one side, or the line through the next one. */
+/** Slope of the parabola through a value and the next two on one side, or the line through the next one. */
 function slopeAtEnd(times: Float64Array, values: Float64Array, end: number, step: 1 | -1): number {
   const [a, b, c] = [end, end + step, end + 2 * step];
   const first = (values[b] - values[a]) / (times[b] - times[a]);

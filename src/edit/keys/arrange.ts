@@ -22,9 +22,9 @@ import { CommandError } from '../command-error.ts';
 import { takeKeys } from './columns.ts';
 import { sameTime } from './same-time.ts';
 
-/** What happens to a key that another lands on. */
+/** Treatment of a key that another lands on. */
 export type Collision = 'replace' | 'step';
-/** What can happen where a moved key lands on another: it replaces that one, or makes a step with it. */
+/** Ways to treat a moved key that lands on another: it replaces that one, or makes a step with it. */
 export const COLLISIONS: readonly Collision[] = ['replace', 'step'];
 
 /** A channel after an edit. */

@@ -34,13 +34,13 @@ export interface CopiedChannel {
 }
 
 /**
- * What happens to existing keys:
+ * Treatment of existing keys:
  *  - merge: a pasted key replaces the one it lands on, all others are kept;
  *  - replace: keys between the first and last pasted key are removed in every target channel;
  *  - insert: keys there and later are moved by the duration of the pasted keys.
  */
 export const PASTE_MODES = ['merge', 'replace', 'insert'] as const;
-/** What becomes of keys in the pasted range; see `PASTE_MODES`. */
+/** Treatment of keys in the pasted range; see `PASTE_MODES`. */
 export type PasteMode = (typeof PASTE_MODES)[number];
 
 /** With `insert`, keys are always put at the requested time, since moving later keys changes the cycle anyway. */

@@ -16,12 +16,12 @@ import { keyAt } from './columns.ts';
 import { sameTime } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
-/** What a key outside the cycle of a repeating channel can mean. */
+/** Ways to treat a key outside the cycle of a repeating channel. */
 export const OUTSIDE_CYCLE = ['bake', 'inside', 'lengthen'] as const;
-/** What a key outside a cycle means; see `OUTSIDE_CYCLE`. */
+/** Treatment of a key outside a cycle; see `OUTSIDE_CYCLE`. */
 export type OutsideCycle = (typeof OUTSIDE_CYCLE)[number];
 
-/** What to do with keys outside a cycle. */
+/** Treatment of keys outside a cycle. */
 export interface KeyPlacing {
   /** Default `lengthen`. */
   readonly outsideCycle?: OutsideCycle | undefined;

@@ -39,7 +39,7 @@ const SIDES = ['in', 'out'] as const;
 export interface Inserted {
   /** The same object if there was a key already. */
   readonly channel: KeyedChannel;
-  /** Of the new or existing key. */
+  /** Index of the new or existing key. */
   readonly index: number;
   /** Whether the channel cycles or bounces with another period now. */
   readonly periodChanged: boolean;
@@ -98,7 +98,7 @@ function keepSlope(next: KeyedChannel, key: number, side: 'in' | 'out', slope: n
   setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED_TANGENT, slope));
 }
 
-/** Of both sides of a key that has two neighbours. */
+/** The tangent on both sides of a key that has two neighbours. */
 function tangentBetween(next: KeyedChannel, key: number, slope: number): Tangent {
   const kinds = [next.tangentsOut.kinds[key - 1], next.tangentsIn.kinds[key + 1]];
   const resolves = (kind: number) => {
@@ -113,7 +113,7 @@ function tangentBetween(next: KeyedChannel, key: number, slope: number): Tangent
   return tangent(FIXED_TANGENT, slope);
 }
 
-/** Of a side of a key at an end. */
+/** The tangent on a side of a key at an end. */
 function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number): Tangent {
   const { times, values } = next;
   const neighbour = side === 'in' ? key - 1 : key + 1;

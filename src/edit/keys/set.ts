@@ -7,7 +7,7 @@ import { withTangents } from './tangents.ts';
 
 /** Omitted numbers are not changed. */
 export interface TypedKey {
-  /** Of the clip. */
+  /** Seconds of the clip. */
   readonly timeSeconds?: number | undefined;
   readonly value?: number | undefined;
   /** Value per second; makes that side FIXED. */

@@ -1,4 +1,4 @@
-/** What all rigging commands share: find the joint, change the skeleton, and rebind skins that are to stay. */
+/** Steps that all rigging commands share: find the joint, change the skeleton, and rebind skins that are to stay. */
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { indexIn } from '../arguments.ts';

@@ -1,4 +1,4 @@
-/** What refers to joint indices, besides skins: pins and stiff joints, and retargeting. */
+/** Data that refer to joint indices, besides skins: pins and stiff joints, and retargeting. */
 import type { Character } from '../../model/document.ts';
 import { defaultIk, type IkSetup } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';

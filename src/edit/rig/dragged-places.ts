@@ -79,7 +79,7 @@ export function ontoGrid(point: Vec3, from: Vec3, step: number): Vec3 {
   const at = (k: 0 | 1 | 2) => (Math.abs(point[k] - from[k]) > SAME_PLACE * step ? snapped(point[k], step) : from[k]);
   return [at(0), at(1), at(2)];
 }
-/** Of a step: the noise of projecting to the screen and back. */
+/** Fraction of a step: the noise of projecting to the screen and back. */
 const SAME_PLACE = 1e-3;
 
 /** Removes rounding errors in the last digits: 3 steps of 0.1 are 0.3. */

@@ -1,4 +1,4 @@
-/** What a character's takes lose with DOFs that a joint no longer has. */
+/** Keys that a character's takes lose with DOFs that a joint no longer has. */
 
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';

@@ -1,12 +1,12 @@
 /**
- * What happens to the skin when joints move. `stays` (bind mode): it is rebound, so that every vertex stays in place in
- * the displayed pose. `follows` (pose mode): its bindings are kept, and it moves along.
+ * Modes of the skin while joints move. `stays` (bind mode): it is rebound, so that every vertex stays in place in the
+ * displayed pose. `follows` (pose mode): its bindings are kept, and it moves along.
  */
 export const SKIN_MODES = ['stays', 'follows'] as const;
-/** What the skin does when joints move; see `SKIN_MODES`. */
+/** Mode of the skin while joints move; see `SKIN_MODES`. */
 export type SkinMode = (typeof SKIN_MODES)[number];
 
-/** What all rigging commands are given. */
+/** Arguments that all rigging commands share. */
 export interface Rigging {
   readonly characterId: string;
   /** Default `follows`. */

@@ -49,7 +49,7 @@ const POSITION_PART = 0.005;
 /** Radians: 1°. */
 const ANGLE = Math.PI / 180;
 
-/** What is hardly visible. */
+/** Tolerance that is hardly visible. */
 export function usualTolerance(skeleton: Skeleton | undefined): Tolerance {
   return { position: POSITION_PART * (skeleton ? sizeOf(skeleton) : 1), angle: ANGLE };
 }
@@ -67,7 +67,7 @@ export interface Worst {
   readonly error: number;
   /** Index of the joint. */
   readonly joint: number;
-  /** Of the clip. */
+  /** Seconds of the clip. */
   readonly atSeconds: number;
 }
 

@@ -22,9 +22,9 @@ import { refuseTooMany } from './most-frames.ts';
 import { jointRotations } from './rotations.ts';
 import { readFrame, writeFrame } from './take-frames.ts';
 
-/** What is laid over what: the root, the foot that stands, or nothing, where takes share a space. */
+/** Points that are laid over each other: the root, the foot that stands, or nothing, where takes share a space. */
 export const JOIN_ALIGNMENTS = ['root', 'foot', 'none'] as const;
-/** What is aligned where takes are joined; see `JOIN_ALIGNMENTS`. */
+/** Points that are aligned where takes are joined; see `JOIN_ALIGNMENTS`. */
 export type JoinAlignment = (typeof JOIN_ALIGNMENTS)[number];
 
 /** Frames between two yields. */

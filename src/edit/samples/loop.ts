@@ -70,7 +70,7 @@ export function* looping(
   return out;
 }
 
-/** What takes the stance of one frame to that of another. */
+/** The carry that takes the stance of one frame to that of another. */
 function carryBetween(carrier: Carrier, samples: Samples, from: number, to: number): Carry {
   const pose = new Float64Array(samples.scales.length);
   const stanceAt = (frame: number) => {

@@ -51,7 +51,7 @@ interface Job {
   readonly range: FrameRange;
   /** Frames that the filter reads to either side. */
   readonly reach: number;
-  /** Of the Gaussian; undefined for a median. */
+  /** Weights of the Gaussian; undefined for a median. */
   readonly weights: Float64Array | undefined;
 }
 

@@ -24,7 +24,7 @@ import { signed } from '../pose/reflection-signs.ts';
 import { partnersByName } from '../pose/sides.ts';
 import { jointRotations, unrollTriples } from './rotations.ts';
 
-/** What a take needs of its character to be mirrored. `pose` is for DOFs without a channel. */
+/** The parts of its character that a take needs to be mirrored. `pose` is for DOFs without a channel. */
 export type Mirrored = Pick<Character, 'morphs' | 'pose'> & { readonly skeleton: Skeleton };
 
 /** Frames between two yields if each joint is fitted. */

@@ -14,7 +14,7 @@ export type ScriptedChange = Command<unknown, Document | Edit>;
 /** Names a character by id, name or index. @throws CommandError if there is none */
 export type FindCharacter = (ref: string | number | undefined) => string;
 
-/** What arguments are when they are left out. */
+/** Values of arguments that are left out. */
 export interface Defaults {
   readonly timeSeconds: number;
   readonly playedRange: readonly [number, number];

@@ -88,7 +88,7 @@ export function whole(from: number): Shape<number> {
   };
 }
 
-/** Of joints, channels, keys and the like. */
+/** Index of joints, channels, keys and the like. */
 export const index: Shape<number> = whole(0);
 
 /** One of a list of words or numbers. */

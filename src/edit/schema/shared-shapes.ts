@@ -10,7 +10,7 @@ import { TANGENT_SIDES } from '../keys/tangents.ts';
 import { SKIN_MODES } from '../rig/rigging.ts';
 import { filledText, index, list, number, oneOf, optional, record, type Shape, text, tuple, whole } from './shape.ts';
 
-/** Of one character, by its id. */
+/** One character, by its id. */
 export const CHARACTER = { characterId: text } as const;
 /** A character at a time, in seconds of the transport. */
 export const NOW = { ...CHARACTER, timeSeconds: number } as const;
@@ -30,7 +30,7 @@ export const vector = tuple('x', 'y', 'z');
 /** A `Placement`: turns in radians. */
 export const placement = record({ position: vector, turn: vector, scale: number });
 
-/** What a key outside a cycle means; see `OUTSIDE_CYCLE`. */
+/** Treatment of a key outside a cycle; see `OUTSIDE_CYCLE`. */
 export const outsideCycle = oneOf(OUTSIDE_CYCLE);
 /** How a DOF is keyed: kind of tangents, the playback range of a new take, and what a key outside a cycle means. */
 export const KEY_OPTIONS = {
@@ -68,12 +68,14 @@ export const TAKE = { ...CHARACTER, clip: optional(index) } as const;
 /** Characters by their ids. */
 export const CHARACTERS = { characterIds: list(text) } as const;
 
-/** What happens to keys outside a cycle: `KeyPlacing`. */
+/** Treatment of keys outside a cycle: `KeyPlacing`. */
 export const PLACING = { outsideCycle: optional(outsideCycle), bakedRange: optional(range) } as const;
-/** What happens to a key that a moved one lands on; default: it is replaced. */
+/** Treatment of a key that a moved one lands on; default: it is replaced. */
 export const onCollision = optional(oneOf(COLLISIONS));
 
-/** What commands on a skeleton share; `timeSeconds` is the transport time of the displayed pose, default 0. */
+/**
+ * Arguments that commands on a skeleton share; `timeSeconds` is the transport time of the displayed pose, default 0.
+ */
 export const RIGGING = { ...CHARACTER, skin: optional(oneOf(SKIN_MODES)), timeSeconds: optional(number) } as const;
 /** A joint of a character, with what rigging is given. */
 export const JOINT = { ...RIGGING, joint: index } as const;

@@ -42,7 +42,7 @@ export function comparedJoints(a: Character, b: Character): ComparedJoints {
 interface Known {
   readonly joints: ComparedJoints;
   readonly spaces: readonly [Space | undefined, Space | undefined];
-  /** Of the driver, by identity. */
+  /** Pairs of the driver, by identity. */
   readonly pairs: unknown;
 }
 const known = new WeakMap<Skeleton, WeakMap<Skeleton, Known>>();

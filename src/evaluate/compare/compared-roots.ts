@@ -1,5 +1,6 @@
 /**
- * What two takes are compared from: the joints that carry the two characters, and the rotation between their axes.
+ * References from which two takes are compared: the joints that carry the two characters, and the rotation between
+ * their axes.
  *
  * Roots of different skeletons point elsewhere in the same pose, which is no difference between two motions. So the
  * second one's rotation is multiplied by K, the constant by which the retargeter aligns the same two joints

@@ -6,7 +6,7 @@ import { NO_TRAVEL, placementMatrix } from '../space/placements.ts';
 
 /** As displayed; relative to the root's position; also relative to its orientation (`distance.ts`). */
 export const ALIGNMENTS = ['world', 'root', 'turned'] as const;
-/** What is ignored when two motions are compared; see `ALIGNMENTS`. */
+/** Differences that are ignored when two motions are compared; see `ALIGNMENTS`. */
 export type Alignment = (typeof ALIGNMENTS)[number];
 
 /** Positions of some of a character's joints at successive times. */

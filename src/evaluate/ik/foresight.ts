@@ -1,7 +1,7 @@
 /**
- * What a drag learns from its last step: how far the errors deviated from the Jacobian's linear prediction. Since a
- * hand moves much as before, and the deviation is of second order in the step, the next step anticipates and removes
- * it:
+ * Prediction that a drag learns from its last step: how far the errors deviated from the Jacobian's linear prediction.
+ * Since a hand moves much as before, and the deviation is of second order in the step, the next step anticipates and
+ * removes it:
  *
  *     e(φ + h) ≈ e + J·h + k²·bend        k: length of this error along the last one, relative to that one
  *

@@ -13,7 +13,7 @@ import { compileSkeleton } from '../kinematics.ts';
 /** Indices of the joints that bend, ascending; or all of them, with root translation. */
 export type Bending = readonly number[] | 'body';
 
-/** What bends with a dragged joint: its limb, everything, or what is between it and a chosen joint. */
+/** Joints that bend with a dragged one: its limb, all, or those between it and a chosen joint. */
 export type IkReach = 'limb' | 'body' | { readonly top: number };
 
 /** A chain that doesn't pass its top is the limb. */

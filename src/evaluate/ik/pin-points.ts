@@ -167,7 +167,9 @@ function heaviestJoint({ start, joints, weights }: Attachments, vertex: number, 
   return joint;
 }
 
-/** Of the joints that move a vertex about as much as any other, the one whose pivot is nearest to it; -1 if none does. */
+/**
+ * The joint whose pivot is nearest to a vertex, among those that move it about as much as any other; -1 if none does.
+ */
 function nearestOfHeaviest(
   attachments: Attachments,
   vertex: number,

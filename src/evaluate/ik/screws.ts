@@ -8,7 +8,7 @@ import type { Links, PinArrays, ScrewColumns, Slots } from './state.ts';
 import type { IkVariables } from './variables.ts';
 
 /**
- * What a link does: rotates about x, y, z (0, 1, 2) or another axis, only slides, is constant, or uses its joint's own
+ * Kind of a link: it rotates about x, y, z (0, 1, 2) or another axis, only slides, is constant, or uses its joint's own
  * rule.
  */
 export const SLANTED = 3;

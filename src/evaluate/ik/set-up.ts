@@ -22,7 +22,7 @@ export interface PinTarget {
   readonly orientation?: Turn;
 }
 
-/** What is dragged: a pin by id, or an unpinned point of a joint. */
+/** The dragged point: a pin by id, or an unpinned point of a joint. */
 export type DragTarget =
   | { readonly pin: number }
   | {

@@ -61,7 +61,7 @@ export interface PinArrays {
   readonly holdsOrientation: Uint8Array;
   /** 9 each. Written by `turnPin`. */
   readonly targetFrames: Float64Array;
-  /** Of position and orientation errors. */
+  /** Weights of position and orientation errors. */
   readonly weights: Float64Array;
   readonly turnWeights: Float64Array;
   /** Its first error. */

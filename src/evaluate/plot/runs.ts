@@ -8,7 +8,7 @@ const NEAR = 3;
 /** Shorter runs are drawn as diamonds anyway: three keys in a row are three keys. */
 const SHORTEST_BAND = 12;
 
-/** What receives the shapes of a row, from left to right. */
+/** Receiver of the shapes of a row, from left to right. */
 export interface RunSink {
   /** @param pixel index of the mark */
   diamond(pixel: number, mark: number): void;

@@ -38,7 +38,7 @@ export function sampleExtremes(samples: Samples): SampleExtremes {
 }
 
 class SampleExtremes {
-  /** Of the last range queried. */
+  /** Smallest value of the last range queried. */
   low = 0;
   high = 0;
   private readonly columns: (Levels | undefined)[] = [];

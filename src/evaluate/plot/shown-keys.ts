@@ -19,7 +19,7 @@ export interface ShownChannel {
   /** Seconds, ascending. */
   readonly times: Float64Array;
   readonly offsetSeconds: number;
-  /** Of the selected joints, or everything if none is selected. */
+  /** Whether the channel is one of the selected joints, or everything if none is selected. */
   readonly meant: boolean;
 }
 

@@ -112,7 +112,7 @@ function cubicExtremes(cubics: Float64Array, o: number, from: number, to: number
 
 /** Queries one channel at a time, keyed or sampled; reuse it by opening the next. */
 export class ChannelExtremes {
-  /** Of the last range queried. */
+  /** Smallest value of the last range queried. */
   low = 0;
   high = 0;
   private curves: CompiledClip | undefined;

@@ -15,7 +15,7 @@ import { footTip, type PointTree, tipBelow } from './tip.ts';
 export interface PointedJoints {
   /** The joint itself is first. */
   readonly joints: readonly number[];
-  /** What it points to: another joint, or a point in its space. */
+  /** Target that it points to: another joint, or a point in its space. */
   readonly tip: number | Float64Array;
 }
 

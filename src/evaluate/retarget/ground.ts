@@ -13,7 +13,7 @@ import type { RetargetFigure } from './figure.ts';
 import type { RetargetPlan, SpaceRule } from './plan.ts';
 import { solveFreely } from './solve.ts';
 
-/** What may touch the ground, of one foot. */
+/** Points of one foot that may touch the ground. */
 export interface Sole {
   /** A joint, and a point in its space, x y z. */
   readonly joints: Int32Array;

@@ -23,7 +23,7 @@ const REACH = 2;
 /** Weight of a foot in the air beside one that stands. */
 const IN_THE_AIR = 0.01;
 
-/** Of a plan whose feet are known. */
+/** The track of a plan whose feet are known. */
 export function hipsTrack(plan: RetargetPlan): HipsTrack {
   const [start, end] = plan.range;
   const spaces = Math.max(1, Math.min(MAX_KNOTS, Math.ceil((end - start) / BETWEEN)));

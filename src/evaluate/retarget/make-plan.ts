@@ -196,7 +196,7 @@ function slidesFirst(motion: Motion): boolean {
   return factors.findLastIndex(isSlide) < factors.filter(isSlide).length;
 }
 
-/** Of pairs whose joints have the same DOFs: what neither rotates them nor slides. */
+/** Copied DOFs of pairs whose joints have the same ones: those that neither rotate nor slide. */
 function copiedDofs(
   { source, target, sourceOf }: Bodies,
   compiled: CompiledSkeleton,

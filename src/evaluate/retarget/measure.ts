@@ -41,7 +41,7 @@ export interface Measured {
 
 /** Samples per second of a contact, and number of times at which limbs are compared, evenly over the take. */
 const RATE = 60;
-/** Of one contact: a foot may stand for hours. */
+/** Most poses measured of one contact: a foot may stand for hours. */
 const MOST_POSES = 10_000;
 const MOMENTS = 48;
 

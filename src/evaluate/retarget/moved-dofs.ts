@@ -1,6 +1,6 @@
 /**
- * What a retargeted take overrides: `retargetPose` writes these DOFs; the other joints come from the pose, and morphs
- * from the character's own take.
+ * DOFs that a retargeted take overrides: `retargetPose` writes these DOFs; the other joints come from the pose, and
+ * morphs from the character's own take.
  */
 import type { Character, Driver } from '../../model/document.ts';
 import { perPair } from '../../model/per-object.ts';

@@ -25,7 +25,7 @@ export type BodySide = (typeof LIMB_SIDES)[number];
 /** `left thigh`, or `hips`. */
 export type Role = `${BodySide} ${LimbPart}` | 'hips' | 'head';
 
-/** What a skeleton's joints are, whatever its unit and its place. */
+/** Parts of the body that a skeleton's joints are, whatever its unit and its place. */
 export interface BodyParts {
   readonly single: ReadonlyMap<Role, number>;
   /** From the bottom up. */

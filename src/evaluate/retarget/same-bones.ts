@@ -16,7 +16,7 @@ export interface SameBones {
 
 /** Cosine of the largest angle between equal directions: 0.5°. */
 const EQUAL = Math.cos(Math.PI / 360);
-/** Of the longest bone: shorter ones have no direction, and lengths may differ by that much. */
+/** Fraction of the longest bone: shorter ones have no direction, and lengths may differ by that much. */
 const NOTHING = 1e-4;
 /** Fraction of the target's joints that have to be paired. */
 const PAIRED = 0.8;

@@ -18,7 +18,7 @@ import { pitchOf, raisingAxis } from './feet.ts';
 
 /** A foot whose bone slopes otherwise than the source's. */
 export interface FootSlope {
-  /** Of the target: the ankle and all paired joints below it, which turn together. */
+  /** Joints of the target: the ankle and all paired joints below it, which turn together. */
   readonly joints: Int32Array;
   /** Unit vectors in the ankle's own space: the source's bone, and the axis about which toes come up. */
   readonly bone: Float64Array;

@@ -16,7 +16,7 @@ export interface PlayedSource {
   readonly clampsToLimits: boolean;
   readonly curves: CompiledClip;
   readonly joints: SampledJoints;
-  /** Of root and joints. */
+  /** Number of DOFs of root and joints. */
   readonly dofCount: number;
   /** Number of leading DOFs that have a channel. */
   readonly driven: number;

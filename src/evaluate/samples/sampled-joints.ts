@@ -35,7 +35,7 @@ export interface SampledJoints {
   readonly quaternionColumns: Int32Array;
 }
 
-/** What the joints of a clip depend on, and the result. */
+/** The input that the joints of a clip depend on, and the result. */
 interface Sorted {
   readonly columns: Int32Array;
   readonly scales: Float64Array | undefined;

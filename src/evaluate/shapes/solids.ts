@@ -15,7 +15,7 @@ import { worldOf } from './world-of.ts';
 export interface Solid {
   /** x y z per vertex. */
   readonly points: Float64Array;
-  /** Of any length. */
+  /** Normals of any length. */
   readonly normals: Float64Array;
   /** Three vertices each. */
   readonly triangles: ArrayLike<number>;
@@ -24,7 +24,7 @@ export interface Solid {
 /** Skins with more vertices are not deformed for a thumbnail; their bones are drawn instead. */
 const MAX_VERTICES = 150_000;
 
-/** What of a character its solids depend on. */
+/** The parts of a character that its solids depend on. */
 export type Posed = Pick<Character, 'skeleton' | 'skins' | 'shownSkin' | 'morphs' | 'clampsToLimits'>;
 
 /**
@@ -131,7 +131,7 @@ class Solids {
     for (const [a, b, c, d] of BOX_FACES) this.face([corners[a], corners[b], corners[c], corners[d]]);
   }
 
-  /** Of three or four corners; double-sided. */
+  /** A face of three or four corners; double-sided. */
   private face(corners: readonly (readonly number[])[]): void {
     const [a, b, c] = corners;
     const normal = cross(

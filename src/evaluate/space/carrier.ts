@@ -1,5 +1,5 @@
 /**
- * What moves a character over the ground.
+ * The joint that moves a character over the ground.
  *
  * Usually it is the root. But in some captures (Bandai Namco's) the root stays at the studio's origin, and the hips
  * below it move. So the carrier is the first joint, from the root down to where the skeleton branches, whose

@@ -54,7 +54,7 @@ function shapeOf({ joints }: Skeleton, world: Float64Array): FrameShape {
   return { min, max, points };
 }
 
-/** Of the finite numbers; NaN if there are none. */
+/** A percentile of the finite numbers; NaN if there are none. */
 export function percentile(values: ArrayLike<number>, part: number): number {
   const finite = new Float64Array(values.length);
   let count = 0;

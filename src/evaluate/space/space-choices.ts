@@ -1,4 +1,4 @@
-/** What else the space of a figure could be, where its file doesn't state one, or states what can hardly be. */
+/** Other spaces that a figure could have, where its file doesn't state one, or states what can hardly be. */
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
@@ -9,7 +9,7 @@ import { COMMON_UNITS, figureHeight, metresForPerson, unitsByHeight } from './sp
 
 /** The height of a figure in its space, and what its space could be instead. */
 export interface SpaceChoices {
-  /** Of the figure, in its space; metres. */
+  /** Height of the figure, in its space; metres. */
   readonly height: number;
   /** The most likely first; other units leave it at a credible height only. */
   readonly others: readonly Space[];

@@ -221,7 +221,7 @@ export function unitsByHeight(height: number): readonly { readonly unit: Guessed
 
 /** Cosine of the largest slant of one who stands: 37°. */
 const ALONG = 0.8;
-/** Of a leg's length: one who stands has nearly straight legs. */
+/** Fraction of a leg's length: one who stands has nearly straight legs. */
 const STRETCHED = 0.85;
 /** Fraction of the frames in which a figure stands that make it a take with standing. */
 const OFTEN = 0.1;

@@ -43,7 +43,7 @@ const TREE_DONE = 0.08;
 const BONES_DONE = 0.25;
 const SIGHT_DONE = 0.4;
 const SETTLED = 0.98;
-/** Of the time for the systems, the shares of the matrix and its factor. */
+/** Shares of the matrix and its factor in the time for the systems. */
 const MATRIX_MADE = 0.05;
 const FACTORISED = 0.5;
 /** Vertices between two yields. */

@@ -88,7 +88,7 @@ export function* laplacian({ vertexCount, positions, triangles }: WeldedMesh): S
 /** Twice the area of the triangle last passed to `cotangent`. */
 let doubleArea = 0;
 
-/** Of the angle at a vertex, between the sides to two others. */
+/** Cotangent of the angle at a vertex, between the sides to two others. */
 function cotangent(p: Float64Array, at: number, i: number, j: number): number {
   const ax = p[3 * i] - p[3 * at];
   const ay = p[3 * i + 1] - p[3 * at + 1];

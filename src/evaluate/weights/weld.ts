@@ -16,7 +16,7 @@ export interface WeldedMesh {
   /** For each vertex here. */
   readonly parts: Uint32Array;
   readonly partCount: number;
-  /** Of the box around all vertices. */
+  /** Diagonal of the box around all vertices. */
   readonly diagonal: number;
 }
 

@@ -22,13 +22,13 @@ export const INDICES = 34963;
 type Values = Float32Array<ArrayBuffer> | Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 
 const WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 } as const;
-/** What one element of an accessor is. */
+/** Shape of one element of an accessor. */
 export type AccessorType = keyof typeof WIDTHS;
 
 /** Part of the JSON. */
 export type Json = { readonly [name: string]: unknown };
 
-/** What an accessor states beside its values. */
+/** Properties that an accessor states beside its values. */
 export interface AccessorOptions {
   readonly target?: typeof VERTICES | typeof INDICES;
   /** Whether to state the minimum and maximum of each component. */

@@ -9,7 +9,7 @@ import { type JointNodes, jointNodes, NODE_WIDTH, nodeWorlds, nodeWriter } from 
 import { type GlbOptions, TOLERANCE_OF_SIZE } from './options.ts';
 import { sizeOf } from './size.ts';
 
-/** What of a character is written, apart from its motion. */
+/** The parts of a character that are written, apart from its motion. */
 export interface Figure {
   readonly skin: Skin | undefined;
   /** Absent without a skeleton. */

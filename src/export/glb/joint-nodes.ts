@@ -27,7 +27,7 @@ export interface JointNode {
   readonly place: number;
   /** Which of its numbers may change: translation, rotation, scale. */
   readonly hasScale: boolean;
-  /** What is multiplied, from left to right; absent: the joint's matrix, which is T · R. */
+  /** The parts that are multiplied, from left to right; absent: the joint's matrix, which is T · R. */
   readonly parts?: readonly MotionPart[];
 }
 

@@ -1,4 +1,4 @@
-/** What is lost on the way to GLB, with how far it is off where that can be measured. */
+/** Losses on the way to GLB, with how far it is off where that can be measured. */
 import { compileSkin, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { setIdentity } from '../../math/mat4.ts';
 import type { Character } from '../../model/document.ts';
@@ -12,7 +12,7 @@ import type { GlbOptions } from './options.ts';
 import { displacementText, type Loss } from './report.ts';
 import type { TakeMotion } from './take-motion.ts';
 
-/** What was written, as far as losses depend on it. */
+/** The written file, as far as losses depend on it. */
 export interface Written {
   readonly character: Character;
   readonly options: GlbOptions;
@@ -213,7 +213,7 @@ function splines({ options, motions }: Written): readonly Loss[] {
   ];
 }
 
-/** What glTF has no place for. */
+/** Losses of what glTF has no place for. */
 function leftOut({ character, options, motions, figure }: Written): readonly Loss[] {
   const { skeleton, skins, poses, placements, driver, clips, unkeyed, morphs } = character;
   const joints = skeleton?.joints ?? [];

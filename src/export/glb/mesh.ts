@@ -6,7 +6,7 @@ import { type Skin, vertexCount } from '../../model/skin.ts';
 import type { AttachmentSets } from './attachments.ts';
 import { type BinaryChunk, INDICES, type Json, VERTICES } from './container.ts';
 
-/** What a mesh is made of. */
+/** The parts that a mesh is made of. */
 export interface MeshParts {
   readonly skin: Skin;
   readonly morphs: readonly Morph[];

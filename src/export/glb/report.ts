@@ -1,7 +1,7 @@
-/** What a GLB file has, and what of the character it hasn't. */
+/** Report on what a GLB file has, and what of the character it hasn't. */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 
-/** What a file has, and what was lost. */
+/** A file in numbers, and its losses. */
 export interface GlbReport {
   readonly bytes: number;
   readonly joints: number;

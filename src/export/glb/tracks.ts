@@ -1,4 +1,4 @@
-/** What of a character moves in a take, and how far an error of it is seen. */
+/** Properties of a character that move in a take, and how far an error of it is seen. */
 
 import { pointOfPair, type Watch } from './fit/watch.ts';
 import { type JointNode, NODE_WIDTH, ROTATION, SCALE } from './joint-nodes.ts';

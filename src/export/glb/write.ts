@@ -35,7 +35,7 @@ export interface GlbFile {
 
 /** How far writing has come. */
 export interface GlbProgress {
-  /** What is being done: the name of a take. */
+  /** The current step: the name of a take. */
   readonly label: string;
   /** From 0 to 1, of all. */
   readonly fraction: number;
@@ -221,7 +221,7 @@ function axisLength(size: number, tolerance: number): number {
   return Math.max(tolerance, TOLERANCE_OF_SIZE * size) / MOST_TURN;
 }
 
-/** What the body shows of joints that nothing else shows. */
+/** Shapes of the body for joints that nothing else shows. */
 function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FigureJoints): readonly RigidPoint[] {
   const inverse = new Float64Array(16);
   return stubPoints(skeleton, worlds, lastOf).flatMap(({ joint, point: [x, y, z] }) => {

@@ -1,6 +1,6 @@
 /**
- * What the page changed in a file: the file's own text with the changes (`merge.ts`), which reads as what saving writes.
- * Saving itself writes all lines in its own layout.
+ * The changes of the page in a file: the file's own text with the changes (`merge.ts`), which reads as what saving
+ * writes. Saving itself writes all lines in its own layout.
  */
 import { newCharacter } from '../../edit/new-character.ts';
 import { addPoses } from '../../edit/pose/library.ts';
@@ -39,7 +39,8 @@ export function changedText(source: SourceFile, original: string, owned: readonl
 }
 
 /**
- * What reading a text and saving it again gives; undefined if it has errors. Equal for texts that say the same.
+ * The text that results from reading a text and saving it again; undefined if it has errors. Equal for texts that say
+ * the same.
  *
  * @param owned the parts that are saved in such a file
  */

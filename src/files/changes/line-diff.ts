@@ -10,7 +10,7 @@
 const MAX_EDITS = 1000;
 
 /**
- * Of each line of `a`, the index of its line in `b`, ascending; -1 for one that `b` doesn't have there.
+ * Index in `b` of each line of `a`, ascending; -1 for one that `b` doesn't have there.
  *
  * @param a numbers that stand for lines, equal for equal lines
  */
@@ -66,7 +66,7 @@ class Matching {
     const most = Math.min(MAX_EDITS, n + m);
     const reached = new Int32Array(2 * most + 3);
     const mid = most + 1;
-    /** Of each number of edits, how far each diagonal came. */
+    /** How far each diagonal came, for each number of edits. */
     const traces: Int32Array[] = [];
     for (let edits = 0; edits <= most; edits++) {
       traces.push(reached.slice(mid - edits - 1, mid + edits + 2));
@@ -111,7 +111,7 @@ function once(lines: Int32Array, from: number, to: number): ReadonlyMap<number, 
   return found;
 }
 
-/** Of pairs that ascend by their first number, the longest list that ascends by the second one too. */
+/** The longest list of pairs that ascends by both numbers, out of one that ascends by the first. */
 function ascending(pairs: readonly (readonly [number, number])[]): (readonly [number, number])[] {
   const ends: number[] = [];
   const before = new Int32Array(pairs.length);

@@ -51,9 +51,9 @@ class Merge {
   private readonly before: readonly string[];
   private readonly after: readonly string[];
   private readonly meanings: readonly string[];
-  /** Of each line of `after`, its line of `before`; -1: new. */
+  /** Line of `before` for each line of `after`; -1: new. */
   private readonly was: Int32Array;
-  /** Of each line of `before`, its line of the original; -1: in a gap. */
+  /** Line of the original for each line of `before`; -1: in a gap. */
   private readonly own: Int32Array;
   private readonly gapOf = new Map<number, Gap>();
   /** Lines of the original that correspond to none, by block and by what they set: defaults that writers omit. */
@@ -155,7 +155,7 @@ class Merge {
     return parts;
   }
 
-  /** What differs between the writings; what reaches into a gap has all of it. */
+  /** Differences between the writings; what reaches into a gap has all of it. */
   private changes(): readonly Change[] {
     const { before, after, was } = this;
     const ids = new LineIds();
@@ -323,7 +323,7 @@ function writtenLines(text: string): readonly string[] {
   return splitLines(text).lines.filter((line) => line !== '');
 }
 
-/** Of each line, the line of the brace that is open before it; -1: none. A line that closes one belongs to its block. */
+/** The line of the brace that is open before each line; -1: none. A line that closes one belongs to its block. */
 function blocksOf(lines: readonly string[]): Int32Array {
   const open: number[] = [];
   return Int32Array.from(lines, (line, i) => {

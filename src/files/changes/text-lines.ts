@@ -3,7 +3,7 @@
 /** The lines of a text, without their ends. */
 export interface TextLines {
   readonly lines: readonly string[];
-  /** What ends each line; empty for the last one. */
+  /** The end of each line; empty for the last one. */
   readonly ends: readonly string[];
 }
 

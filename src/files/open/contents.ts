@@ -1,4 +1,4 @@
-/** What opening makes of a file's content, by its kind. */
+/** Results of opening a file's content, by its kind. */
 import type { Character } from '../../model/document.ts';
 import type { FileContent, ParsedFile, WholeCharacter } from '../../model/files.ts';
 import { openingOf, type PartOpening } from '../kinds.ts';

@@ -11,9 +11,9 @@ import { type FileGroup, isBroken, isRead, prefixFit } from './grouping.ts';
 import type { Opening } from './opening.ts';
 import { settle } from './settle.ts';
 
-/** What a character is opened from. */
+/** The files that a character is opened from. */
 interface CharacterFiles {
-  /** Of a new one. */
+  /** Name of a new character. */
   readonly name: string;
   /** Its skeleton; absent for a skin that a rig names without one. */
   readonly own: { readonly file: ParsedFile; readonly whole: WholeCharacter } | undefined;

@@ -11,9 +11,9 @@ import { charactersIn } from './contents.ts';
  * user has set another space for that skeleton.
  */
 export class OpenSpaces {
-  /** Of characters from before, by skeleton. */
+  /** Spaces of characters from before, by skeleton. */
   private readonly known = new Map<string, Space>();
-  /** Of the figures in the files whose space was guessed, by skeleton. */
+  /** The surest spaces of the figures in the files whose space was guessed, by skeleton. */
   private readonly surest = new Map<string, FileSpace>();
 
   /** @param characters from before */
@@ -29,7 +29,7 @@ export class OpenSpaces {
     }
   }
 
-  /** Of a character in the files; undefined if it says none and none is guessed. */
+  /** Space of a character in the files; undefined if it says none and none is guessed. */
   of({ skeleton, space }: WholeCharacter): Space | undefined {
     if (!space) return undefined;
     const key = skeletonKey(skeleton);

@@ -15,7 +15,7 @@ export class Opening {
   readonly base: Document;
   /** Files left unused earlier; these files may make them usable. */
   readonly waiting: readonly UnusedFile[];
-  /** Of these files and of those that wait. */
+  /** Textures of these files and of those that wait. */
   readonly textures: readonly ParsedFile[];
   readonly characters: OpenCharacters;
   readonly spaces: OpenSpaces;

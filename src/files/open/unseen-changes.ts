@@ -1,5 +1,5 @@
 /**
- * What an opening changed that the eye does not see by itself: a morph at weight 0, poses in the library, a take beside
+ * Changes of an opening that the eye does not see by itself: a morph at weight 0, poses in the library, a take beside
  * others, a skin shown instead of another one, a file that waits for others. Without a sentence it would seem that
  * nothing had happened, or that something had been lost.
  */

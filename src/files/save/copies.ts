@@ -19,13 +19,13 @@ export interface Copy {
   readonly name: string;
   /** Made when it is written. */
   content(): FileContent;
-  /** What was lost on the way to the model. */
+  /** Losses on the way to the model. */
   readonly diagnostics?: readonly Diagnostic[];
 }
 
 /** Options of writing a character in another format. */
 export interface ConversionOptions extends SampleKeyOptions {
-  /** Of `.bvh`; absent: each clip's own, or 30. */
+  /** Frame rate of `.bvh`; absent: each clip's own, or 30. */
   readonly framesPerSecond?: number;
 }
 

@@ -1,4 +1,4 @@
-/** What to write when the user saves: files, each with the parts that it holds and how it is written. */
+/** Files to write when the user saves: files, each with the parts that it holds and how it is written. */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { fileNameOf, type Part } from '../../model/part.ts';

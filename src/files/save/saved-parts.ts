@@ -19,13 +19,13 @@ export interface UnsavedPart {
   readonly kind: PartKind;
   /** Index into the character's skins, morphs or clips; 0 for its skeleton and pose library. */
   readonly index: number;
-  /** Of its file: `wasp_walk.anim`. */
+  /** Name of its file: `wasp_walk.anim`. */
   readonly name: string;
   /** Only its markers differ from their file, which is beside its own. */
   readonly isMarkers?: true;
 }
 
-/** What of a character is saved: plain data, stored with and restored from a session. */
+/** The saved parts of a character: plain data, stored with and restored from a session. */
 export interface SavedCharacter {
   readonly characterId: string;
   /** Whether each of its parts is saved, in the order of `partsOf`; or all of it but its markers. */
@@ -111,7 +111,7 @@ export class SavedParts {
     return document.characters.flatMap((character) => this.listOf(character));
   }
 
-  /** What of each character is saved, in plain data; a session keeps it across visits. */
+  /** The saved parts of each character, in plain data; a session keeps it across visits. */
   snapshot(document: Document): readonly SavedCharacter[] {
     return document.characters.map((character) => ({
       characterId: character.id,

@@ -21,7 +21,7 @@ import { jointPose, posesByNames } from './saved-poses.ts';
 
 /** Options of writing a character in its own formats. */
 export interface SavingOptions {
-  /** Of `.bvh`, for clips without a rate of their own; absent: 30. */
+  /** Frame rate of `.bvh`, for clips without a rate of their own; absent: 30. */
   readonly framesPerSecond?: number;
 }
 

@@ -1,4 +1,4 @@
-/** What saving as text loses of characters whose file states a unit. */
+/** Losses of saving as text of characters whose file states a unit. */
 import { unitText } from '../../evaluate/space/space.ts';
 import type { Character } from '../../model/document.ts';
 

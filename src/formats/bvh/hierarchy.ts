@@ -259,7 +259,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
 const NO_OFFSET: Offset = { at: [0, 0, 0] };
 const NO_CHANNELS: readonly BvhChannel[] = [];
 
-/** What joints with the same channels share: a joint would take a hundred times its bytes otherwise. */
+/** Data that joints with the same channels share: a joint would take a hundred times its bytes otherwise. */
 interface Shared {
   readonly motion: BvhMotion;
   readonly limits: readonly Limit[];

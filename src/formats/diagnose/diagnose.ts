@@ -60,7 +60,7 @@ interface Trial {
   readonly guess: Guess;
   /** As edited. */
   readonly text: Uint8Array;
-  /** What is told of that. */
+  /** Diagnostics of that text. */
   readonly after: readonly Diagnostic[];
   /** Problems that it leaves; fewer are better. */
   readonly cost: number;
@@ -161,7 +161,7 @@ function byPlace(a: Diagnostic, b: Diagnostic): number {
   return line(a) - line(b) || a.column - b.column;
 }
 
-/** Of several problems of a line only the first error: the others mostly follow from it. */
+/** Keeps only the first error of several problems of a line: the others mostly follow from it. */
 function firstOfLines(all: readonly Diagnostic[]): readonly Diagnostic[] {
   const errors = new Map<number, Diagnostic>();
   for (const d of all) if (d.severity === 'error' && d.line > 0 && !errors.has(d.line)) errors.set(d.line, d);
@@ -199,7 +199,7 @@ function problemsOf(diagnostics: readonly Diagnostic[], done: ReadonlySet<number
   return diagnostics.filter((d) => d.severity !== 'info' && !done.has(d.line));
 }
 
-/** What is wrong on an edited line: what was told of it, or the guess. */
+/** The problem on an edited line: as it was reported, or as guessed. */
 function ofLine(
   lines: TextLines,
   line: number,

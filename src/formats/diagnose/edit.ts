@@ -9,7 +9,7 @@ export interface Edit {
   readonly line: number;
   /** Offset of the token to point at. */
   readonly at: number;
-  /** What is wrong, if no reader says so on the same line. */
+  /** The problem, if no reader says so on the same line. */
   readonly code: string;
   readonly message: string;
 }

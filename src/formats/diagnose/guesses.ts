@@ -1,4 +1,4 @@
-/** What may be wrong with a file, the likeliest first. */
+/** Explanations of a file's errors, the likeliest first. */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { editsAtProblem } from './at-problem.ts';
 import { bracesByIndent } from './braces.ts';

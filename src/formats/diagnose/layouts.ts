@@ -1,4 +1,4 @@
-/** What can be assumed about the lines of each format, for the place of an error. Readers don't rely on any of it. */
+/** Assumptions about the lines of each format, for the place of an error. Readers don't rely on any of it. */
 
 /** Text files that are read, by their usual extension. */
 export type TextKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';

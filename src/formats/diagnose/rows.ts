@@ -17,7 +17,7 @@ interface Row {
 
 /** So many rows of one length outvote the format's own. */
 const VOTES = 4;
-/** Of the rows of a block. */
+/** Share of the rows of a block. */
 const MAJORITY = 0.6;
 
 /**
@@ -126,7 +126,7 @@ function wordsOf(lines: TextLines, line: number): readonly TextToken[] {
   return lines.tokens(line).filter((token) => token.class === 'n' || token.class === 'w');
 }
 
-/** What is no number may make others wrong, so 0 is in its place. */
+/** A token as a number: 0 for one that is none, since it may make others wrong. */
 function numberOf(lines: TextLines, word: TextToken, { words }: TextLayout): string {
   const text = lines.text(word);
   return Number.isFinite(lines.value(word)) || words?.has(text.toLowerCase()) ? text : '0';

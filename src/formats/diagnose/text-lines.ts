@@ -24,9 +24,9 @@ export interface TextToken {
   readonly class: TokenClass;
 }
 
-/** What the search for an error needs to know about a line, without its tokens. */
+/** Facts that the search for an error needs to know about a line, without its tokens. */
 export interface RowFacts {
-  /** Of the first token. */
+  /** Class of the first token. */
   readonly first: TokenClass;
   /** Number of tokens. */
   readonly count: number;
@@ -40,7 +40,7 @@ const HAS_BRACE = 4;
 export class TextLines {
   /** Offset of each line's first byte, and behind them the length of the file. */
   private readonly starts: number[] = [];
-  /** Of each line: 8 · its tokens, `HAS_BRACE`, and the class of its first. */
+  /** A number for each line: 8 · its tokens, `HAS_BRACE`, and the class of its first. */
   private readonly facts: number[] = [];
   /** The lines that have tokens, from 1, ascending. */
   readonly filled: number[] = [];
@@ -86,7 +86,7 @@ export class TextLines {
     return this.starts.length - 1;
   }
 
-  /** Of a line, from 1. */
+  /** Tokens of a line, from 1. */
   tokens(line: number): readonly TextToken[] {
     return this.tokensTo(line, Number.POSITIVE_INFINITY);
   }
@@ -113,7 +113,7 @@ export class TextLines {
     return tokens;
   }
 
-  /** What a line holds, without a list of its tokens. */
+  /** Facts about a line, without a list of its tokens. */
   row(line: number): RowFacts {
     const facts = this.facts[line - 1];
     return { first: CLASSES[facts & 3], count: facts >> 3, hasBrace: (facts & HAS_BRACE) !== 0 };
@@ -171,7 +171,7 @@ export class TextLines {
     return { line: place.line, column: place.column, ...(excerpt && { excerpt }) };
   }
 
-  /** Of the first of `filled` that is not before a line. */
+  /** Index of the first of `filled` that is not before a line. */
   private indexOf(line: number): number {
     const { filled } = this;
     let low = 0;

@@ -1,7 +1,7 @@
 /** Collects the rows of a dump into blocks: a heading, a time or a kind of its own starts another one. */
 import type { DumpBlock, DumpHeading, DumpKind, DumpLabel, DumpTarget } from '../../model/dump.ts';
 
-/** What headings have said so far; applies to the rows that follow. */
+/** Facts that headings have stated so far; applies to the rows that follow. */
 export interface Heading {
   readonly holds?: DumpKind | undefined;
   readonly time?: number | undefined;
@@ -16,7 +16,7 @@ export class Blocks {
   readonly done: DumpBlock[] = [];
   /** Lines whose numbers are of a heading; after `settle`. */
   readonly headings: DumpHeading[] = [];
-  /** Of inverse kinematics. */
+  /** Targets of inverse kinematics. */
   readonly targets: DumpTarget[] = [];
   isOneStep = false;
   heading: Heading = {};
@@ -30,7 +30,7 @@ export class Blocks {
   private readonly doubts = new Map<DumpBlock, readonly number[]>();
   /** Empty up to the first row with one. */
   private labels: (DumpLabel | null)[] = [];
-  /** Of all blocks, by what they say: held once, as thousands of rows have the same few. */
+  /** Labels of all blocks, by their content: held once, as thousands of rows have the same few. */
   private readonly known = new Map<string, DumpLabel>();
 
   /** Says something about the rows to come; ends the current block if that is new. */

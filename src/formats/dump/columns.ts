@@ -10,7 +10,7 @@ type Role = 'time' | 'index' | 'name' | 'value' | 'skip';
 /** How the lines of a table are split, and what each of its columns holds. */
 export interface Table {
   readonly delimiter: RegExp;
-  /** Of each field of a line. */
+  /** Role of each field of a line. */
   readonly roles: readonly Role[];
 }
 
@@ -42,7 +42,7 @@ function isNameInCell(name: string): boolean {
 
 const DELIMITED = /[,;\t|]/;
 const FRACTION = /(?<![\w.])[-+]?\d*\.\d/;
-/** Of hundreds of columns with long names. */
+/** Length of hundreds of columns with long names. */
 const MAX_HEADER_LENGTH = 1 << 16;
 
 /** The fields of a header in lower case, without units behind them and quotes around them. */
@@ -77,7 +77,7 @@ export function tableOf(names: readonly string[], delimiter: RegExp): Table {
   return { delimiter, roles };
 }
 
-/** Of the numbers of a row: the time first. @param list an item per column */
+/** Items of the columns that hold values: the time first. @param list an item per column */
 export function valuesOf<T>({ roles }: Table, list: readonly T[]): T[] {
   const times = list.filter((_, i) => roles[i] === 'time');
   return [...times, ...list.filter((_, i) => roles[i] === 'value')];

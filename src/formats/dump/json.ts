@@ -16,7 +16,7 @@ import { targetsOf } from './targets.ts';
 
 /** Objects within objects that are searched. */
 const MAX_DEPTH = 8;
-/** Of those that name numbers, whose lines are looked for. */
+/** Number of keys searched, of those that name numbers, whose lines are looked for. */
 const MAX_KEYS = 16;
 const LF = 10;
 
@@ -86,7 +86,7 @@ function kindOfKey(key: string): DumpKind | undefined {
 }
 
 class JsonDump {
-  /** Of keys, from 1. */
+  /** Lines of keys, from 1. */
   private readonly lines = new Map<string, number>();
 
   /** @param line of the text's beginning, from 1 */
@@ -233,7 +233,7 @@ class JsonDump {
     }
   }
 
-  /** Of the first place of a key, from 1. */
+  /** Line of the first place of a key, from 1. */
   private lineOf(key: string): number {
     const known = this.lines.get(key);
     if (known !== undefined) return known;

@@ -1,5 +1,5 @@
 /**
- * What a line says before, between and behind its numbers:
+ * Words that a line has before, between and behind its numbers:
  *
  *     label numbers      `hip: …`, `hip (…)`, `hip vec3(…)`, `7: …`, `joint 7 (hip) …`, `hip,…`, `vertex[3] = …`, `-1.9: …`
  *     numbers label      `… hip`
@@ -21,7 +21,7 @@ const LETTER = /[A-Za-z_\u00aa-\u1fff\u2c00-\uffff]/;
 export interface LabelledNumbers {
   readonly numbers: readonly number[];
   readonly label: DumpLabel | null;
-  /** Of the label, in lower case. */
+  /** Words of the label, in lower case. */
   readonly words: readonly string[];
   /** Whether words stand among or behind the numbers as in a sentence, or too many for any row. */
   readonly isProse: boolean;
@@ -29,7 +29,7 @@ export interface LabelledNumbers {
   readonly mayBeHeading: boolean;
 }
 
-/** Of a line with a number. */
+/** Label and numbers of a line with a number. */
 export function labelledNumbers({ tokens, more, strange: strangeMore }: LineTokens): LabelledNumbers {
   const { prefix, rest: all } = split(tokens);
   const last = all.findLastIndex(({ kind }) => kind === 'number');
@@ -51,7 +51,7 @@ export function labelledNumbers({ tokens, more, strange: strangeMore }: LineToke
   };
 }
 
-/** Of a joint, a vertex or a channel at several times. */
+/** Number of values that make a row a joint, a vertex or a channel at several times. */
 const MIN_VALUES = 3;
 
 interface Split {
@@ -154,7 +154,7 @@ function lastMark(tokens: readonly Token[], end: number): number {
   return end;
 }
 
-/** What is between brackets or quotes, if it has a letter. */
+/** Name between brackets or quotes, if it has a letter. */
 function bracketedName(text: string): string | undefined {
   for (const [, inside] of text.matchAll(/[("'[<]([^()"'[\]<>]*)(?=[)"'\]>])/g))
     if (LETTER.test(inside)) return inside.trim();

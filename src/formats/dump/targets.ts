@@ -1,5 +1,6 @@
 /**
- * What dumps of inverse kinematics say of their solver: where it shall bring which point, and that they are of one step.
+ * Statements of dumps of inverse kinematics about their solver: where it shall bring which point, and that they are of
+ * one step.
  *
  *     target hand 0.3 1.2 0              the joint's name or index, then the place; a comment too
  *     target hand@0,0.5,0 = 0.3 1.2 0    a point of the joint, by default its tip, or its origin
@@ -20,7 +21,7 @@ export function statesOneStep(line: string): boolean {
   return line.length < MAX_LENGTH && ONE_STEP.test(line);
 }
 
-/** Of a line; undefined if it states none. */
+/** The target in a line; undefined if it states none. */
 export function targetIn(line: string): Omit<DumpTarget, 'line'> | undefined {
   const found = line.length < MAX_LENGTH ? TARGET.exec(line) : null;
   if (!found) return undefined;
@@ -38,7 +39,7 @@ export function targetIn(line: string): Omit<DumpTarget, 'line'> | undefined {
   return position && { of, ...(point && { point }), position };
 }
 
-/** Of the value of a key such as `targets`; undefined if it has another form. */
+/** The targets in the value of a key such as `targets`; undefined if it has another form. */
 export function targetsOf(value: unknown): readonly Omit<DumpTarget, 'line'>[] | undefined {
   if (Array.isArray(value)) {
     const all = value.map(targetOf);

@@ -42,7 +42,7 @@ import {
 
 /** Lines without numbers that are longer are prose. */
 const MAX_WORDS_LENGTH = 400;
-/** Of a few rows, sentences beside them tell a readme; of more, only many. */
+/** Number of rows below which a few sentences beside them make a readme; above it, only many do. */
 const FEW_ROWS = 3;
 const MANY_TIMES = 4;
 const NO_HEADER: Header = { names: [], delimiter: /\s+/ };
@@ -60,7 +60,7 @@ class Lines {
   prose = 0;
   private label: DumpLabel | null = null;
   private table: Table | undefined;
-  /** What may be a header: it is, if the next row has as many numbers. */
+  /** A line that may be a header: it is one if the next row has as many numbers. */
   private header = NO_HEADER;
   /** Whether a bracket around the numbers of a row is open: what follows belongs to the row, or begins it. */
   private open: 'no' | 'before' | 'within' = 'no';

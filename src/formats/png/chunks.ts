@@ -6,7 +6,7 @@
  */
 import { crc32 } from './crc32.ts';
 
-/** What pixels hold: indices of a palette are bytes, colours are a byte a channel. */
+/** Contents of pixels: indices of a palette are bytes, colours are a byte a channel. */
 const COLOUR_TYPES = { rgb: 2, palette: 3, rgba: 6 } as const;
 
 /** A chunk of a PNG, without length and checksum. */

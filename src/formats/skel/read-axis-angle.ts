@@ -35,7 +35,7 @@ export function isAxskel(fileName: string): boolean {
 
 /** Joints with remaining children, the innermost last; packed, since any joint of a file may be one. */
 class OpenJoints {
-  /** Of each its index, the line of its count of children, and how many of them are missing. */
+  /** Three numbers for each joint: its index, the line of its count of children, and how many of them are missing. */
   private readonly values: number[] = [];
 
   get hasAny(): boolean {
@@ -70,7 +70,7 @@ class OpenJoints {
 }
 
 const LIMITS: readonly Limit[] = [UNLIMITED];
-/** Of each kind of value: a file of short numbers has few. */
+/** Shared values of each kind of value: a file of short numbers has few. */
 const MAX_SHARED = 256;
 
 /** Equal values of joints, held once: a joint of twelve bytes of text would take thirty times as much. */

@@ -190,7 +190,7 @@ function rowOf(line: Line, width: number, index: number, shared: Map<string, Vec
   return { name: name?.text ?? '', index: own, offset: vector, parent, line: line.line, from: line.from };
 }
 
-/** Of files of short numbers, which would take many times their size. */
+/** Number of values that are shared: for files of short numbers, which would take many times their size. */
 const MAX_SHARED = 256;
 
 /** Whether a word is meant as a number, or can't be a name. */
@@ -198,7 +198,7 @@ function isNoName(text: string): boolean {
   return /^([-+]?(\d|\.)|[-+]?(nan|inf(inity)?)$)|[{}]/i.test(text);
 }
 
-/** Of each row, the row of its parent; -1 for a root. */
+/** Row of each row's parent; -1 for a root. */
 function parentsOf(rows: readonly Row[], told: Told): Int32Array {
   const { report } = told;
   const rowWith = byIndex(rows, told);
@@ -257,7 +257,7 @@ function skeletons(
     first[parent] = row;
   }
   const roots = Array.from(parents.keys()).filter((row) => parents[row] < 0);
-  /** Of each row, its joint. */
+  /** Joint of each row. */
   const number = new Int32Array(rows.length).fill(-1);
   let [count, moved] = [0, -1];
   const all = roots.map((root, r): Skeleton => {

@@ -287,7 +287,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
   };
 }
 
-/** What a joint has that says nothing, shared: written `balljoint{}`, a joint would take fifty times its bytes. */
+/** Default values of joints, shared: written `balljoint{}`, a joint would take fifty times its bytes. */
 interface Defaults {
   readonly limits: readonly Limit[];
   readonly pose: readonly number[];

@@ -10,7 +10,7 @@ import type { Mark, Tokens } from '../tokens.ts';
 export class Surfaces {
   private readonly all: { material?: Material; triangleStart: number; triangleCount: number }[] = [];
   private current: Material | undefined;
-  /** Of a material without triangles so far. */
+  /** Place of a material without triangles so far. */
   private waiting: Mark | undefined;
   private hasMaterial = false;
 

@@ -19,7 +19,7 @@ class BvhLocator implements Locator {
   private isCount = false;
   private width = 0;
   private inMotion = false;
-  /** Of `Frames:` and `Frame Time:`, those that have their number. */
+  /** Number of `Frames:` and `Frame Time:` that have been read. */
   private labels = 0;
   private rows: RowsBuilder | undefined;
 

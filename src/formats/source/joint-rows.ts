@@ -9,11 +9,11 @@ const AXIS_ANGLE_WIDTH = 6;
 
 /** Marks the rows of joints in an axis-angle `.skel`, in the depth-first order of the model. */
 export class JointRows {
-  /** Of the first line, until it ends. */
+  /** Numbers of the first line, until it ends. */
   private start: { readonly line: number; readonly values: number[] } | undefined;
   private rows: RowsBuilder | undefined;
   private width = 0;
-  /** Of the current row. */
+  /** Tokens of the current row. */
   private tokens = 0;
   /** As written; undefined in the axis-angle form. */
   private parents: number[] | undefined;
@@ -64,7 +64,7 @@ export class JointRows {
   }
 }
 
-/** Of each row, its joint's index in the order of the tree; undefined if there is not one tree. */
+/** Index of each row's joint in the order of the tree; undefined if there is not one tree. */
 function depthFirst(parents: readonly number[]): Uint32Array | undefined {
   const children = new Map<number, number[]>();
   parents.forEach((parent, row) => {

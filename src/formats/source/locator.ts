@@ -1,13 +1,13 @@
-/** What finds the parts of a format in its tokens. Files with errors are read as far as they make sense. */
+/** Locators: they find the parts of a format in its tokens. Files with errors are read as far as they make sense. */
 import type { SourceMark, SourceRows } from '../../model/source-map.ts';
 
-/** What was found in a file. */
+/** The parts found in a file. */
 export interface Located {
   readonly marks: SourceMark[];
   readonly rows: SourceRows[];
 }
 
-/** What receives the tokens of a file and marks the lines of its parts. Lines count from 1. */
+/** Receives the tokens of a file and marks the lines of its parts. Lines count from 1. */
 export interface Locator {
   /**
    * Within rows, where words are values like numbers: all tokens but braces come by `value`. The scanner then makes no

@@ -15,7 +15,7 @@ export function textureMime(extension: string): string {
   return `image/${TYPES[extension] ?? extension}`;
 }
 
-/** What graphics cards draw; and 400 MB of memory, decoded. */
+/** Largest side that graphics cards draw, and most pixels: 400 MB of memory, decoded. */
 const MAX_SIDE = 16_384;
 const MAX_PIXELS = 100_000_000;
 

@@ -84,7 +84,10 @@ function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): F
   };
 }
 
-/** Of a scale: curves that only tremble by noise are constant. What inherits that scale then keeps its own curves. */
+/**
+ * The curves of a scale without noise: those that only tremble by noise are constant. What inherits that scale then
+ * keeps its own curves.
+ */
 function withoutNoise({ curves, values }: Driven): Driven {
   const isSteady = (curve: FbxCurve) => staysAt(curve, curve.values[0], NOISE * Math.abs(curve.values[0]));
   const steady = curves.map((curve) => curve !== undefined && isSteady(curve));

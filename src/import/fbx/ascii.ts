@@ -180,7 +180,7 @@ class AsciiReader {
     return out;
   }
 
-  /** What is at an offset, for messages. */
+  /** Description of what is at an offset, for messages. */
   private found(offset: number): string {
     if (offset >= this.bytes.length) return 'the end of the file';
     const end = this.bytes.indexOf(LF, offset);

@@ -221,7 +221,7 @@ function reverseEach(data: Uint8Array, width: number): void {
   for (let at = 0; at + width <= data.length; at += width) data.subarray(at, at + width).reverse();
 }
 
-/** Of little-endian bytes, as all machines in use have them. */
+/** Numbers of little-endian bytes, as all machines in use have them. */
 function numbers(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c', data: Uint8Array<ArrayBuffer>, count: number): FbxNumbers {
   switch (type) {
     case 'f':

@@ -18,7 +18,7 @@ export interface FbxCurve {
   /** Seconds, ascending; several may be equal. */
   readonly times: Float64Array;
   readonly values: Float64Array;
-  /** Of the span after each key. */
+  /** Kind of the span after each key. */
   readonly spans: Uint8Array;
   /** Value per second on the left and on the right of each key. */
   readonly slopesIn: Float64Array;
@@ -30,7 +30,7 @@ export interface FbxCurve {
   readonly after: Beyond;
 }
 
-/** What a curve does beyond its keys. */
+/** Behaviour of a curve beyond its keys. */
 export interface Beyond {
   readonly mode: 'constant' | 'slope' | 'repeat' | 'repeat with offset' | 'mirror';
   /** How often it is repeated; infinity is the rule. */

@@ -8,7 +8,7 @@ import { childOf, childrenOf, type FbxFile, type FbxRecord, type FbxValue, idAt,
 /** An object of the file, with its properties. */
 export interface FbxObject {
   readonly id: string;
-  /** Of its record: `Model`, `Geometry`, `Deformer` … */
+  /** Name of its record: `Model`, `Geometry`, `Deformer` … */
   readonly kind: string;
   /** Without the class that follows or precedes it. */
   readonly name: string;
@@ -30,9 +30,9 @@ export interface FbxDocument {
   readonly settings: Properties;
   readonly objects: readonly FbxObject[];
   readonly isOfBlender: boolean;
-  /** What an object consists of, in the order of the file; `0` is the scene. */
+  /** Parts that an object consists of, in the order of the file; `0` is the scene. */
   partsOf(id: string): readonly Link[];
-  /** What an object is part of. */
+  /** Objects that an object is part of. */
   ownersOf(id: string): readonly Link[];
   /** Units of time in a second. */
   readonly ticks: number;

@@ -8,7 +8,7 @@ const LF = 10;
 
 /** Reports problems of one file at offsets of its bytes. */
 export class FbxReport {
-  /** Of all that is read from the file. */
+  /** Budget of all that is read from the file. */
   readonly budget: Budget;
 
   constructor(

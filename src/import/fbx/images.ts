@@ -1,4 +1,4 @@
-/** What kind of image bytes are, by how they begin. */
+/** Kind of image that bytes are, by how they begin. */
 
 const SIGNATURES: readonly (readonly [extension: string, at: number, bytes: readonly number[]])[] = [
   ['png', 0, [0x89, 0x50, 0x4e, 0x47]],

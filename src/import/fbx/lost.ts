@@ -1,4 +1,4 @@
-/** What an FBX file has that a character doesn't. */
+/** Contents of an FBX file that a character can't have. */
 import type { FbxDocument } from './document.ts';
 import type { FbxNode } from './nodes.ts';
 

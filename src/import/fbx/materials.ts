@@ -19,7 +19,7 @@ const GREY: Vec3 = [0.8, 0.8, 0.8];
 export class Materials {
   readonly materials: SceneMaterial[] = [];
   readonly textures: Texture[] = [];
-  /** What is not drawn: other kinds of textures, images that browsers can't show. */
+  /** Contents that are not drawn: other kinds of textures, images that browsers can't show. */
   readonly lost = new Set<string>();
   private readonly indices = new Map<string, number>();
   private readonly names = new Map<string, string>();

@@ -22,7 +22,7 @@ export interface BuiltMesh {
   readonly sources: readonly { readonly channel: FbxChannel; readonly shape: number }[];
 }
 
-/** What meshes are made from. */
+/** The data that meshes are made from. */
 export interface MeshSource {
   readonly document: FbxDocument;
   readonly joints: readonly FbxJoint[];
@@ -112,7 +112,7 @@ const PER_VERTEX = 16;
 
 const ONE = [1, 1, 1] as const;
 
-/** What is applied to the points of a node only: geometric translation, rotation and scaling. */
+/** The matrix that is applied to the points of a node only: geometric translation, rotation and scaling. */
 function geometricMatrix({ properties }: FbxObject): Float64Array {
   const q = new Float64Array(4);
   const [x, y, z] = inRadians(properties.vector('GeometricRotation', ZERO));

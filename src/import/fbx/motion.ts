@@ -15,7 +15,7 @@ export type MovedProperty = 'Lcl Translation' | 'Lcl Rotation' | 'Lcl Scaling';
 
 const IDENTITY = Float64Array.of(0, 0, 0, 1);
 
-/** What each layer of a take says about one property of one object; the lowest layer first. */
+/** Curves of each layer of a take for one property of one object; the lowest layer first. */
 export function driversOf(take: FbxTake | undefined, objectId: string, property: string): (Driven | undefined)[] {
   const key = drivenKey(objectId, property);
   return take?.layers.map(({ driven }) => driven.get(key)) ?? [];

@@ -28,7 +28,7 @@ export interface Tolerances {
   readonly factor: number;
 }
 
-/** What fitting did, for the message about it. */
+/** Outcome of fitting, for the message about it. */
 export interface Fitting {
   readonly nodes: Set<string>;
   keysBefore: number;
@@ -51,7 +51,7 @@ function isDriven(drivers: Drivers): boolean {
   return drivers.some((driver) => driver !== undefined);
 }
 
-/** What the lowest layer says, if it is the only one. */
+/** Curves of the lowest layer, if it is the only one. */
 function onlyDriver(drivers: Drivers): Driven | undefined {
   return drivers.slice(1).some((driver) => driver !== undefined) ? undefined : drivers[0];
 }
@@ -274,7 +274,9 @@ export class Mover {
   }
 }
 
-/** What a joint's own scale is multiplied by at rest: the stretch of one node by that of another; -1 for none. */
+/**
+ * Factors that a joint's own scale is multiplied by at rest: the stretch of one node by that of another; -1 for none.
+ */
 export function restFactors(stretches: Stretches, source: number, divisor: number): Vec3 {
   const [from, by] = [stretches.of(source, 0), stretches.of(divisor, 0)];
   return [quotient(from[0], by[0]), quotient(from[1], by[1]), quotient(from[2], by[2])];

@@ -61,7 +61,7 @@ function flattened(points: ArrayLike<number>, corners: ArrayLike<number>): Float
   return flat;
 }
 
-/** Of the corners left, one that can be cut off; the first if there is none. */
+/** One of the corners left that can be cut off; the first if there is none. */
 function earOf(flat: Float64Array, left: readonly number[], effort: Effort): number {
   const n = left.length;
   if (effort.left <= 0) return 1;

@@ -15,7 +15,7 @@ export interface FbxRecord {
   readonly name: string;
   readonly values: readonly FbxValue[];
   readonly children: readonly FbxRecord[];
-  /** Of its first byte in the file. */
+  /** Offset of its first byte in the file. */
   readonly offset: number;
 }
 

@@ -30,7 +30,7 @@ import { nodesOf, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
 import type { FbxFile } from './record.ts';
 import { shapeWeight } from './shapes.ts';
 
-/** Of the size, for lengths; an angle that moves the end of a bone of that size by less; a factor likewise. */
+/** Fraction of the size, for lengths; an angle that moves the end of a bone of that size by less; a factor likewise. */
 const TOLERANCE = 2e-5;
 /** Keys that fitting may make beyond the usual, besides one for two bytes of the file. */
 const MOST_SPARE = 20_000;

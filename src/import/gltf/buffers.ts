@@ -27,7 +27,7 @@ export class Buffers {
     private readonly decoder: MeshoptDecoder | undefined,
     /** Files that were used. */
     readonly sources: readonly SourceFile[],
-    /** Of all that is read from them. */
+    /** Budget of all that is read from them. */
     readonly budget: Budget,
   ) {}
 
@@ -139,7 +139,7 @@ function notGiven(uris: readonly string[]): ImportError {
 
 const MOST_NAMED = 4;
 
-/** Of a URI in messages. */
+/** A URI, shortened for messages. */
 function shortened(uri: string): string {
   return uri.length > 80 ? `${uri.slice(0, 77)}…` : uri;
 }

@@ -97,10 +97,10 @@ function unpacked(
   }
 }
 
-/** Of normalised integers. */
+/** Largest values of normalised integers. */
 const LARGEST: Readonly<Record<number, number>> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535 };
 
-/** What the decoder writes to its memory. */
+/** The bytes that the decoder writes to its memory. */
 function read(module: Module, bytes: number, write: (pointer: number) => unknown): ArrayBuffer {
   const pointer = module._malloc(bytes);
   try {

@@ -18,7 +18,7 @@ import { countOf, type Document, extensionOf, type Json, numberOf, numbersOf, ob
 export interface Materials {
   readonly materials: readonly SceneMaterial[];
   readonly textures: readonly Texture[];
-  /** Of the same index as the materials. */
+  /** Texture mappings, by the indices of the materials. */
   readonly mappings: readonly Mapping[];
   /** Files that were used. */
   readonly sources: readonly SourceFile[];
@@ -26,7 +26,7 @@ export interface Materials {
 
 /** How a material finds its texture's place of a vertex. */
 export interface Mapping {
-  /** Of `TEXCOORD_0` and so on. */
+  /** Number of `TEXCOORD_0` and so on. */
   readonly set: number;
   /** Six numbers a b c d e f: u′ = a·u + b·v + c, v′ = d·u + e·v + f; v down. Absent: none. */
   readonly transform?: readonly number[];
@@ -143,7 +143,7 @@ interface Tint {
   readonly info?: Json | undefined;
 }
 
-/** What a material reflects, and what it emits, if anything. */
+/** The colour that a material reflects, and that which it emits, if any. */
 function colorsOf(json: Json): { readonly base: Tint; readonly emitted?: Tint } {
   const rough = objectOf(json.pbrMetallicRoughness);
   const glossy = extensionOf(json, 'KHR_materials_pbrSpecularGlossiness');

@@ -11,7 +11,7 @@ import type { Nodes } from './nodes.ts';
 const PER_MESH = 500;
 const PER_TARGET = 64;
 
-/** What a compressed primitive holds: by the names of its attributes. */
+/** Arrays of a compressed primitive: by the names of its attributes. */
 export interface Unpacked {
   readonly attributes: ReadonlyMap<string, Numbers>;
   readonly indices: Uint32Array;

@@ -46,7 +46,7 @@ async function read(given: Import, remarks: Remarks) {
   };
 }
 
-/** What the file has that is not read, by name. */
+/** Lists the contents of the file that are not read, by name. */
 function listOthers(document: Document, remarks: Remarks): void {
   const { root } = document;
   const cameras = document.count('cameras');

@@ -107,7 +107,10 @@ export function readTakes(
   });
 }
 
-/** What a channel moves, named as such or by a pointer: `/nodes/2/rotation`. Undefined if it is nothing of a node. */
+/**
+ * The property that a channel moves, named as such or by a pointer: `/nodes/2/rotation`. Undefined if it is nothing of
+ * a node.
+ */
 function targetOf(
   target: Json | undefined,
   remarks: Remarks,

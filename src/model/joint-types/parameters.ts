@@ -10,7 +10,7 @@ import {
   type ScaleMode,
 } from '../skeleton/skeleton.ts';
 
-/** What a joint passes on to its new type. */
+/** Values that a joint passes on to its new type. */
 export interface Inherited {
   readonly axis: Vec3 | undefined;
   /** The motion as one-DOF matrices, from left to right; empty if it is no such product. */

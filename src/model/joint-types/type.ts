@@ -11,7 +11,7 @@ export interface JointType<M extends Motion = Motion> {
   readonly keyword: string;
   /** Its name in the list of types; short, for narrow inspectors. */
   readonly label: string;
-  /** What a joint of this type does, in a few words. */
+  /** Motion of such a joint, in a few words. */
   readonly summary: string;
   /** The format that has joints of this type: those of `bvh` are converted before they are written to `.skel`. */
   readonly format: 'skel' | 'bvh';

@@ -5,7 +5,10 @@ export const MOST_SHOWN = 200;
 /** Characters of a whole message, tooltip or accessible name. */
 const LONGEST_MESSAGE = 1000;
 
-/** Of a message, times what is left of it: long words and names before and after what is shown count too. */
+/**
+ * Length searched of a message, times what is left of it: long words and names before and after what is shown count
+ * too.
+ */
 const MOST_SEARCHED = 20;
 
 /** Words, and names in quotes. */

@@ -45,7 +45,7 @@ const FAR_LARGER = 5;
 /** With fewer joints their boxes are looked at one by one. */
 const MANY_JOINTS = 12;
 
-/** Of as many joints as these boxes may overlap hundreds of times, though they are small. */
+/** Number of joints above which even small boxes may overlap hundreds of times. */
 const CROWD = 1000;
 /** Sides of all boxes, beside each other, to a square as large as the skeleton. */
 const MAX_COVER = 50;

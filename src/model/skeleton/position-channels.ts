@@ -84,7 +84,7 @@ export function poseForPositions(skeleton: Skeleton, pose: readonly number[], po
   return next;
 }
 
-/** What to add to a value of a joint's channel to keep its position under the new meaning. */
+/** The number to add to a value of a joint's channel to keep its position under the new meaning. */
 function shiftOf({ motion, offset }: Joint, channel: number, positions: Positions): number {
   const axis = TRANSLATIONS.indexOf(dofsOf(motion)[channel].name);
   if (axis < 0) return 0;

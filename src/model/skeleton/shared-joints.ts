@@ -19,7 +19,7 @@ export function sharedJoints(joints: readonly Joint[]): readonly Joint[] {
   return known;
 }
 
-/** Of plain values: numbers exactly, NaN equal to NaN and 0 not to −0. */
+/** Equality of plain values: numbers exactly, NaN equal to NaN and 0 not to −0. */
 function isEqual(a: unknown, b: unknown): boolean {
   if (Object.is(a, b)) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;

@@ -35,13 +35,13 @@ export interface Joint {
 }
 
 /**
- * What SOMA's BVH has after the numbers of an OFFSET: angles of a rest orientation, in degrees. They turn nothing, and are
- * kept for writing.
+ * Numbers that SOMA's BVH has after the numbers of an OFFSET: angles of a rest orientation, in degrees. They turn
+ * nothing, and are kept for writing.
  */
 export interface RestAngles {
-  /** Of the joint. */
+  /** Angles of the joint. */
   readonly own?: Vec3;
-  /** Of each of its End Sites, undefined for one without. Absent if none has any. */
+  /** Angles of each of its End Sites, undefined for one without. Absent if none has any. */
   readonly ends?: readonly (Vec3 | undefined)[];
 }
 
@@ -139,11 +139,11 @@ export const COMPOUND_DOFS = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz', 'sx', 'sy', 's
 export type CompoundDof = (typeof COMPOUND_DOFS)[number];
 
 /**
- * What a DOF measures; decides its unit on screen and its range without limits. Scales, shears and quaternion
- * components are factors.
+ * Kinds of quantities that a DOF measures: decides its unit on screen and its range without limits. Scales, shears and
+ * quaternion components are factors.
  */
 export const DOF_UNITS = ['angle', 'length', 'factor', 'weight'] as const;
-/** What a DOF measures; see `DOF_UNITS`. Values are in radians, units of length, or without unit. */
+/** Kind of quantity that a DOF measures; see `DOF_UNITS`. Values are in radians, units of length, or without unit. */
 export type DofUnit = (typeof DOF_UNITS)[number];
 
 /** A degree of freedom of a joint, or of the character: its name, unit and neutral value. */

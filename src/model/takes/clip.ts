@@ -21,7 +21,7 @@ export interface ChannelClip {
   readonly markers?: readonly Marker[];
 }
 
-/** What drives one DOF, told by `kind`. */
+/** The source of one DOF's values, told by `kind`. */
 export type Channel = KeyedChannel | SampledChannel | RestChannel;
 
 /**
@@ -87,8 +87,8 @@ export const SMOOTH = 2;
 export const FIXED_TANGENT = 3;
 
 /**
- * What a channel does before its first and after its last key: keeps the value, continues its slope, repeats, repeats
- * with the difference of its ends added, or runs to and fro.
+ * Behaviour of a channel before its first and after its last key: keeps the value, continues its slope, repeats,
+ * repeats with the difference of its ends added, or runs to and fro.
  */
 export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
 /** The extrapolation at one end of a channel; see `EXTRAPOLATIONS`. */

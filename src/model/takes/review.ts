@@ -1,4 +1,4 @@
-/** What a person says about takes that are reviewed: part of the document, beside the takes' files. */
+/** A person's words about takes that are reviewed: part of the document, beside the takes' files. */
 
 /** Verdicts that a person can give a take. */
 export const VERDICTS = ['good', 'bad'] as const;
@@ -8,7 +8,7 @@ export type Verdict = (typeof VERDICTS)[number] | '';
 /** Most stars that a take can get; 0 means none given. */
 export const MOST_STARS = 5;
 
-/** What a person says about a take. */
+/** A person's words about a take. */
 export interface Review {
   readonly verdict: Verdict;
   /** 0, for none, to 5. */

@@ -6,7 +6,7 @@ const SMOOTH_FORMULA = 'm = (v[i+1] − v[i−1]) / (t[i+1] − t[i−1]); at th
 const OFFSET_FORMULA = 'p(t) = p(t − n·P) + n·(v_last − v_first)';
 const HERMITE_FORMULA = 'p(u) = a·u³ + b·u² + c·u + d; c = (t₁ − t₀)·m₀';
 
-/** What a program does with a negative remainder. */
+/** Ways in which a program deals with a negative remainder. */
 const MODULO = [
   ['run on', 'the first segment continues backwards'],
   ['hold', 'the value of the first key is held'],

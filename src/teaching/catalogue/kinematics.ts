@@ -199,7 +199,9 @@ export const KINEMATICS: readonly Mistake[] = [
   },
 ];
 
-/** What a variant says, the rules by the joints that they are for, and whether it is a finer form of the one before. */
+/**
+ * The detail of a variant, its rules by the joints that they are for, and whether it is a finer form of the one before.
+ */
 type Rule = readonly [string, (breadth: Breadth) => Partial<JointRules>, boolean?];
 
 /** For all joints, and for those of fewer types that a program may have in mind. */

@@ -9,7 +9,7 @@ export interface Mistake {
   /** Stable: scripts and teachers rely on it. */
   readonly code: string;
   readonly subject: Subject;
-  /** What was done and what should be done instead. */
+  /** A sentence that says what was done and what should be done instead. */
   sentence(detail: string): string;
   /** As in the lecture or the assignment: how it should be. */
   readonly formula: string;
@@ -19,7 +19,7 @@ export interface Mistake {
 
 /** One way to make a mistake. */
 export interface Variant {
-  /** What exactly, for people: "Rx·Ry·Rz instead of Rz·Ry·Rx"; empty if there is only one way. */
+  /** The exact deviation, for people: "Rx·Ry·Rz instead of Rz·Ry·Rx"; empty if there is only one way. */
   readonly detail: string;
   /** The program with the mistake; how wrong numbers are made. */
   apply(program: Program): Program;

@@ -1,7 +1,7 @@
 /** Mistakes in skinning, morphs and normals. */
 import { finer, inSkin, type Mistake } from './mistake.ts';
 
-/** What becomes of an attachment to a joint that is not there. */
+/** Treatments of an attachment to a joint that is not there. */
 const BEYOND = [
   ['clamped', 'indices out of range use the last joint'],
   ['wrapped', 'indices out of range wrap around'],

@@ -13,7 +13,7 @@ export interface DumpComparison {
   readonly numbers: number;
   /** Lengths over the size of what is compared, other numbers as they are. */
   readonly worst: number;
-  /** What is wrong first: `line 7 has 0.5, expected 0.25`; absent if all agree. */
+  /** The first wrong number: `line 7 has 0.5, expected 0.25`; absent if all agree. */
   readonly first?: string;
 }
 
@@ -65,7 +65,7 @@ const wrong = (first: string) => ({ numbers: 0, worst: Number.POSITIVE_INFINITY,
 
 interface Numbers {
   readonly values: Float64Array;
-  /** What an error of a value is divided by. */
+  /** The number that an error of a value is divided by. */
   sizeAt(index: number): number;
 }
 

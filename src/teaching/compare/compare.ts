@@ -33,12 +33,12 @@ export interface FirstWrong {
   readonly what: 'joint' | 'vertex' | 'normal' | 'channel';
   /** From 0. */
   readonly index: number;
-  /** Of a joint, or of the DOF that a channel drives; absent for vertices. */
+  /** Name of a joint, or of the DOF that a channel drives; absent for vertices. */
   readonly name?: string;
   readonly error: number;
   /** The error in the units of the files, if it is one of a length: `error` is over the size. */
   readonly length?: number;
-  /** Of a channel. */
+  /** Time of a channel. */
   readonly time?: number;
 }
 
@@ -61,9 +61,9 @@ export interface FrameComparison {
   readonly jointErrors: Float64Array;
   readonly vertexErrors: Float64Array;
   readonly normalErrors: Float64Array;
-  /** What theirs were compared with; local matrices, vertices and normals only if they were. */
+  /** Our numbers, with which theirs were compared; local matrices, vertices and normals only if they were. */
   readonly ours: FrameNumbers;
-  /** Of the character: the unit of errors of lengths. */
+  /** Size of the character: the unit of errors of lengths. */
   readonly size: number;
 }
 
@@ -88,7 +88,7 @@ export interface Comparison {
   readonly unexplained?: CauseSubject;
   /** How they differ, in sentences; absent if all agrees, or if causes explain all of it. */
   readonly pattern?: string;
-  /** Of numbers of inverse kinematics: each point and its target; absent if there are none. */
+  /** Goals of inverse kinematics: each point and its target; absent if there are none. */
   readonly goals?: readonly ComparedGoal[];
   /** The same in sentences; absent if there are none. */
   readonly reached?: readonly string[];

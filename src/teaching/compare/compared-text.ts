@@ -1,4 +1,4 @@
-/** What was compared, and what a cause is about, in words. */
+/** Words for what was compared, and for what a cause is about. */
 
 import type { Cause, CauseSubject } from '../search/found-causes.ts';
 import type { Compared, Comparison } from './compare.ts';
@@ -18,7 +18,7 @@ export function subjectText({ kinds, files }: CauseSubject, hasSeveral: boolean)
   return hasSeveral ? `${named} of ${files.join(', ')}` : named;
 }
 
-/** What an explained item is: a joint, a vertex or a channel. */
+/** Noun for an explained item: a joint, a vertex or a channel. */
 export function explainedNoun({ about }: Cause, compared: Compared): 'joint' | 'vertex' | 'channel' {
   const has = (kind: keyof Compared) => (about ? about.kinds.includes(kind) : compared[kind] > 0);
   if (has('world') || has('local') || has('positions')) return 'joint';
@@ -71,7 +71,7 @@ export function comparedText({ channels, ...ofFrames }: Compared, times: number)
   );
 }
 
-/** Of what no mistake explains: where to begin. Only of joints it is known which are wrong by themselves. */
+/** Text on where to begin with what no mistake explains. Only of joints it is known which are wrong by themselves. */
 export function beginText({ own }: Pick<Comparison, 'own'>): string {
   return `Start with ${own.length > 0 ? 'the first joint with an error of its own' : 'the first one that differs'}.`;
 }

@@ -3,10 +3,13 @@
  * lengths over the character's size. Numbers that are not finite are infinitely far.
  */
 
-/** Of the character's size, of a radian, of a channel's unit: programs use floats and print six digits. */
+/**
+ * Default tolerance: a fraction of the character's size, of a radian, of a channel's unit: programs use floats and
+ * print six digits.
+ */
 export const DEFAULT_TOLERANCE = 1e-4;
 
-/** Of a matrix at `o`. */
+/** Error of a matrix at `o`. */
 export function matrixError(a: Float64Array, b: Float64Array, o: number, size: number): number {
   let error = 0;
   for (let i = o; i < o + 12; i++) error = larger(error, a[i] - b[i]);
@@ -14,7 +17,7 @@ export function matrixError(a: Float64Array, b: Float64Array, o: number, size: n
   return error;
 }
 
-/** Of three numbers. */
+/** Error of three numbers. */
 export function pointError(a: Float64Array, ao: number, b: Float64Array, bo: number, size: number): number {
   let error = 0;
   for (let k = 0; k < 3; k++) error = larger(error, (a[ao + k] - b[bo + k]) / size);

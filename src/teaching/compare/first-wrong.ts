@@ -1,4 +1,4 @@
-/** What is wrong first in some of several dumps, which are compared together. */
+/** The first wrong number in some of several dumps, which are compared together. */
 
 import type { Character } from '../../model/document.ts';
 import type { DumpKind } from '../../model/dump.ts';
@@ -13,7 +13,7 @@ export interface PlacedFirst {
   readonly frame: number;
   /** Into the names of the dumps; 0 if there is one. */
   readonly dump: number;
-  /** Of the numbers that it may be in. */
+  /** Kinds of the numbers that it may be in. */
   readonly kinds: readonly DumpKind[];
 }
 

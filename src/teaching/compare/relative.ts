@@ -24,7 +24,7 @@ export function relativeMatrices(
   return out;
 }
 
-/** What matrices relative to parents make in the world; the inverse of `relativeMatrices`. */
+/** World matrices of matrices relative to parents; the inverse of `relativeMatrices`. */
 export function worldOfRelative(
   relative: Float64Array,
   joints: readonly { readonly parent: number }[],

@@ -1,4 +1,4 @@
-/** What is compared: another program's numbers, each in the place of ours. */
+/** The compared numbers: another program's numbers, each in the place of ours. */
 import type { DumpKind } from '../../model/dump.ts';
 import type { Goal } from '../ik/goal.ts';
 import type { FrameTime } from '../program/evaluator.ts';
@@ -14,11 +14,11 @@ export interface FrameTarget {
   /** x y z per vertex. */
   vertices?: Float64Array;
   normals?: Float64Array;
-  /** Of inverse kinematics: any pose that reaches these is right, rather than that of the character. */
+  /** The task of inverse kinematics: any pose that reaches these is right, rather than that of the character. */
   readonly solver?: SolverTask;
 }
 
-/** What a solver of inverse kinematics was to do. */
+/** The task of a solver of inverse kinematics. */
 export interface SolverTask {
   readonly goals: readonly Goal[];
   /** Whether it made one step only. */
@@ -42,7 +42,7 @@ export interface MatrixLayout {
 export interface Targets {
   readonly frames: readonly FrameTarget[];
   readonly channels: ChannelTarget;
-  /** Of the first matrices. */
+  /** Layout of the first matrices. */
   readonly layout?: MatrixLayout;
   /** Absent: all are of one dump. */
   readonly origins?: Origins;

@@ -10,7 +10,7 @@ export interface Entry {
   readonly label: DumpLabel | null;
 }
 
-/** Of rows: if they have the same length, another length is a mistake. */
+/** Share of rows: if they have the same length, another length is a mistake. */
 const NEARLY_ALL = 0.75;
 
 /** Thrown when a block fits nothing; caught for each block. */

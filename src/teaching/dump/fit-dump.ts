@@ -22,7 +22,7 @@ import { JointNames, withKnownLabels, withTimes } from './labels.ts';
 import { matricesOf } from './matrix-layout.ts';
 import { placesOf } from './places.ts';
 
-/** What the numbers of dumps are for a character. */
+/** The meaning of dumps' numbers for a character. */
 export interface Fitted {
   /** Absent if a dump doesn't fit. */
   readonly targets?: Targets;
@@ -34,7 +34,7 @@ export interface NamedDump {
   /** For diagnostics. */
   readonly fileName: string;
   readonly dump: Dump;
-  /** Of its numbers that state no time; absent: the time for all dumps. */
+  /** Time of its numbers that state no time; absent: the time for all dumps. */
   readonly assumed?: { readonly time: FrameTime };
 }
 
@@ -63,9 +63,9 @@ class Fit {
   private readonly sources: Partial<Record<FrameKind, number>>[] = [];
   private readonly fileNames: string[] = [];
   private layout: MatrixLayout | undefined;
-  /** Of the dump. */
+  /** Headings of the dump. */
   private headings: readonly DumpHeading[] = [];
-  /** Of the dump; those of joints that are known. */
+  /** Goals of the dump; those of joints that are known. */
   private goals: readonly StatedGoal[] = [];
   private isOneStep = false;
   private readonly names: readonly string[];

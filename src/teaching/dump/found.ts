@@ -1,4 +1,4 @@
-/** What the numbers of a dump look like, in words, for messages: what was found where something else was expected. */
+/** Words for the numbers of a dump, for messages: what was found where something else was expected. */
 import type { DumpBlock, DumpHeading } from '../../model/dump.ts';
 
 /** Parts of a text. */

@@ -1,4 +1,4 @@
-/** What the labels of a dump are: names of joints, indices, times, or words that name nothing here. */
+/** Meaning of a dump's labels: names of joints, indices, times, or words that name nothing here. */
 import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
 import { lastDigitsIn } from '../../model/names/numbered-names.ts';
 import { isCount, widthOf } from './entries.ts';

@@ -15,7 +15,7 @@ export interface TangentWhy {
   readonly kind: TangentKind;
   /** Value per second. */
   readonly slope: number;
-  /** Of the keys that give the slope; undefined if none do. */
+  /** Slope of the keys that give the slope; undefined if none do. */
   readonly secant?: Secant;
   /** Why it isn't what the kind says: `the first key has one segment`. */
   readonly because?: 'lone key' | 'first key' | 'last key' | 'one time' | 'overflow';

@@ -45,7 +45,7 @@ export interface GoalComparison {
 
 /** A step must move something by so many tolerances, so that others can't be taken for it. */
 const EVIDENCE = 50;
-/** Of a solver that never comes nearer. */
+/** Steps after which to give up on a solver that never comes nearer. */
 const MOST_STEPS = 60;
 
 /**

@@ -29,7 +29,7 @@ export interface JudgedSolver {
   readonly causes: readonly Cause[];
   /** Their own where they are right; else the nearest of those that we know to be. */
   readonly ours: FrameNumbers;
-  /** Of the skeleton, before it moved. */
+  /** Size of the skeleton, before it moved. */
   readonly size: number;
 }
 
@@ -66,7 +66,7 @@ export function judgeSolver(
   };
 }
 
-/** Of local matrices alone: what they make in the world. */
+/** Numbers with world matrices, made of local ones where these are alone. */
 function withWorld(target: FrameTarget, { joints }: Skeleton): FrameTarget {
   const { local, world, positions } = target;
   return local && !world && !positions ? { ...target, world: worldOfRelative(local, joints) } : target;

@@ -30,7 +30,7 @@ export class LikelyEffectors {
   private readonly moved: Float64Array;
   /** Those with a DOF that follows another one's: they turn with joints elsewhere. */
   private readonly isLinked: readonly boolean[];
-  /** Of joints that turned the one farthest from the root; −1 if there are none; absent if they are on no path. */
+  /** The joint farthest from the root that turned; −1 if there are none; absent if they are on no path. */
   private readonly deepest: number | undefined;
 
   constructor(
@@ -46,7 +46,7 @@ export class LikelyEffectors {
     this.deepest = this.deepestTurned();
   }
 
-  /** Of these points the few that the step may be for. */
+  /** The few of these points that the step may be for. */
   of(effectors: readonly EndEffector[], target: Vec3): readonly SeenPoint[] {
     const { start, deepest } = this;
     if (deepest === undefined) return [];
@@ -124,7 +124,7 @@ export class LikelyEffectors {
     return this.lengthErrors(positions);
   }
 
-  /** Of positions: how far a child is from the parent, or, of the root, where it is. */
+  /** Errors of lengths between positions: how far a child is from the parent, or, of the root, where it is. */
   private lengthErrors(positions: Float64Array): (joint: number, own: Float64Array) => number {
     const { size, start } = this;
     const { joints } = start.skeleton;

@@ -4,7 +4,7 @@
  */
 export type IkMistake = 'ik-step-unscaled' | 'ik-step-degrees' | 'ik-jacobian-transposed' | 'ik-end-effector';
 
-/** Of the assignment. */
+/** Formulas of the assignment. */
 export const IK_FORMULAS: Readonly<Record<IkMistake, string>> = {
   'ik-step-unscaled': 'Δφ = α·Jᵀe, α = e·(JJᵀe) / |JJᵀe|²',
   'ik-step-degrees': 'φ ← φ + Δφ, both in radians',

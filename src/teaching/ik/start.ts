@@ -19,7 +19,7 @@ export class SolverStart {
   readonly pose: Float64Array;
   /** DOFs that a solver may change: all but root translation and bone lengths. */
   readonly variables: readonly number[];
-  /** Of each variable. */
+  /** Joint of each variable. */
   readonly jointOf: readonly number[];
   /** Whether each variable is one. */
   readonly isAngle: readonly boolean[];

@@ -8,7 +8,7 @@ import type { Goal } from './goal.ts';
 /** A target that a dump states, for all of its numbers or those of one time. */
 export interface StatedGoal {
   readonly goal: Goal;
-  /** Of the numbers that it is for; undefined: of all. */
+  /** Time of the numbers that it is for; undefined: of all. */
   readonly time?: number;
 }
 

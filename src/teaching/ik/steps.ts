@@ -17,9 +17,9 @@ export interface StepKind {
   readonly mustGain: boolean;
 }
 
-/** Of JJᵀ's mean: a pseudo-inverse, where some directions can't be moved in. */
+/** Fraction of JJᵀ's mean: a pseudo-inverse, where some directions can't be moved in. */
 const LEAST_DAMPING = 1e-6;
-/** Of angles that are 57 times as large, a small damping would tell. */
+/** Damping so small that even angles 57 times as large don't show it. */
 const EXACT = 1e-12;
 const MOST = 1e3;
 

@@ -1,4 +1,4 @@
-/** What the kit's files evaluate to, and which known mistakes each set tells apart. */
+/** Numbers that the kit's files evaluate to, and which known mistakes each set tells apart. */
 
 import { openFiles } from '../../files/open/open-files.ts';
 import { formatOf } from '../../files/readers.ts';
@@ -47,7 +47,7 @@ export interface JointAnswer {
 /** The right values of channels: angles in radians. */
 export interface ChannelAnswers {
   readonly times: readonly number[];
-  /** Of each channel, at each time. */
+  /** Values of each channel, at each time. */
   readonly values: readonly (readonly number[])[];
 }
 

@@ -8,13 +8,13 @@
 /** Files that belong together, and what to evaluate of them. */
 export interface KitSet {
   readonly name: string;
-  /** What it is made of, in a sentence. */
+  /** Contents of the set, in a sentence. */
   readonly about: string;
   /** Names of files in the kit. */
   readonly files: readonly string[];
   /** Seconds; undefined is the file pose. Empty if only its channels are asked for. */
   readonly times: readonly (number | undefined)[];
-  /** Of channels; empty if they are not asked for. */
+  /** Times at which channels are evaluated; empty if they are not asked for. */
   readonly channelTimes: readonly number[];
 }
 

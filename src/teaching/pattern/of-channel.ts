@@ -3,7 +3,7 @@ import { type Channel, type KeyedChannel, repeats } from '../../model/takes/clip
 import { shortNumber } from '../compare/short-number.ts';
 import { sidesOf } from '../program/jumps.ts';
 
-/** Of one channel, by time. */
+/** Samples of one channel, by time. */
 export interface ChannelSamples {
   readonly times: Float64Array;
   readonly theirs: Float64Array;

@@ -1,4 +1,4 @@
-/** What makes our points theirs: moved, swapped axes, scaled, or one axis alone. */
+/** Transformations that make our points theirs: moved, swapped axes, scaled, or one axis alone. */
 import { shortNumber } from '../compare/short-number.ts';
 
 /** Points of one time: x y z each. */

@@ -14,7 +14,7 @@ const MAX_GROUPS = 3;
 /** Joints, channels and vertices that are named. */
 const MAX_NAMED = 4;
 
-/** Of a comparison: one time. */
+/** One time of a comparison. */
 interface DifferingFrame {
   readonly time: FrameTime;
   readonly jointErrors: Float64Array;
@@ -24,7 +24,7 @@ interface DifferingFrame {
   readonly size: number;
 }
 
-/** What was compared. */
+/** The numbers that were compared. */
 interface Differing {
   readonly character: Character;
   readonly targets: Targets;

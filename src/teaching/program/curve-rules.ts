@@ -28,7 +28,9 @@ export type HermiteBasis = readonly number[];
 /** The cubic Hermite basis, by rows: (a b c d) = M · (p0 p1 h·m0 h·m1). */
 export const HERMITE: HermiteBasis = [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0];
 
-/** What follows from a negative remainder: the first segment runs on or its key holds; `first`: in mirrored periods, too. */
+/**
+ * Consequence of a negative remainder: the first segment runs on or its key holds; `first`: in mirrored periods, too.
+ */
 type Unfolded = 'run on' | 'hold' | 'run on first' | 'hold first';
 
 /** The rules by which a program evaluates channels; `RIGHT_CURVES` has the right ones. */

@@ -33,7 +33,7 @@ export interface FrameNumbers {
 }
 
 const NONE = new Float64Array(0);
-/** Of a DOF within a millionth of a second; what moves as fast is as good as a jump. */
+/** Jump of a DOF within a millionth of a second; what moves as fast is as good as a jump. */
 const JUMP = 1e-4;
 const IDENTITY_SCRATCH = new Float64Array(16);
 

@@ -1,5 +1,6 @@
 /**
- * What a program with four attachments per vertex would draw: how far each vertex is from where all attachments move it.
+ * Picture that a program with four attachments per vertex would draw: how far each vertex is from where all attachments
+ * move it.
  *
  *     |v′ − v₄|          v′ = Σ wᵢ · Wᵢ·Bᵢ⁻¹ · v          v₄: the same with the four that are kept
  *
@@ -30,11 +31,11 @@ const SUM_TOLERANCE = 1e-5;
 /** Vertices between two yields: about a millisecond of work. */
 const STRIDE = 8192;
 
-/** Of a pose. */
+/** Facts about a pose. */
 export interface FourFacts {
   /** The diagonal of the box around the skin as it is drawn. */
   readonly size: number;
-  /** Of the displacements, in the character's units. */
+  /** Largest of the displacements, in the character's units. */
   readonly largest: number;
   /** The vertex with the largest one; undefined if none is displaced. */
   readonly vertex: number | undefined;

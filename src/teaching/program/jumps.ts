@@ -3,7 +3,7 @@
  * by rounding is on the other side. So a number there is right if it is that of either side: ours is the nearer one.
  */
 
-/** Of times that are computed in doubles and added up. */
+/** Rounding of times that are computed in doubles and added up. */
 const ROUNDING = 1e-9;
 /** Digits of a float. */
 const FLOAT_DIGITS = 7;

@@ -5,7 +5,7 @@ import { type Character, shownClip } from '../../model/document.ts';
 import type { ChannelTarget } from '../compare/targets.ts';
 import { nearestSide } from './jumps.ts';
 
-/** Of the samples; where the value jumps, that of the side which is nearest theirs. */
+/** Our values at the samples; where the value jumps, that of the side which is nearest theirs. */
 export function valuesNearest(character: Character, target: ChannelTarget, tolerance: number): Float64Array {
   const clip = shownClip(character);
   const compiled = clip && compileClip(clip);
@@ -19,7 +19,7 @@ export function valuesNearest(character: Character, target: ChannelTarget, toler
   });
 }
 
-/** Of the samples. */
+/** Our values at the samples. */
 export function ownValues(character: Character, { channels, times }: Omit<ChannelTarget, 'values'>): Float64Array {
   const clip = shownClip(character);
   const compiled = clip && compileClip(clip);

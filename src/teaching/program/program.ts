@@ -18,7 +18,7 @@ export type Breadth = 'balls' | 'ordered' | 'not listed' | 'all';
 export interface JointRules {
   /** One for all joints with three angles; absent: each its own. */
   readonly order?: { readonly is: EulerOrder; readonly for: Breadth };
-  /** Of angles about x, y, z and other axes; in balls, or in all joints. */
+  /** Signs of angles about x, y, z and other axes; in balls, or in all joints. */
   readonly signs: { readonly are: readonly [number, number, number, number]; readonly for: Breadth };
   /** The rotation of each joint is its transpose. */
   readonly transposed: 'none' | Breadth;
@@ -35,7 +35,7 @@ export interface JointRules {
   /** rx and rz exchanged. */
   readonly dofOrder: { readonly isReversed: boolean; readonly for: Breadth; readonly withRoot: boolean };
   readonly concatenation: 'parent first' | 'parent last' | 'no parent';
-  /** What becomes of all world matrices, in order. */
+  /** Changes of all world matrices, in order. */
   readonly world: readonly WorldMap[];
   /** Degrees of motion capture used as radians. */
   readonly bvhDegrees: boolean;
@@ -81,7 +81,7 @@ export interface Program {
   readonly skin: SkinRules;
 }
 
-/** What is computed of a frame. */
+/** Numbers that are computed of a frame. */
 export interface Wanted {
   readonly local: boolean;
   readonly vertices: boolean;

@@ -25,7 +25,7 @@ const GROUPS: Readonly<Record<DumpKind, CellGroup>> = {
   channels: 'channels',
 };
 
-/** What is counted of some kinds: joints, if there are any, else vertices. */
+/** The group that is counted of some kinds: joints, if there are any, else vertices. */
 export function groupOf(kinds: readonly DumpKind[]): CellGroup {
   return CELL_GROUPS.find((group) => kinds.some((kind) => GROUPS[kind] === group)) ?? 'joints';
 }
@@ -38,9 +38,9 @@ export interface Cell {
   readonly kinds: readonly DumpKind[];
   /** Whether a number differs from ours. */
   readonly isWrong: boolean;
-  /** Of joints or vertices: its numbers of some frames. */
+  /** Pieces of joints or vertices: the cell's numbers of some frames. */
   readonly pieces: readonly CellPiece[];
-  /** Of channels, by channel and time. */
+  /** Values of channels, by channel and time. */
   readonly channels: ChannelTarget;
 }
 
@@ -51,13 +51,13 @@ export interface CellPiece {
   readonly target: FrameTarget;
 }
 
-/** What is compared with, as `compare` has it. */
+/** Our numbers, as `compare` has it. */
 export interface ComparedNumbers {
   readonly character: Character;
   readonly targets: Targets;
   /** Our numbers, per frame. */
   readonly own: readonly FrameNumbers[];
-  /** Of the character, per frame. */
+  /** Sizes of the character, per frame. */
   readonly sizes: readonly number[];
   readonly tolerance: number;
 }

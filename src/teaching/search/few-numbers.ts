@@ -118,7 +118,7 @@ function morphOf(morph: Morph, few: readonly number[]): Morph {
   return { name: morph.name, positions: rows(morph.positions), normals: rows(morph.normals) };
 }
 
-/** Of each channel those that differ most, and the first ones. */
+/** Samples of each channel: those that differ most, and the first ones. */
 function fewSamples(character: Character, target: ChannelTarget, tolerance: number): ChannelTarget {
   const { channels, times, values } = target;
   const own = valuesNearest(character, target, tolerance);

@@ -1,6 +1,6 @@
 /**
- * What explains another program's numbers, by part: of the programs that were tried those that explain all of a part, by
- * one mistake before two, and those that explain what they touch of it.
+ * Causes that explain another program's numbers, by part: of the programs that were tried those that explain all of a
+ * part, by one mistake before two, and those that explain what they touch of it.
  */
 import { DUMP_KINDS, type DumpKind } from '../../model/dump.ts';
 import type { Targets } from '../compare/targets.ts';
@@ -9,10 +9,10 @@ import { CELL_GROUPS, type Cell, groupOf } from './cells.ts';
 import type { CellOutcome } from './tried-programs.ts';
 import { outcomeOf, type Part, type PartOutcome, partsOf } from './wrong-parts.ts';
 
-/** What a cause of a part is about. */
+/** The subject of a part's cause. */
 export interface CauseSubject {
   readonly kinds: readonly DumpKind[];
-  /** Of the dumps. */
+  /** Files of the dumps. */
   readonly files: readonly string[];
 }
 
@@ -20,7 +20,7 @@ export interface CauseSubject {
 export interface Cause {
   /** `rotation-order`; of two mistakes `rotation-order+no-parent`. */
   readonly code: string;
-  /** What exactly; of two mistakes both, with a semicolon. */
+  /** The exact deviation; of two mistakes both, with a semicolon. */
   readonly detail: string;
   /** Other ways to make the mistake that explain the same numbers as well. */
   readonly alternatives: readonly string[];
@@ -30,7 +30,7 @@ export interface Cause {
   /** Joints that are explained, of all; of vertices or channels if there are no joints. */
   readonly explains: number;
   readonly of: number;
-  /** Of those counted items: indices of the frames that they are of, ascending; empty for channels. */
+  /** Frames of those counted items: indices of the frames that they are of, ascending; empty for channels. */
   readonly frames: readonly number[];
   /** The largest remaining error. */
   readonly residual: number;
@@ -45,7 +45,7 @@ const MIN_EVIDENCE = 6;
 /** Residuals that differ by less, of the tolerance, are equal: as digits that were not printed. */
 const EQUAL_RESIDUALS = 0.01;
 
-/** What explains the numbers. */
+/** Causes that explain the numbers. */
 export interface FoundCauses {
   /** Causes of all numbers; else those of parts, each with what it is about, and last those of what they touch. */
   readonly causes: readonly Cause[];
@@ -53,7 +53,7 @@ export interface FoundCauses {
   readonly unexplained?: CauseSubject;
 }
 
-/** What was found for a part. */
+/** Causes found for a part. */
 interface PartCauses {
   readonly part: Part;
   /** By code: mistakes that explain all of it; two of them; those that explain what they touch. */
@@ -62,7 +62,7 @@ interface PartCauses {
   readonly partial: Map<string, Cause>;
 }
 
-/** What is found, by part. */
+/** Collects the causes that are found, by part. */
 export class Finder {
   private readonly parts: readonly PartCauses[];
   /** Wrong cells, each with the right ones of its dump. */
@@ -172,7 +172,9 @@ export class Finder {
     };
   }
 
-  /** Of several ways to make the same mistakes the nearest; of those as near the first, and the others with it. */
+  /**
+   * Keeps the nearest of several ways to make the same mistakes; of those as near the first, and the others with it.
+   */
   private keep(found: Map<string, Cause>, by: readonly Candidate[], outcome: PartOutcome): void {
     const { tolerance } = this;
     const { residual, agree, of, frames } = outcome;
@@ -199,7 +201,7 @@ export class Finder {
   }
 }
 
-/** What explains several parts is told once. */
+/** Adds a cause; one that explains several parts is listed once. */
 function addCause(causes: Cause[], cause: Cause): void {
   const at = causes.findIndex(({ code, detail }) => code === cause.code && detail === cause.detail);
   if (at < 0) causes.push(cause);
@@ -222,7 +224,7 @@ function joined(a: Cause, b: Cause): Cause {
   };
 }
 
-/** Of what is counted. */
+/** Rank of what is counted. */
 function groupRank({ about }: Cause): number {
   return CELL_GROUPS.indexOf(groupOf(about?.kinds ?? []));
 }

@@ -13,7 +13,7 @@ import { valuesNearest } from '../program/own-values.ts';
 import { type Program, RIGHT_PROGRAM } from '../program/program.ts';
 import { type Cell, frameNearest } from './cells.ts';
 
-/** What a program does to our numbers of a cell, and how near they come to theirs. */
+/** The effect of a program on our numbers of a cell, and how near they come to theirs. */
 export interface CellOutcome {
   /** Whether any number is changed by more than the tolerance. */
   readonly touches: boolean;
@@ -39,11 +39,11 @@ interface Own extends FrameNumbers {
 export class Trial {
   private readonly evaluator: Evaluator;
   private readonly own: readonly Own[];
-  /** Of the channels of each cell. */
+  /** Our values of the channels of each cell. */
   private readonly ownChannels: readonly Float64Array[];
   /** For each wrong cell it, and the right ones of its dump. */
   private readonly beside: readonly (readonly number[])[];
-  /** Of their pieces, per frame. */
+  /** Targets of the pieces, per frame. */
   private readonly targets: readonly (readonly FrameTarget[])[];
   /** Per frame. */
   private readonly pieces: readonly (readonly { readonly cell: number; readonly target: FrameTarget }[])[];
@@ -211,7 +211,7 @@ function countChannels({ channels, values }: ChannelTarget, ownValues: Float64Ar
 const MATRIX = 12;
 const POINT = 3;
 
-/** What is known of a cell. */
+/** The knowledge about a cell. */
 class State {
   isHopeless = false;
   private touches = false;

@@ -14,16 +14,16 @@ export interface Part {
   /** Indices of cells. */
   readonly cells: readonly number[];
   readonly wrong: readonly number[];
-  /** What a cause's numbers count: joints, if there are any. */
+  /** The items that a cause's numbers count: joints, if there are any. */
   readonly counted: CellGroup;
   readonly isAll: boolean;
-  /** Of those items: indices of the frames that they are of, ascending; empty for channels. */
+  /** Frames of those items: indices of the frames that they are of, ascending; empty for channels. */
   readonly frames: readonly number[];
   /** Whether it has all that its dumps have: as good as compared alone. */
   readonly isEntire: boolean;
 }
 
-/** What a program does to a part. */
+/** The effect of a program on a part. */
 export interface PartOutcome {
   /** Whether all numbers are theirs, within the tolerance, and some weren't; and all those that are changed. */
   readonly isWhole: boolean;
@@ -34,7 +34,7 @@ export interface PartOutcome {
   readonly residual: number;
   readonly agree: number;
   readonly of: number;
-  /** Of the part. */
+  /** Frames of the part. */
   readonly frames: readonly number[];
 }
 
@@ -68,7 +68,7 @@ export function partsOf(cells: readonly Cell[]): readonly Part[] {
 }
 
 /**
- * What a program makes of a part.
+ * The effect of a program on a part.
  * @param outcomes of all cells, by index
  */
 export function outcomeOf(part: Part, cells: readonly Cell[], outcomes: readonly CellOutcome[]): PartOutcome {

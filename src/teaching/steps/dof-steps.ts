@@ -6,7 +6,7 @@ import type { Character } from '../../model/document.ts';
 import { couplesOf, type DofCouple } from '../../model/skeleton/couples.ts';
 import type { DofUnit } from '../../model/skeleton/skeleton.ts';
 
-/** What sets a DOF. */
+/** The source of a DOF's value. */
 export type DofSource = 'channel' | 'pose' | 'unkeyed' | 'retargeted' | 'link';
 
 /** The steps by which a DOF gets its value, in its unit. */
@@ -20,7 +20,7 @@ export interface DofStep {
   readonly given: number;
   /** Undefined if it has none, or if the character does not enforce them. */
   readonly limit?: readonly [number, number];
-  /** What the joint uses. */
+  /** The value that the joint uses. */
   readonly value: number;
   /** With the final value of the DOF that it follows. */
   readonly link?: DofCouple & { readonly followed: number };
@@ -30,7 +30,7 @@ export interface DofStep {
 export interface PoseSteps {
   readonly character: Character;
   readonly timeSeconds: number;
-  /** Of each DOF; those of linked DOFs mean nothing. */
+  /** Values of each DOF; those of linked DOFs mean nothing. */
   readonly given: Float64Array;
   /** As `poseAt` gives them. */
   readonly dofs: Float64Array;

@@ -1,6 +1,6 @@
 /** A formula as text whose symbols know what they stand for, so that a page can point at it. */
 
-/** What a symbol stands for. */
+/** The meaning of a symbol. */
 export type Meaning =
   | { readonly kind: 'joint'; readonly joint: number }
   /** Into the character's DOFs (`model/dofs.ts`). */

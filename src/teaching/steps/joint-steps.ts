@@ -24,7 +24,7 @@ import { dofSymbol, type Formula, jointSymbol } from './formula.ts';
 export interface Factor {
   /** `Rz(rz)`. */
   readonly symbol: Formula;
-  /** What it does to a point, or how it is made. */
+  /** The factor's effect on a point, or how it is made. */
   readonly law: string;
   /** Column-major. */
   readonly matrix: Float64Array;

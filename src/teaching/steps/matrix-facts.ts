@@ -1,4 +1,4 @@
-/** What a matrix says of itself: whether it only turns, and whether it mirrors. */
+/** Facts about a matrix: whether it only turns, and whether it mirrors. */
 
 /** The largest element of |RᵀR − I|, R the upper left 3×3: 0 for a rotation. */
 export function orthonormalityError(m: Float64Array, o = 0): number {

@@ -28,7 +28,7 @@ export interface MorphTerm {
   readonly sum: Vec3;
 }
 
-/** What one attachment adds to a vertex. */
+/** The contribution of one attachment to a vertex. */
 export interface AttachmentStep {
   readonly joint: number;
   /** w. */

@@ -1,8 +1,8 @@
 /**
- * What is shown of a drag: the pose for the hand, unless that is far from the last one. An arm that bends to its other
+ * The shown pose of a drag: the one for the hand, unless that is far from the last one. An arm that bends to its other
  * side, or a leg whose last millimetre needs the body to lean over, would jump; while the hand moves, the shown pose
- * then follows in bounded steps, with the pins held and the hand left for as long. Nothing may move under a hand that is
- * still, so that the rest takes two frames.
+ * then follows in bounded steps, with the pins held and the hand left for as long. Nothing may move under a hand that
+ * is still, so that the rest takes two frames.
  */
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { pitchOf, quaternionDofs } from '../../../model/skeleton/joint-types.ts';

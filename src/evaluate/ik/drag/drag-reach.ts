@@ -1,4 +1,6 @@
-/** What a drag moves: the joints that bend, and the feet that hold by themselves. Decided once, when it begins. */
+/**
+ * Joints that a drag moves: the joints that bend, and the feet that hold by themselves. Decided once, when it begins.
+ */
 import { ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';

@@ -14,7 +14,7 @@ export interface Left {
   readonly dofs: Float64Array;
   /** By pin id. */
   readonly targets: ReadonlyMap<number, LeftTarget>;
-  /** What kept the pins from their targets. */
+  /** Causes that kept the pins from their targets. */
   readonly hindrance: Hindrance;
 }
 
@@ -30,7 +30,7 @@ export class HeldTargets {
   /** By character id. */
   private readonly left = new Map<string, Left>();
 
-  /** What a drag left, if the pose is still the same. Called every frame; allocates nothing. */
+  /** Targets that a drag left, if the pose is still the same. Called every frame; allocates nothing. */
   leftOf(characterId: string, dofs: Float64Array): Left | undefined {
     const left = this.left.get(characterId);
     return left && sameNumbers(left.dofs, dofs) ? left : undefined;

@@ -1,5 +1,5 @@
 /**
- * Of all poses that satisfy the pins and the hand, the one nearest to the pose at the start of the drag. Without it,
+ * The pose, among all that satisfy the pins and the hand, nearest to the pose at the start of the drag. Without it,
  * redundant joints would keep whatever the solver's steps gave them.
  *
  * Each step moves the pose towards its start as far as the pins allow (`evaluate/ik/homing.ts`) and restores the pins;

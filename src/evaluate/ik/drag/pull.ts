@@ -38,7 +38,7 @@ export interface Gap {
 const OWN_SPACE = new Float64Array(16);
 setIdentity(OWN_SPACE);
 
-/** What is dragged. */
+/** The point that is dragged. */
 export interface Grip {
   readonly joint: number;
   /** In the joint's space. */

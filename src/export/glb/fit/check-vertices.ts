@@ -11,7 +11,7 @@ import type { WatchedSkin, WatchPoints } from './watch-points.ts';
 /** Rows of a stretch that are looked at, and vertices times attachments in all of them, about. */
 const MOST_ROWS = 32;
 const MOST = 5_000_000;
-/** Of the limit: where watched points are off by less, no vertex is off by more. */
+/** Fraction of the limit: where watched points are off by less, no vertex is off by more. */
 const LIKELY = 0.5;
 /** Vertices of one row that are watched from then on. */
 const MOST_OF_ROW = 8;

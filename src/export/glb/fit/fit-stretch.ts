@@ -45,7 +45,7 @@ const OF_WEIGHTS = 0.1;
 /** Rounds after which every so many rows get a key, so that the number of rounds is bounded. */
 const PATIENCE = 60;
 const HASTE = 16;
-/** Of the tolerance: between two rows points are off by a little more than at them. */
+/** Fraction of the tolerance: between two rows points are off by a little more than at them. */
 const MARGIN = 0.95;
 /** Straight lines through moved keys are off by half as much, nearly. */
 const HALVED = 1.8;

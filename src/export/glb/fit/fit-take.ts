@@ -35,7 +35,7 @@ export interface FitOptions {
   readonly onProgress?: (fraction: number) => void;
 }
 
-/** What moves, and how it is seen. */
+/** The nodes that move, and the points by which that is seen. */
 export interface MovedNodes {
   readonly nodes: readonly JointNode[];
   readonly points: WatchPoints;
@@ -95,7 +95,7 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
 interface KeyColumns {
   readonly seconds: ArrayLike<number>;
   readonly values: ArrayLike<number>;
-  /** Of splines. */
+  /** Slopes of splines. */
   readonly slopesIn: ArrayLike<number>;
   readonly slopesOut: ArrayLike<number>;
   /** 1 where the values jump from the key before; absent: nowhere. */

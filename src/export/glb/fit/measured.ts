@@ -1,4 +1,6 @@
-/** What programs make of the keys of a stretch, compared with its rows at all points and axes that are watched. */
+/**
+ * Poses that programs make of the keys of a stretch, compared with its rows at all points and axes that are watched.
+ */
 
 import { type JointNode, type NodeRange, nodeWorlds, subtrees } from '../joint-nodes.ts';
 import type { Rows } from '../rows.ts';
@@ -8,7 +10,7 @@ import { expandLinear, type FittedKeys, hasArcs } from './fit-linear.ts';
 import { bounded, type PointBounds } from './point-bounds.ts';
 import { movedPair, movedPoint, nodesAbove, nodesMoving, pointsBelow, pointsMorphed, type Watch } from './watch.ts';
 
-/** What changes together. */
+/** Nodes, pairs and points that change together. */
 interface Moved {
   readonly points: Int32Array;
   /** The nodes that the points follow, and those whose axes turn. */
@@ -36,7 +38,7 @@ export class Measured {
   private readonly isRigid: Uint8Array;
   /** World matrices of the nodes at each row, as they should be. */
   private readonly trueWorlds: Float64Array;
-  /** What is off most at each row: a point, or −1 − the node of an axis. */
+  /** The point or axis that is off most at each row: a point, or −1 − the node of an axis. */
   private readonly worst: Int32Array;
   private readonly nodes: readonly JointNode[];
   private readonly isCubic: boolean;
@@ -48,11 +50,11 @@ export class Measured {
   private readonly hasArcs: Uint8Array;
   private readonly ranges: readonly NodeRange[];
   private readonly all: NodeRange;
-  /** What each track moves, and everything. */
+  /** Nodes and points that each track moves, and all of them. */
   private readonly moved: readonly Moved[];
   private readonly every: Moved;
   private readonly bounds: PointBounds;
-  /** Of each node, at the row that is looked at: how far its middle is off, and its axes. */
+  /** Error of each node, at the row that is looked at: how far its middle is off, and its axes. */
   private readonly shift: Float64Array;
   private readonly turn: Float64Array;
   /** Numbers of the matrices of a row. */

@@ -12,7 +12,7 @@
 import { normalise } from './fit-linear.ts';
 import type { Measured } from './measured.ts';
 
-/** Of what a point at the limit counts: what points that are not off count. */
+/** Weight of points that are not off, as a fraction of that of a point at the limit. */
 const LEAST = 0.02;
 /** Rows between two keys, and points, that are looked at, about. */
 const MOST_ROWS = 5;

@@ -1,5 +1,5 @@
 /**
- * What bounds how far points are off, so that most needn't be looked at. A point p of a node whose matrix is off by D is
+ * Bounds for how far points are off, so that most needn't be looked at. A point p of a node whose matrix is off by D is
  * off by
  *
  *     |D p| ≤ |D c| + ‖D‖ · |p − c|

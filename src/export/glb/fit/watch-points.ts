@@ -47,7 +47,7 @@ export class WatchPoints {
   private readonly weightAt: number[] = [];
   private readonly by: number[] = [];
   private readonly vertices = new Set<number>();
-  /** Of each morph by a weight of 1: x y z per vertex. */
+  /** Displacements of each morph by a weight of 1: x y z per vertex. */
   readonly displacements: readonly Float64Array[];
   private made: Watch | undefined;
 
@@ -68,7 +68,7 @@ export class WatchPoints {
     });
   }
 
-  /** What is watched; another object after more was added. */
+  /** The points that are watched; another object after more was added. */
   get watch(): Watch {
     const { start, nodeOf, local, morphStart, weightAt, by, axisLength, nodes } = this;
     if (this.made) return this.made;
