@@ -9,6 +9,7 @@ import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
+import { isOnCurve } from '../keys/keyed-pose.ts';
 import { type Moment, samplesWithMoment, withMoment } from '../keys/moment.ts';
 import { findKey } from '../keys/same-time.ts';
 import { refuseMoved } from '../refuse-moved.ts';
@@ -91,6 +92,7 @@ function changedFor(
   const keys = [];
   for (const [dof, value] of [...values].sort(([a], [b]) => a - b)) {
     const channel = channels[dof];
+    if (isOnCurve(channel, moment.at, value)) continue;
     if (channel.kind === 'samples' && take.samples && columnOf(take.samples, dof) >= 0) sampled.set(dof, value);
     else {
       const keyed = withMoment(channel, moment, value, baked);
@@ -98,11 +100,13 @@ function changedFor(
       keys.push({ channel: dof, indices: [findKey(keyed, moment.at)] });
     }
   }
+  if (keys.length + sampled.size === 0) return { character, keys };
   const driven = new Float64Array(dofCountOf(taking));
   if (sampled.size > 0) poseAt(withoutUnkeyed(taking), timeSeconds, driven);
   const samples = take.samples && samplesWithMoment(take.samples, moment, sampled, (dof) => driven[dof]);
   const next = { ...take, channels, ...(samples && sampled.size > 0 && { samples }) };
   const byHand = unkeyedAt(taking, timeSeconds);
-  for (const dof of values.keys()) byHand.delete(dof);
+  for (const [dof, value] of byHand)
+    if (values.has(dof) || isOnCurve(channels[dof], moment.at, value)) byHand.delete(dof);
   return { character: withUnkeyed(withTake(taking, taking.shownClip, next), timeSeconds, byHand), keys };
 }

@@ -82,7 +82,8 @@ export function withMoment(
     const isEnd = k <= first || k >= last;
     const slope = isAt || isEnd ? 0 : offset * weightSlope(moment, time);
     return {
-      time,
+      // A key that is there up to rounding is moved by that: the value is to be exact at this very time.
+      time: isAt ? at : time,
       value: k === middle ? value : key.value + offset * (isAt ? 1 : isEnd ? 0 : weightAt(moment, time)),
       in: tangent(FIXED_TANGENT, slopes.in[k] + slope),
       out: tangent(FIXED_TANGENT, slopes.out[k] + slope),

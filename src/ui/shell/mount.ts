@@ -4,6 +4,7 @@ import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { offerOverSamples } from '../editors/posing/auto-key-samples.ts';
 import { followForm } from '../editors/posing/mode-of-form.ts';
+import { followKeyedPoses } from '../editors/posing/offer-moment.ts';
 import { followOpened } from '../editors/posing/opened.ts';
 import { takeCell } from '../editors/takes/take-cell.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
@@ -80,6 +81,7 @@ export function mountWorkbench(
     askAboutCycles(wb),
     limitUndo(wb),
     offerOverSamples(wb),
+    followKeyedPoses(wb),
     theme.subscribe(recolour),
   ];
   signal.addEventListener('abort', () => {

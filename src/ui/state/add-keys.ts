@@ -5,14 +5,19 @@
  *
  * Auto-key asks once on release, for everything that the drag has changed: asking during the drag would end it, and not
  * asking would lengthen a walk with every touch.
+ *
+ * A pose can also be keyed for a moment, which neither changes the cycle nor jumps: that is the first answer, and is
+ * offered after keys that are abrupt (`offer-moment.ts`).
  */
 
 import { documentIn, type Edit } from '../../edit/change.ts';
-import type { Command } from '../../edit/command.ts';
+import type { ArgsOf, Command } from '../../edit/command.ts';
+import { keyForMoment } from '../../edit/commands/moment.ts';
 import type { KeyOptions } from '../../edit/key-dofs.ts';
 import { changedCyclesOf, type OutsideCycle } from '../../edit/keys/cycle.ts';
+import { type KeyedPose, keyedPose } from '../../edit/keys/keyed-pose.ts';
 import { type Document, findCharacter } from '../../model/document.ts';
-import type { CycleQuestion } from './cycle-question.ts';
+import type { CycleQuestion, Easing } from './cycle-question.ts';
 import type { Uses } from './workbench.ts';
 
 /** A character of which some channels repeat otherwise after a change, and those. */
@@ -33,11 +38,12 @@ export function cyclesChanged(
  * @param args made for either answer
  */
 export function addKeys<A>(
-  { store, timeline }: Uses<'store' | 'timeline'>,
+  wb: Uses<'store' | 'timeline' | 'transport'>,
   command: Command<A, Document | Edit>,
   args: (outsideCycle: OutsideCycle) => A,
 ): void {
-  const { outsideCycle, cycleQuestion } = timeline;
+  const { store } = wb;
+  const { outsideCycle, cycleQuestion } = wb.timeline;
   cycleQuestion.get()?.cancel();
   const said = outsideCycle.get();
   if (said !== 'ask') {
@@ -61,8 +67,19 @@ export function addKeys<A>(
     if (cycleQuestion.get() === question) cycleQuestion.set(undefined);
     return isOpen;
   };
+  const { timeSeconds } = wb.transport.get();
+  const pose = keyedPose(before, documentIn(longer), timeSeconds);
   const question: CycleQuestion = {
     ...found,
+    timeSeconds,
+    ...(pose && {
+      moment: {
+        show: (easing) => shown.preview(keyForMoment.run(before, momentArgs(wb, pose, easing))),
+        answer(easing) {
+          if (close()) store.apply(keyForMoment, momentArgs(wb, pose, easing));
+        },
+      },
+    }),
     show: (how) => shown.preview(command.run(before, args(how))),
     answer(how) {
       // Something else has happened meanwhile, and the keys may be of what is no more.
@@ -73,9 +90,72 @@ export function addKeys<A>(
   cycleQuestion.set(question);
 }
 
+/**
+ * Asks how long a pose is to be eased in and out, while the viewport and the curves show it.
+ *
+ * @param pose its values at the current time
+ * @param undoes whether the last step has keyed it, and is to be replaced
+ */
+export function askForMoment(
+  wb: Uses<'store' | 'timeline' | 'transport'>,
+  pose: KeyedPose,
+  before: Document,
+  undoes: boolean,
+): void {
+  const { store } = wb;
+  const { cycleQuestion } = wb.timeline;
+  const character = findCharacter(before, pose.characterId);
+  if (!character) return;
+  cycleQuestion.get()?.cancel();
+  store.settle();
+  const { timeSeconds } = wb.transport.get();
+  const shown = store.begin(keyForMoment.label(before, momentArgs(wb, pose, wb.timeline.easing.get())), 'tried');
+  const close = () => {
+    const isOpen = !shown.closed;
+    shown.cancel();
+    if (cycleQuestion.get() === question) cycleQuestion.set(undefined);
+    return isOpen;
+  };
+  const question: CycleQuestion = {
+    character,
+    changed: [],
+    timeSeconds,
+    moment: {
+      show: (easing) => shown.preview(keyForMoment.run(before, momentArgs(wb, pose, easing))),
+      answer(easing) {
+        if (!close()) return;
+        if (undoes) store.undo();
+        store.apply(keyForMoment, momentArgs(wb, pose, easing));
+      },
+    },
+    show() {},
+    answer() {},
+    cancel: close,
+  };
+  cycleQuestion.set(question);
+}
+
+/** Eased over whole frames, so that keys and frames that are there stay where they are. */
+function momentArgs(
+  { transport }: Uses<'transport'>,
+  { characterId, dofs }: KeyedPose,
+  { easeIn, easeOut }: Easing,
+): ArgsOf<typeof keyForMoment> {
+  const { timeSeconds, framesPerSecond, range } = transport.get();
+  const whole = (seconds: number) => Math.max(1, Math.round(seconds * framesPerSecond)) / framesPerSecond;
+  return {
+    characterId,
+    timeSeconds,
+    dofs: [...dofs],
+    easeIn: whole(easeIn),
+    easeOut: whole(easeOut),
+    ...(range[1] > range[0] && { playedRange: range }),
+  };
+}
+
 /** The same for commands that key only with auto-key. */
 export function addKeyed<A extends { readonly key?: KeyOptions | undefined }>(
-  wb: Uses<'store' | 'timeline'>,
+  wb: Uses<'store' | 'timeline' | 'transport'>,
   command: Command<A, Document | Edit>,
   args: A,
 ): void {

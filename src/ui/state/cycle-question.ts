@@ -2,11 +2,26 @@
 import type { ChangedCycle, OutsideCycle } from '../../edit/keys/cycle.ts';
 import type { Character } from '../../model/document.ts';
 
+/** Seconds of easing before and after a key. */
+export interface Easing {
+  readonly easeIn: number;
+  readonly easeOut: number;
+}
+
 export interface CycleQuestion {
   /** The character before the change. */
   readonly character: Character;
-  /** What `lengthen` would change; at least one channel. */
+  /** What `lengthen` would change; none where only a moment is asked for. */
   readonly changed: readonly ChangedCycle[];
+  /** Transport time of the keys. */
+  readonly timeSeconds: number;
+  /** The same values for a moment, eased in and out; absent if the keys aren't one pose. */
+  readonly moment?: {
+    /** Previews it, until another answer is previewed. */
+    show(easing: Easing): void;
+    /** One step. Throws a `CommandError` if refused. */
+    answer(easing: Easing): void;
+  };
   /** Previews an answer, until another is previewed. */
   show(outsideCycle: OutsideCycle): void;
   /** Adds the keys in one step. Throws a `CommandError` if refused. */

@@ -79,10 +79,10 @@ export class Messages {
     this.add({ text, severity: 'error', diagnostics: [], offers });
   }
 
-  /** Adds a confirmation with a button, for what has no key on a touch screen. */
-  confirm(text: string, offer: Offer, isOver?: IsOver): void {
+  /** Adds a confirmation with buttons, for what has no key on a touch screen. */
+  confirm(text: string, offers: Offer | readonly Offer[], isOver?: IsOver): void {
     this.given++;
-    this.offers = [offer];
+    this.offers = 'run' in offers ? [offers] : offers;
     this.passingIsOver = isOver;
     // Said again, it has another button.
     this.passing.set(undefined);

@@ -8,7 +8,7 @@ import type { Character } from '../../model/document.ts';
 import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 import { fitWindow, type TimeWindow } from '../widgets/time/time-window.ts';
-import type { CycleQuestion } from './cycle-question.ts';
+import type { CycleQuestion, Easing } from './cycle-question.ts';
 import { ReviewState } from './review.ts';
 import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
@@ -164,6 +164,8 @@ export class Timeline {
    * motion that one works on.
    */
   readonly outsideCycle: Observable<OutsideCycle | 'ask'> = observable<OutsideCycle | 'ask'>('ask');
+  /** Of the last pose that was keyed for a moment. */
+  readonly easing: Observable<Easing> = observable<Easing>({ easeIn: 0.3, easeOut: 0.3 });
   /** Keys that wait until it has been said where they go (`add-keys.ts`). */
   readonly cycleQuestion: Observable<CycleQuestion | undefined> = observable<CycleQuestion | undefined>(undefined);
   /** Counts requests to rename the take: its field is in the inspector. */

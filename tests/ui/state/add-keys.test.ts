@@ -60,6 +60,24 @@ describe('keys outside a cycle', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
+  it('for a moment is one step too, eased over whole frames, and the first answer', () => {
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 2 });
+    const posed = wb.store.document.characters[0];
+    keyNow(wb, 'c1', [0]);
+    asked().moment?.show({ easeIn: 0.3, easeOut: 0.51 });
+    expect(wb.store.undoLabel).not.toContain('moment');
+    asked().moment?.answer({ easeIn: 0.3, easeOut: 0.51 });
+    expect(wb.dialog.get()).toBeUndefined();
+    expect(wb.store.undoLabel).toBe('Key tx of hips for a moment');
+    const channel = channels()[0];
+    if (channel.kind !== 'keys') throw new Error('It has keys.');
+    expect(period(channel)).toBeCloseTo(8, 12);
+    const around = [...channel.times].filter((time) => time > 3 && time < 3.9);
+    expect(around.some((time) => Math.abs(time - 3.5) < 1e-9)).toBe(true);
+    wb.store.undo();
+    expect(wb.store.document.characters[0]).toBe(posed);
+  });
+
   it('change nothing when the dialog is closed, nor when the document changes meanwhile', () => {
     keyNow(wb, 'c1');
     wb.dialog.set(undefined);

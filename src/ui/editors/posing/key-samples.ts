@@ -1,6 +1,7 @@
 /**
  * Keying what was captured. Sampled curves have a value at every frame and take no single keys, so those of the joints
- * become keys first. That changes them by up to a tolerance, so it is offered, not done; offer taken, it is one step.
+ * become keys first, which changes them by up to a tolerance; or the frames are offset for a moment. Both are offered, not
+ * done; offer taken, it is one step.
  */
 
 import { documentIn, type Edit } from '../../../edit/change.ts';
@@ -10,11 +11,13 @@ import { convertSteps } from '../../../edit/commands/samples.ts';
 import { EditPreview } from '../../../edit/edit-preview.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { type Converted, usualTolerance } from '../../../edit/samples/convert.ts';
+import { unkeyedAt } from '../../../edit/unkeyed.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { askForMoment } from '../../state/add-keys.ts';
 import { shownPerUnit, unitText } from '../../state/joints/angles.ts';
 import { lengthUnit } from '../../state/joints/length-unit.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -42,12 +45,19 @@ export function offerToConvert(wb: Parts, characterId: string, dofs: readonly nu
   const what = channels.length === 1 ? 'The curve' : `The ${channels.length} curves`;
   const have = channels.length === 1 ? 'is sampled: it has a value' : 'are sampled: they have a value';
   const { document } = wb.store;
+  const posed = [...unkeyedAt(character, timeSeconds)].flatMap(([index, value]) =>
+    dofs.includes(index) ? [{ index, value }] : [],
+  );
+  const pose = { characterId, dofs: posed };
   wb.messages.confirm(
     `${what} of ${jointsOf(character, channels)} ${have} at every frame, and no single keys.`,
-    {
-      label: 'Convert to keys and key',
-      run: () => convertAndKey(wb, { characterId, dofs, timeSeconds, ...options }),
-    },
+    [
+      {
+        label: 'Convert to keys and key',
+        run: () => convertAndKey(wb, { characterId, dofs, timeSeconds, ...options }),
+      },
+      ...(posed.length > 0 ? [{ label: 'Ease in and out…', run: () => askForMoment(wb, pose, document, false) }] : []),
+    ],
     () => wb.store.document !== document,
   );
 }

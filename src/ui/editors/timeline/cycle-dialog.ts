@@ -1,49 +1,93 @@
-/** The dialog about a key outside a channel's cycle, shown beside the pose to be keyed. */
+/**
+ * The dialog about a pose that is keyed over motion that goes on, and about keys outside a channel’s cycle, shown beside the
+ * pose to be keyed.
+ */
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import { attempt } from '../../state/actions/attempt.ts';
+import type { CycleQuestion } from '../../state/cycle-question.ts';
 import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';
-import { cycleText, OUTSIDE_LABELS } from './cycle-text.ts';
+import { cycleText, momentText, OUTSIDE_LABELS } from './cycle-text.ts';
+import { easingFields } from './easing-fields.ts';
 
 const TITLE = 'Key outside the cycle';
+const MOMENT_TITLE = 'Key for a moment';
 
-export function cycleDialog(wb: Uses<'transport' | 'timeline' | 'messages'>, close: () => void): DialogContent {
+type Parts = Uses<'transport' | 'timeline' | 'messages'>;
+
+export function cycleDialog(wb: Parts, close: () => void): DialogContent {
   const question = wb.timeline.cycleQuestion.get();
   const kind = 'tool-dialog is-aside cycle-dialog';
-  if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key is waiting for an answer.') };
-  const { about, answers } = cycleText(question, wb.transport.get().range);
-  const always = element('input', { type: 'checkbox' });
-  const first = OUTSIDE_CYCLE.find((how) => answers[how] !== undefined);
-  const choices = OUTSIDE_CYCLE.flatMap((how) => {
-    const detail = answers[how];
-    if (detail === undefined) return [];
-    const made = element(
-      'button',
-      { type: 'button', class: 'choice-card', ...(how === first && { autofocus: true }) },
-      element('span', { class: 'choice-name' }, OUTSIDE_LABELS[how]),
-      element('span', { class: 'faint' }, detail),
-    );
-    // Previews the result in the curves.
-    const show = () => attempt(wb.messages, () => question.show(how));
-    made.addEventListener('focus', show);
-    made.addEventListener('pointerenter', show);
-    made.addEventListener('click', () => {
-      if (always.checked) wb.timeline.outsideCycle.set(how);
-      attempt(wb.messages, () => question.answer(how));
-    });
-    return made;
-  });
+  if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
   cancel.addEventListener('click', close);
   const body = element(
     'div',
     { class: 'tool-form' },
+    ...momentParts(wb, question),
+    ...(question.changed.length > 0 ? outsideParts(wb, question) : []),
+    element('div', { class: 'tool-buttons' }, cancel),
+  );
+  return { title: question.changed.length > 0 ? TITLE : MOMENT_TITLE, kind, body, stays: true };
+}
+
+/** A choice and what it does, which is previewed while it is pointed at. */
+function card(wb: Uses<'messages'>, name: string, detail: string, show: () => void, answer: () => void): HTMLElement {
+  const made = element(
+    'button',
+    { type: 'button', class: 'choice-card' },
+    element('span', { class: 'choice-name' }, name),
+    element('span', { class: 'faint' }, detail),
+  );
+  const preview = () => attempt(wb.messages, show);
+  made.addEventListener('focus', preview);
+  made.addEventListener('pointerenter', preview);
+  made.addEventListener('click', () => attempt(wb.messages, answer));
+  return made;
+}
+
+function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
+  const { moment } = question;
+  if (!moment) return [];
+  const { easing } = wb.timeline;
+  const made = card(
+    wb,
+    'For a moment',
+    momentText(question, wb.transport.get().range),
+    () => moment.show(easing.get()),
+    () => moment.answer(easing.get()),
+  );
+  made.setAttribute('autofocus', '');
+  const fields = easingFields(
+    easing.get(),
+    (next) => {
+      easing.set(next);
+      attempt(wb.messages, () => moment.show(next));
+    },
+    (reason) => wb.messages.note(reason, 'warning'),
+  );
+  return [made, fields];
+}
+
+/** What becomes of the key alone. */
+function outsideParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
+  const { about, answers } = cycleText(question, wb.transport.get().range);
+  const always = element('input', { type: 'checkbox' });
+  const choices = OUTSIDE_CYCLE.flatMap((how) => {
+    const detail = answers[how];
+    if (detail === undefined) return [];
+    const answer = () => {
+      if (always.checked) wb.timeline.outsideCycle.set(how);
+      question.answer(how);
+    };
+    return [card(wb, OUTSIDE_LABELS[how], detail, () => question.show(how), answer)];
+  });
+  if (!question.moment) choices[0]?.setAttribute('autofocus', '');
+  return [
     element('p', {}, about, ' ', manualLink('What is a cycle?', 'cycle')),
     ...choices,
     element('label', { class: 'cycle-always' }, always, 'Don’t ask again until the page is reloaded'),
-    element('div', { class: 'tool-buttons' }, cancel),
-  );
-  return { title: TITLE, kind, body, stays: true };
+  ];
 }

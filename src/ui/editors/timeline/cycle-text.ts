@@ -57,6 +57,22 @@ export function cycleText(
   };
 }
 
+/** What keying for a moment does: `Eased in and out around 2 s. …`, and how it repeats. */
+export function momentText(
+  { character, changed, timeSeconds }: Pick<CycleQuestion, 'character' | 'changed' | 'timeSeconds'>,
+  range: readonly [number, number],
+): string {
+  const eased = `Eased in and out around ${seconds(timeSeconds)}; before and after, the take is as it was.`;
+  if (changed.length === 0) return eased;
+  const offset = character.timeOffsetSeconds;
+  const channel = shownClip(character)?.channels[changed[0].channel];
+  const at = timeSeconds + offset;
+  const [start, end] = [Math.min(at, range[0] + offset), Math.max(at, range[1] + offset)];
+  const baked = channel?.kind === 'keys' ? bakedRange(channel, start, end) : undefined;
+  if (!baked) return eased;
+  return `${eased} Repeats from ${shown(baked[0] - offset)} to ${seconds(baked[1] - offset)} become keys, so it comes once every ${seconds(baked[1] - baked[0])}.`;
+}
+
 /** From which to which time keys would be; undefined if there would be too many. */
 function bakedRange(channel: KeyedChannel, start: number, end: number): readonly [number, number] | undefined {
   try {

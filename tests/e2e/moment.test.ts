@@ -1,0 +1,122 @@
+/** A pose keyed for a moment over a walk and over a capture, as someone does who is told nothing. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { drawn, onPage, standing, undoLabel } from './checks/ik.ts';
+import { place, shown } from './checks/limb-drag.ts';
+
+/** @param then the time shown afterwards */
+const dofsAt = (page: Page, times: readonly number[], then: number) =>
+  page.evaluate(
+    ([all, last]) => {
+      const found = all.map((time) => {
+        window.marrow.seek(time);
+        return window.marrow.characters()[0].dofs;
+      });
+      window.marrow.seek(last);
+      return found;
+    },
+    [times, then] as const,
+  );
+
+/** Drags a joint by the mouse, from a point of it. */
+async function drag(page: Page, name: string, point: readonly [number, number, number], by: readonly [number, number]) {
+  const now = await shown(page);
+  const at = await onPage(page, place(now, now.names.indexOf(name), point));
+  await page.mouse.move(at.x, at.y);
+  await drawn(page);
+  await page.mouse.down();
+  await page.mouse.move(at.x + by[0], at.y + by[1], { steps: 8 });
+  await drawn(page);
+  await page.mouse.up();
+}
+
+function expectSame(is: readonly number[], was: readonly number[]): void {
+  is.forEach((value, dof) => {
+    expect(value).toBeCloseTo(was[dof], 9);
+  });
+}
+
+it('a hand dragged up and keyed waves for a moment of the walk, which goes on as it was, saved and opened again too', () =>
+  withPage(
+    async ({ page, download }) => {
+      await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'walker');
+      await page.evaluate(async () => {
+        window.marrow.pause();
+        window.marrow.seek(2.9);
+        await window.marrow.run('view.front');
+      });
+      await standing(page);
+      const away = [0, 0.4, 1.3, 2.1, 2.4, 2.5, 3.2, 3.6, 4.7, 6.4];
+      const before = await dofsAt(page, away, 2.9);
+      await drag(page, 'hand_l', [0.07, 0, 0], [30, -90]);
+      const posed = (await shown(page)).dofs;
+      await page.keyboard.press('k');
+      const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
+      await dialog.getByText(/so it comes once every 6.4\u00a0s/).waitFor();
+      const easeIn = dialog.getByRole('textbox', { name: 'Ease in in seconds' });
+      await easeIn.fill('0.4');
+      await easeIn.press('Enter');
+      await dialog.getByRole('button', { name: 'For a moment' }).click();
+      await dialog.waitFor({ state: 'detached' });
+      await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
+      await expect.poll(async () => (await shown(page)).dofs).toEqual(posed);
+      const after = await dofsAt(page, away, 2.9);
+      after.forEach((dofs, i) => {
+        expectSame(dofs, before[i]);
+      });
+      // No jump between two frames.
+      const frames = await dofsAt(
+        page,
+        Array.from({ length: 31 }, (_, i) => 2.4 + i / 30),
+        2.9,
+      );
+      const arm = posed.findIndex((value, dof) => Math.abs(value - before[4][dof]) > 0.5);
+      const most = Math.max(...frames.map((dofs) => Math.abs(dofs[arm] - frames[0][arm])));
+      frames.forEach((dofs, i) => {
+        if (i > 0) expect(Math.abs(dofs[arm] - frames[i - 1][arm])).toBeLessThan(0.35 * most);
+      });
+
+      // What the page did, a script does: the same text.
+      const save = () => page.evaluate(() => window.marrow.save('walker_walk.anim'));
+      const saved = await save();
+      await page.evaluate(() => window.marrow.undo());
+      await page.evaluate(async () => {
+        await window.marrow.run('keys.forMoment', { easeIn: 0.4, easeOut: 0.3, playedRange: [0, 6.4] });
+      });
+      await expect.poll(save).toEqual(saved);
+      const file = await download(() => page.evaluate(() => window.marrow.run('save.anim')));
+      await dropFiles(page, [{ name: 'walker_walk.anim', bytes: file.bytes }]);
+      await expect.poll(async () => (await dofsAt(page, [2.9], 2.9))[0]?.[arm]).toBeCloseTo(posed[arm], 5);
+    },
+    { walking: true },
+  ));
+
+describeShared('a moment of a capture', () => {
+  it('frames around it are offset and no others, in one step that undo takes back', () =>
+    withPage(async ({ page }) => {
+      await dropFiles(page, [{ name: 'walk.bvh', bytes: sharedBytes('data/bvh/cmu-01_01.bvh') }]);
+      await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'walk');
+      const time = 120 * 0.0083333;
+      await page.evaluate(async (frame) => {
+        window.marrow.pause();
+        window.marrow.seek(frame);
+        await window.marrow.run('view.front');
+      }, time);
+      await standing(page);
+      const away = [0, 0.5, 0.69, 1.31, 2];
+      const before = await dofsAt(page, away, time);
+      await drag(page, 'LeftHand', [0, 0, 0], [-20, -40]);
+      const posed = (await shown(page)).dofs;
+      await page.keyboard.press('k');
+      await page.getByRole('button', { name: 'Convert to keys and key' }).waitFor();
+      await page.getByRole('button', { name: 'Ease in and out…' }).click();
+      const dialog = page.getByRole('dialog', { name: 'Key for a moment' });
+      await dialog.getByRole('button', { name: 'For a moment' }).press('Enter');
+      await dialog.waitFor({ state: 'detached' });
+      await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
+      expectSame((await shown(page)).dofs, posed);
+      await expect.poll(() => dofsAt(page, away, time)).toEqual(before);
+    }));
+});
