@@ -1,4 +1,4 @@
-/** What whoever mends an error needs to know of it. Nothing of the user's files is in it but what errors say. */
+/** What whoever fixes an error needs to know of it. Nothing of the user's files is in it but what errors say. */
 import { VERSION } from '../model/version.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { FileActions } from '../ui/state/workbench.ts';

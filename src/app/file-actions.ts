@@ -3,7 +3,7 @@ import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
 import { isReviewable } from '../review/reviewable.ts';
 import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
-import { MOST_OPENED } from '../ui/state/review.ts';
+import { MAX_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
 import type { DiskHandles } from './disk-handles.ts';
@@ -85,7 +85,7 @@ export function fileActions(parts: Parts): FileActions {
     const files = await found;
     const isPlain =
       !files.some(({ path }) => /\.(csv|json|zip)$/i.test(path)) &&
-      files.filter(({ path }) => isReviewable(path)).length <= MOST_OPENED;
+      files.filter(({ path }) => isReviewable(path)).length <= MAX_OPENED;
     if (isPlain && !parts.store.document.review) return files;
     const module = await onDemand(parts.messages, 'The review', () => import('./reviewing.ts'));
     return module ? module.takeForReview(parts, files) : files;

@@ -17,7 +17,7 @@ import { isReviewable } from '../review/reviewable.ts';
 import { attempt } from '../ui/state/actions/attempt.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import { openPanel } from '../ui/state/panels/panels.ts';
-import { MOST_OPENED, type ReviewFiles, type ReviewProgress } from '../ui/state/review.ts';
+import { MAX_OPENED, type ReviewFiles, type ReviewProgress } from '../ui/state/review.ts';
 import type { Settings } from '../ui/state/settings.ts';
 import type { Timeline } from '../ui/state/timeline.ts';
 import { plural } from '../ui/widgets/numbers/number-text.ts';
@@ -58,7 +58,7 @@ export async function takeForReview(
   const lists = await listsIn(given);
   const others = given.filter((file) => !isTake(file) && !lists.some((list) => list.file === file));
   const listed = new Set(parts.store.document.review?.map(({ path }) => path));
-  const isMany = takes.length > MOST_OPENED;
+  const isMany = takes.length > MAX_OPENED;
   const reviewed = isMany ? takes : takes.filter(({ path }) => listed.has(path));
   const opened = isMany ? [] : takes.filter((file) => !reviewed.includes(file));
   if (reviewed.length > 0) {
@@ -76,7 +76,7 @@ export async function takeForReview(
 /** The takes of a zip that has many, in its place. */
 async function withTakesOut({ unpackWorker }: ReviewingParts, file: GivenFile): Promise<readonly GivenFile[]> {
   if (!/\.zip$/i.test(file.path)) return [file];
-  const { takes } = await unpackWorker.run('unpack', { zip: { path: file.path, blob: file.blob }, most: MOST_OPENED });
+  const { takes } = await unpackWorker.run('unpack', { zip: { path: file.path, blob: file.blob }, most: MAX_OPENED });
   const { version } = file;
   return takes.length > 0 ? takes.map((take) => ({ ...take, ...(version !== undefined && { version }) })) : [file];
 }

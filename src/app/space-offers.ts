@@ -22,7 +22,7 @@ interface Parts {
 }
 
 /** Skeletons told of; what is wrong with thousands is seen in a few. */
-const MOST_TOLD = 3;
+const MAX_TOLD = 3;
 
 /** @param opened new characters; those of one skeleton have one space, and are told of once */
 export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
@@ -44,7 +44,7 @@ export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
       choices.others.map((other) => offerOf(parts, character, other, choices, text)),
       () => findCharacter(parts.store.document, character.id)?.space !== space,
     );
-    if (seen.size >= MOST_TOLD) return;
+    if (seen.size >= MAX_TOLD) return;
   }
 }
 

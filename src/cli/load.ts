@@ -52,7 +52,7 @@ export interface FoundFiles {
   /** With those in zips. */
   readonly files: readonly GivenPath[];
   readonly missing: readonly MissingPath[];
-  /** Of what is missing, and of zips that can't be unpacked. */
+  /** Problems with missing files, and with zips that can't be unpacked. */
   readonly problems: readonly Diagnostic[];
 }
 

@@ -10,7 +10,7 @@ export interface GivenPath {
   /** Relative to the caller's folder, `/` between folders: decides which files belong together. */
   readonly path: string;
   readonly absolute: string;
-  /** Of a file in an archive; absent: on disk. */
+  /** Bytes of a file in an archive; absent: on disk. */
   readonly bytes?: Uint8Array;
   /** The archive, absolute. */
   readonly zip?: string;

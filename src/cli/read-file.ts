@@ -1,4 +1,4 @@
-/** Files from disk, a megabyte at a time. What is no file, such as a pipe, is read once, up to a limit. */
+/** Files from disk, a megabyte at a time. What is not a file, such as a pipe, is read once, up to a limit. */
 import { closeSync, fstatSync, openSync, readSync, statSync } from 'node:fs';
 
 const CHUNK_BYTES = 1 << 20;

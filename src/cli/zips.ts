@@ -16,7 +16,7 @@ const MAX_BYTES = 2 ** 30;
 
 export interface UnpackedPaths {
   readonly files: readonly GivenPath[];
-  /** Of archives that can't be unpacked. */
+  /** Problems with archives that can't be unpacked. */
   readonly problems: readonly Diagnostic[];
 }
 

@@ -3,7 +3,7 @@
  *
  *     local q = q of J(φ)        world q = q_parent · q        world p = p_parent + q_parent · t        t: from the pivot
  *
- * Frames come in blocks, and a block joint by joint: what is the same in all frames stays at hand, and what is written is
+ * Frames come in blocks, and a block joint by joint: what is the same in all frames stays available, and what is written is
  * near by. Where no joint stretches, quaternions are made of angles, without matrices: the sines and cosines of a joint's
  * block in one go. Where one does, rotations are those of the world matrices, and local ones follow from these.
  *

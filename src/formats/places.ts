@@ -47,7 +47,7 @@ export const NO_PLACE: Place = { line: 0, column: 0 };
 
 interface Unfinished {
   readonly place: Place;
-  /** Offset in the file of the next byte needed, and of the first one that isn't even if the line goes on. */
+  /** Offset in the file of the next byte needed, and of the first one that isn't even if the line continues. */
   readonly wants: number;
   readonly full: number;
 }

@@ -4,7 +4,7 @@
  * messages.
  */
 
-import { type Diagnostic, type Excerpt, MOST_KEPT, moreThanKept, type Severity } from '../model/diagnostic.ts';
+import { type Diagnostic, type Excerpt, MAX_KEPT, moreThanKept, type Severity } from '../model/diagnostic.ts';
 import { cutMessage } from '../model/names/cut-text.ts';
 import { UserError } from '../model/user-error.ts';
 import { excerptOf, type Place } from './places.ts';
@@ -24,7 +24,7 @@ interface Entry {
   count: number;
 }
 
-/** Collects the diagnostics of one file, up to `MOST_KEPT` per severity. */
+/** Collects the diagnostics of one file, up to `MAX_KEPT` per severity. */
 export class Report {
   private readonly entries: Entry[] = [];
   private readonly folded = new Map<string, Entry>();
@@ -44,7 +44,7 @@ export class Report {
 
   /** Whether another one of this severity would be kept, so that its place is worth finding. */
   hasRoom(severity: Severity): boolean {
-    return this.counts[severity] < MOST_KEPT;
+    return this.counts[severity] < MAX_KEPT;
   }
 
   /**
@@ -85,7 +85,7 @@ export class Report {
   }
 
   private add(severity: Severity, code: string, message: string, place: Place, assumed?: string): Entry | undefined {
-    if (++this.counts[severity] > MOST_KEPT) return undefined;
+    if (++this.counts[severity] > MAX_KEPT) return undefined;
     const used = assumed === undefined ? undefined : cutMessage(assumed);
     const entry: Entry = { severity, code, message: cutMessage(message), place, assumed: used, count: 1 };
     this.entries.push(entry);

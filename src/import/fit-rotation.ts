@@ -16,9 +16,9 @@ import type { QuaternionCurve } from './scene.ts';
  */
 const TOLERANCE = 1e-5;
 /** Halvings of the time between two keys: cubics of quaternions that pass near 0 turn in a moment. */
-const MOST_HALVINGS = 16;
+const MAX_HALVINGS = 16;
 /** Fitted keys of a curve for each of its own; what it needs beyond is spare. */
-const MOST_PER_KEY = 8;
+const MAX_PER_KEY = 8;
 
 /** Fitted keys that the curves of a character may need beyond the usual, together. */
 export class SpareKeys {
@@ -112,7 +112,7 @@ export function fitRotation(
   rest: Float64Array,
   spare: SpareKeys,
 ): readonly Channel[] {
-  const usual = MOST_PER_KEY * curve.times.length;
+  const usual = MAX_PER_KEY * curve.times.length;
   const most = usual + spare.left;
   const keys: FittedKey[] = [];
   const now = rest.slice();
@@ -162,7 +162,7 @@ function fitBetween(
     dofs.write(exact, after);
   }
   const time = end === 1 ? times[key + 1] : times[key] + seconds * end;
-  const isTooFast = seconds <= 0 || halvings >= MOST_HALVINGS || keys.length >= most;
+  const isTooFast = seconds <= 0 || halvings >= MAX_HALVINGS || keys.length >= most;
   const push = (slopesIn: Float64Array | undefined, slopesOut: Float64Array | undefined) => {
     before.slopesOut = slopesOut;
     now.set(after);

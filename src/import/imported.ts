@@ -68,18 +68,18 @@ export class Remarks {
 
   /** All of it; what is left out in one message. */
   finish(): readonly Diagnostic[] {
-    const shown = [...this.told.values()].slice(0, MOST_SHOWN);
+    const shown = [...this.told.values()].slice(0, MAX_SHOWN);
     const more = this.told.size - shown.length;
     if (more > 0) shown.push(withoutPlace('warning', 'more-warnings', `And ${more} more warnings.`, this.fileName));
     if (this.lost.size === 0) return shown;
-    const lost = [...this.lost].slice(0, MOST_SHOWN);
+    const lost = [...this.lost].slice(0, MAX_SHOWN);
     if (lost.length < this.lost.size) lost.push(`${this.lost.size - lost.length} more`);
     const message = `Not read: ${lost.join(', ')}.`;
     return [...shown, withoutPlace('info', 'content-left-out', message, this.fileName, 'left out')];
   }
 }
 
-const MOST_SHOWN = 20;
+const MAX_SHOWN = 20;
 
 /** "1 camera", "2 cameras". */
 export function counted(count: number, one: string, many = `${one}s`): string {

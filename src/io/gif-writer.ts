@@ -5,12 +5,12 @@ import type { FrameCanvas, FrameWriter } from './frame-writer.ts';
 /** Milliseconds of the format's unit of time. */
 const UNIT = 10;
 /** Programs take shorter delays for mistakes, and play those frames slowly. */
-const MOST_FPS = 50;
+const MAX_FPS = 50;
 
 export function gifWriter({ canvas, pen }: FrameCanvas, framesPerSecond: number): FrameWriter {
-  if (framesPerSecond > MOST_FPS) {
+  if (framesPerSecond > MAX_FPS) {
     throw new Error(
-      `A GIF plays at most ${MOST_FPS} frames per second, found ${framesPerSecond}. Lower the frame rate.`,
+      `A GIF plays at most ${MAX_FPS} frames per second, found ${framesPerSecond}. Lower the frame rate.`,
     );
   }
   const { width, height } = canvas;

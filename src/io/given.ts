@@ -8,7 +8,7 @@ import type { GivenBlob } from '../worker/protocol.ts';
 export interface GivenFile extends GivenBlob {
   /** Refers to the file on disk: it can be read again, and saved in place. */
   readonly handle?: FileSystemFileHandle;
-  /** Of a fetched file. */
+  /** Address of a fetched file. */
   readonly address?: string;
   /** Changes with the content, as far as browser or server report it. */
   readonly version?: string;
@@ -58,7 +58,7 @@ interface Dropped {
  * question to the system each, while everything waits: those of thousands held up the page.
  */
 const MAX_ENTRIES = 100;
-/** Dates and sizes take a question to the system each, too: the page goes on after so many milliseconds. */
+/** Dates and sizes take a question to the system each, too: the page continues after so many milliseconds. */
 const SLICE_MS = 12;
 
 /**

@@ -8,7 +8,7 @@
  *     [id, 'head']           everything else, with references to files, pieces and chunks
  *
  * A save is one transaction: either all of it is stored or the session is unchanged. After each quarter of a megabyte of
- * pieces and chunks it goes on in the success event of the last put, since the browser copies a value while `put` runs:
+ * pieces and chunks it continues in the success event of the last put, since the browser copies a value while `put` runs:
  * together they would be one long task. All else doesn't wait, since each answer takes a while on a busy machine. (A
  * record per array would need no pieces, but a put then takes as long as the array is large.)
  */

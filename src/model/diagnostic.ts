@@ -32,13 +32,13 @@ export interface Diagnostic {
 export type Severity = 'error' | 'warning' | 'info';
 
 /** Number kept for each severity and file; others are only counted. */
-export const MOST_KEPT = 100;
+export const MAX_KEPT = 100;
 
 /** About those of a severity that were not kept: nothing if there are none. @param found how many there were in all */
 export function moreThanKept(severity: Severity, found: number, file: string): readonly Diagnostic[] {
-  if (found <= MOST_KEPT) return [];
+  if (found <= MAX_KEPT) return [];
   const what = severity === 'info' ? 'remarks' : `${severity}s`;
-  return [withoutPlace(severity, `more-${what}`, `And ${found - MOST_KEPT} more ${what}.`, file)];
+  return [withoutPlace(severity, `more-${what}`, `And ${found - MAX_KEPT} more ${what}.`, file)];
 }
 
 /** A line of a file as it is shown under a message, with the place of the problem. */

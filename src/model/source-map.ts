@@ -122,7 +122,7 @@ function lineOfRow({ rows, lines, steps }: RowLines, row: number): number {
   return lines[run] + steps[run] * (row - rows[run]);
 }
 
-/** The first row that begins on a line, or else the one that goes on there. The line must not be before the first. */
+/** The first row that begins on a line, or else the one that continues there. The line must not be before the first. */
 function rowAt({ rows, lines, steps, count }: RowLines, line: number): number {
   let run = lastUpTo(lines, line);
   // Several runs may begin on a line.

@@ -92,7 +92,7 @@ export function statedAmount({ kind, amount }: Flag): { readonly value: number; 
 }
 
 /** Flags of one kind beyond this many are counted only: a take with more is wrong everywhere. */
-export const MOST_FLAGS = 50;
+export const MAX_FLAGS = 50;
 
 /** `spike 1.233 LeftHand`, or `slide 2.1-2.65 LeftFoot`: kind, seconds, joint. */
 export function flagText({ kind, from, to, joint }: Flag): string {

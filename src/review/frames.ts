@@ -13,7 +13,7 @@ import type { ChannelClip } from '../model/takes/clip.ts';
 
 /** Frames per second of takes that have none. */
 export const KEYED_RATE = 60;
-const MOST_KEYED_FRAMES = 100_000;
+const MAX_KEYED_FRAMES = 100_000;
 
 export interface TakeFrames {
   readonly skeleton: Skeleton;
@@ -72,7 +72,7 @@ function framesOfFigure(figure: Character, skeleton: Skeleton, clip: ChannelClip
   return {
     skeleton,
     clip,
-    count: clip.samples ? frameCount : Math.min(MOST_KEYED_FRAMES, frameCount),
+    count: clip.samples ? frameCount : Math.min(MAX_KEYED_FRAMES, frameCount),
     frameSeconds,
     startSeconds,
     pointCount: skeleton.joints.length + ends.length,

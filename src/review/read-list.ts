@@ -3,9 +3,9 @@
  * spreadsheet, or plain paths, one a line. Only the path is needed.
  */
 
-import { type Diagnostic, MOST_KEPT, moreThanKept } from '../model/diagnostic.ts';
+import { type Diagnostic, MAX_KEPT, moreThanKept } from '../model/diagnostic.ts';
 import { cutMessage } from '../model/names/cut-text.ts';
-import { MOST_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/takes/review.ts';
+import { MAX_STARS, NO_REVIEW, tagsOf, VERDICTS, type Verdict } from '../model/takes/review.ts';
 import { eachRow, firstLineOf, lineEndsOf, separatorOf } from './csv.ts';
 import { meant } from './formula-cells.ts';
 import { LIST_COLUMNS, type ListColumn, type ListedTake } from './list.ts';
@@ -50,14 +50,14 @@ class List {
   }
 
   warn(code: string, message: string, line: number, assumed: string): void {
-    if (++this.warnings > MOST_KEPT) return;
+    if (++this.warnings > MAX_KEPT) return;
     const { file } = this;
     const severity = 'warning';
     this.diagnostics.push({ severity, code, message: cutMessage(message), file, line, column: 0, assumed });
   }
 
   fail(code: string, message: string, line: number): void {
-    if (++this.errors > MOST_KEPT) return;
+    if (++this.errors > MAX_KEPT) return;
     const { file } = this;
     this.diagnostics.push({ severity: 'error', code, message: cutMessage(message), file, line, column: 0 });
   }
@@ -184,8 +184,8 @@ function verdictOf(found: unknown, line: number, list: List): Verdict {
 
 function starsOf(found: unknown, line: number, list: List): number {
   const value = numberOf(found) ?? 0;
-  if (Number.isInteger(value) && value >= 0 && value <= MOST_STARS) return value;
-  list.warn('stars-expected', `Expected 0 to ${MOST_STARS} stars, found ${value}.`, line, 'used none');
+  if (Number.isInteger(value) && value >= 0 && value <= MAX_STARS) return value;
+  list.warn('stars-expected', `Expected 0 to ${MAX_STARS} stars, found ${value}.`, line, 'used none');
   return 0;
 }
 

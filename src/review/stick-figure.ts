@@ -16,7 +16,7 @@ export interface StickFigure {
 }
 
 const FRAMES = 24;
-const MOST_POINTS = 64;
+const MAX_POINTS = 64;
 /** The figure is turned by this much, so that arms and legs are seen; radians. */
 const TURN = 0.6;
 
@@ -66,7 +66,7 @@ function pointsKept(skeleton: Skeleton, above: Int32Array, space: Space | undefi
   const hands = new Set([single.get('left hand'), single.get('right hand')]);
   const kept = new Set<number>();
   above.forEach((parent, p) => {
-    if (kept.size >= MOST_POINTS || (parent >= 0 && (!kept.has(parent) || hands.has(parent)))) return;
+    if (kept.size >= MAX_POINTS || (parent >= 0 && (!kept.has(parent) || hands.has(parent)))) return;
     kept.add(p);
   });
   return [...kept];

@@ -116,7 +116,7 @@ export class ShownDocument {
   setLook(look: Look | undefined): void {
     const { document, selection, display, tints } = this;
     this.look = look;
-    // Another object, so that all characters are shown anew.
+    // Another object, so that all characters are shown again.
     this.display = { ...display };
     if (document) this.show(document, selection, display, tints);
   }

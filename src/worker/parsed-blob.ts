@@ -7,7 +7,7 @@ export function sourceOf(path: string, bytes: number): SourceFile {
 }
 
 /** Browsers refuse to pass on larger buffers, with words about `postMessage`. */
-const MOST_BYTES = 2 ** 31 - 1;
+const MAX_BYTES = 2 ** 31 - 1;
 
 /** What is wrong if a file's numbers can't be passed from the worker to the page. */
 export function tooLargeToPost(
@@ -15,8 +15,8 @@ export function tooLargeToPost(
   buffers: readonly { readonly byteLength: number }[],
 ): Diagnostic | undefined {
   const largest = buffers.reduce((most, { byteLength }) => Math.max(most, byteLength), 0);
-  if (largest <= MOST_BYTES) return undefined;
-  const found = `Its values need ${(largest / 1e9).toFixed(1)} GB; the page can hold up to ${(MOST_BYTES / 1e9).toFixed(1)} GB per file.`;
+  if (largest <= MAX_BYTES) return undefined;
+  const found = `Its values need ${(largest / 1e9).toFixed(1)} GB; the page can hold up to ${(MAX_BYTES / 1e9).toFixed(1)} GB per file.`;
   const now = 'The command reads larger files: "marrow convert IN OUT --fps N" writes fewer frames.';
   return withoutPlace('error', 'file-too-large', `${found} ${now}`, name);
 }

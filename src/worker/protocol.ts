@@ -108,7 +108,7 @@ export interface SourceOutput {
 
 /** A text file, and the parts of the page that are saved in it. */
 export interface ChangesInput {
-  /** Of the file, which may be in a zip. */
+  /** The file, which may be in a zip. */
   readonly file: SourceInput;
   readonly source: SourceFile;
   readonly owned: readonly Owned[];

@@ -98,7 +98,7 @@ describe('the text of files', () => {
       await page.keyboard.press('Escape');
       await field.fill(SKEL.replace('0 1 0', '0 2 0'));
       await page.keyboard.press('Control+Enter');
-      await page.getByText('Applied to figure.skel as one step').waitFor();
+      await page.getByText('Applied to figure.skel. One Undo reverts it').waitFor();
       await page.keyboard.press('Escape');
       await note.filter({ hasText: '1 line changed since it was opened' }).waitFor();
       await row('changed').filter({ hasText: '0 2 0' }).waitFor();
@@ -113,7 +113,7 @@ describe('the text of files', () => {
       await page.getByRole('button', { name: 'Edit', exact: true }).click();
       await page.getByRole('textbox', { name: 'Text of broken.skel' }).fill(BROKEN.replace(' x', ' 2'));
       await page.keyboard.press('Control+Enter');
-      await page.getByText('Applied to broken.skel as one step').waitFor();
+      await page.getByText('Applied to broken.skel. One Undo reverts it').waitFor();
       await page.keyboard.press('Escape');
       await page.locator('.source-line[data-line="3"]:not([data-severity])', { hasText: '-1 2' }).waitFor();
       await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN.replace(' x', ' 1') }]);

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { saveCharacter } from '../../src/files/save/saving.ts';
 import type { FileContent } from '../../src/model/files.ts';
-import { cutMessage, cutText, MOST_SHOWN } from '../../src/model/names/cut-text.ts';
+import { cutMessage, cutText, MAX_SHOWN } from '../../src/model/names/cut-text.ts';
 import { character, clip, joint, morph, skin } from '../helpers/builders.ts';
 import { bvhJoint } from '../helpers/bvh.ts';
 import { writeFile } from '../helpers/write-file.ts';
@@ -101,7 +101,7 @@ describe('text for messages', () => {
     expect(cutText('abcdefghij', 5)).toBe('ab…ij');
     for (const length of [300, 301]) {
       const cut = cutText('😀'.repeat(length));
-      expect(cut.length).toBeLessThanOrEqual(MOST_SHOWN);
+      expect(cut.length).toBeLessThanOrEqual(MAX_SHOWN);
       expect(cut).not.toMatch(/\p{Surrogate}/u);
     }
   });

@@ -167,7 +167,7 @@ export class Keeper {
     this.isStored = true;
   }
 
-  /** What is encoded is immutable: the page may go on meanwhile. */
+  /** What is encoded is immutable: the page may continue meanwhile. */
   private async inSlices<T>(steps: Steps<T>): Promise<T> {
     for (;;) {
       const begun = performance.now();

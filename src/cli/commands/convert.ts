@@ -189,7 +189,7 @@ async function editOf(given: ConvertOptions, io: CommandIo): Promise<Edit | unde
     });
 }
 
-/** What was read wrong is mended in the files; what could not be written, elsewhere. */
+/** What was read wrong is fixed in the files; what could not be written, elsewhere. */
 function failureOf(diagnostics: readonly Diagnostic[]): ExitCode {
   const errors = diagnostics.filter(({ severity }) => severity === 'error');
   return errors.length > 0 && errors.every(({ code }) => code === 'file-not-written') ? 3 : 1;

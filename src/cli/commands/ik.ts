@@ -72,7 +72,7 @@ export const ik = shellCommand({
 });
 
 interface Posed {
-  /** Of all joints, in the order that `marrow pose --dofs` takes. */
+  /** DOFs of all joints, in the order that `marrow pose --dofs` takes. */
   readonly dofs: readonly number[];
   /** Root translation, as `marrow pose` prints it. */
   readonly root: readonly number[];

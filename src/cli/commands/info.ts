@@ -64,14 +64,14 @@ function describeCharacter({ name, skeleton, skins, morphs, clips, sources }: Ch
 }
 
 /** Records in a list are counted before they are told. */
-const MOST_RECORDS = 3;
+const MAX_RECORDS = 3;
 
 /** `1 (time 1.5, rows 92, numbers 368)` of a list of records. */
 function factText(value: unknown): string {
   if (!Array.isArray(value)) return String(value);
   const records = value.filter((each) => typeof each === 'object' && each !== null);
   if (records.length === 0) return value.join(' ');
-  const told = records.slice(0, MOST_RECORDS).map((record) =>
+  const told = records.slice(0, MAX_RECORDS).map((record) =>
     Object.entries(record)
       .map(([key, each]) => `${key} ${factText(each)}`)
       .join(', '),

@@ -51,7 +51,7 @@ interface Exporter {
   readonly target: Target;
   readonly pool: FloatPool;
   readonly inputs: InputReader;
-  /** Of the settings, by path. */
+  /** Parts of the settings, by path. */
   readonly parts: ReadonlyMap<string, GivenPath>;
 }
 

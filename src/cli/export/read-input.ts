@@ -12,14 +12,14 @@ export interface ReadInput {
 }
 
 /** Larger files are read twice, a megabyte at a time, so that memory is bounded. */
-const MOST_HELD = 32 << 20;
+const MAX_HELD = 32 << 20;
 
 export class InputReader {
   /** As large as the largest input so far, since fresh memory for each costs as much as reading it. */
   private held = new Uint8Array(0);
 
   /** @param most larger files are not held; bytes */
-  constructor(private readonly most = MOST_HELD) {}
+  constructor(private readonly most = MAX_HELD) {}
 
   read({ absolute: path, bytes: unpacked }: GivenPath): ReadInput {
     if (unpacked) return { hash: hashOfBytes(unpacked), bytes: unpacked };
@@ -57,7 +57,7 @@ export function hashOfGiven({ absolute, bytes }: Pick<GivenPath, 'absolute' | 'b
   return bytes ? hashOfBytes(bytes) : hashOf(absolute);
 }
 
-/** SHA-256 of a file, hexadecimal. @throws Error if it can't be read, or is no file, and so can't be read again */
+/** SHA-256 of a file, hexadecimal. @throws Error if it can't be read, or is not a file, and so can't be read again */
 export function hashOf(path: string): string {
   if (!statSync(path).isFile()) throw new Error(`${path} is not a file; save it to one first`);
   const hash = createHash('sha256');

@@ -11,7 +11,7 @@ export interface PartHash {
 export interface WrittenTake {
   /** As listed: relative to the folder in which the command ran. */
   readonly input: string;
-  /** Of the input's bytes, SHA-256. */
+  /** Hash of the input's bytes, SHA-256. */
   readonly hash: string;
   /** Other files that are in the input, such as the buffers of a `.gltf`; absent rather than empty. */
   readonly beside?: readonly PartHash[];

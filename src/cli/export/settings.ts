@@ -16,7 +16,7 @@ export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'>
   readonly parts: readonly GivenPath[];
   /** Numbers, or files of motion. */
   readonly to: ExportFormat | MotionKind;
-  /** Of keys made of samples; absent: the default. */
+  /** Tolerance of keys made of samples; absent: the default. */
   readonly tolerance?: number;
   readonly precision: Precision;
   /** Whether existing outputs are overwritten. */

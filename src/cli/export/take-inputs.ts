@@ -15,7 +15,7 @@ import { unpackedPath, withZipsUnpacked } from '../zips.ts';
 
 /** A file with a take, or with several. */
 export interface TakeInput extends GivenPath {
-  /** Of an animation. */
+  /** Skeleton of an animation. */
   readonly skeleton?: GivenPath;
   /** Of one that can't be read: a sentence. */
   readonly why?: string;

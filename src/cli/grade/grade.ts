@@ -10,7 +10,7 @@ export const VERDICTS = ['right', 'wrong', 'incomplete', 'not judged'] as const;
 export type Verdict = (typeof VERDICTS)[number];
 
 export interface Grade {
-  /** Of the folder or zip. */
+  /** Name of the folder or zip. */
   readonly name: string;
   /** Relative to the caller's folder. */
   readonly path: string;
@@ -43,11 +43,11 @@ export interface PartGrade {
   readonly numbers?: number;
   /** How many, of joints and vertices. */
   readonly times: number;
-  /** Of joints and vertices; null is the file pose. */
+  /** Times of joints and vertices; null is the file pose. */
   readonly frameTimes: readonly (number | null)[];
-  /** Of the character, if joints were compared. */
+  /** Number of joints of the character, if joints were compared. */
   readonly joints: number;
-  /** Largest error of all kinds; null if it is no number, or if nothing could be compared. */
+  /** Largest error of all kinds; null if it is not a number, or if nothing could be compared. */
   readonly worst: number | null;
   readonly jointError: number | null;
   readonly vertexError: number | null;
@@ -55,7 +55,7 @@ export interface PartGrade {
   /** What can't be compared: "7 joints, expected 19". */
   readonly mismatches: readonly string[];
   readonly first?: FirstWrong;
-  /** Of the first wrong joint or vertex. */
+  /** Time of the first wrong joint or vertex. */
   readonly time?: number;
   /** Names of joints. */
   readonly own: readonly string[];

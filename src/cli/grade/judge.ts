@@ -46,7 +46,7 @@ export interface JudgeOptions {
 }
 
 /** Of a matrix. */
-const LEAST_NUMBERS = 12;
+const MIN_NUMBERS = 12;
 const NOTHING_COMPARED: Compared = { world: 0, local: 0, positions: 0, vertices: 0, normals: 0, channels: 0 };
 
 /**
@@ -271,7 +271,7 @@ class Judging {
     if (!found) {
       // A note with some numbers in it is no dump.
       const count = file.dump.blocks.reduce((sum, { values }) => sum + values.length, 0);
-      const severity = !right && count < LEAST_NUMBERS ? 'info' : 'warning';
+      const severity = !right && count < MIN_NUMBERS ? 'info' : 'warning';
       const assumed = 'not compared';
       const [first] = characters;
       const diagnostics = first ? fitDumpsAt(first, [named], this.options.times ?? []).diagnostics : [];
@@ -299,7 +299,7 @@ class Judging {
     return { character, targets: fitDumps(character, [timed], undefined).targets ?? targets };
   }
 
-  /** Number by number, since they are of no character at hand. */
+  /** Number by number, since they are of no open character. */
   private judgeNumbers({ source, dump }: DumpFile, right: RightDump): void {
     const { agrees, numbers, worst, first } = compareDumps(dump, right.file.dump, this.options.tolerance);
     this.parts.push({
@@ -450,7 +450,7 @@ const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i;
 function isMostlyNumbers(bytes: Uint8Array): boolean {
   const words = new TextDecoder().decode(bytes).split(/[\s,;:=()[\]{}"]+/);
   const numbers = words.filter((word) => NUMBER.test(word)).length;
-  return numbers >= LEAST_NUMBERS && 2 * numbers >= words.length;
+  return numbers >= MIN_NUMBERS && 2 * numbers >= words.length;
 }
 
 function slashed(path: string): string {

@@ -9,7 +9,7 @@ export interface SideBySide {
   /** A matrix row by row; a point as one row; of a channel a row for each time. */
   readonly yours: readonly (readonly number[])[];
   readonly marrows: readonly (readonly number[])[];
-  /** Of a channel, in seconds. */
+  /** Times of a channel, in seconds. */
   readonly times?: readonly number[];
 }
 

@@ -41,7 +41,7 @@ export function classIn(folder: string, reference: string): ClassFolder {
 
 export interface HandedIn {
   readonly files: readonly GivenPath[];
-  /** Of archives that can't be unpacked. */
+  /** Problems with archives that can't be unpacked. */
   readonly problems: readonly Diagnostic[];
 }
 

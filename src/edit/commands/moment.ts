@@ -1,4 +1,4 @@
-/** Keying a pose for a moment, over motion that goes on. */
+/** Keying a pose for a moment, over motion that continues. */
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
@@ -21,7 +21,7 @@ import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 import { withinLimit } from './pose.ts';
 
 /** Shortest easing, in seconds: less is a jump. */
-const LEAST_EASE = 1e-3;
+const MIN_EASE = 1e-3;
 
 /**
  * Keys DOFs at a time for a moment: the take is offset by what was posed, eased in and out around that time, and is what
@@ -45,7 +45,7 @@ export const keyForMoment = command({
     return `Key ${dofsIn(character, indices)} for a moment`;
   },
   run(document, { characterId, dofs, timeSeconds, easeIn, easeOut, playedRange }): Document | Edit {
-    if (!(easeIn >= LEAST_EASE && easeOut >= LEAST_EASE && easeIn + easeOut < Infinity)) {
+    if (!(easeIn >= MIN_EASE && easeOut >= MIN_EASE && easeIn + easeOut < Infinity)) {
       throw new CommandError('"easeIn" and "easeOut" must be seconds, at least 0.001 each.');
     }
     const character = requireCharacter(document, characterId);

@@ -1,7 +1,7 @@
 /** Commands on the list of reviewed takes: which are in it, and what a person says about them. */
 
 import type { Document } from '../../model/document.ts';
-import { MOST_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/takes/review.ts';
+import { MAX_STARS, NO_REVIEW, type Review, type ReviewedTake, tagsOf, VERDICTS } from '../../model/takes/review.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
@@ -11,7 +11,7 @@ import { filledText, list, oneOf, optional, record, text } from '../schema/shape
 /** As in the list. */
 const PATHS = { paths: list(filledText) } as const;
 const verdict = oneOf([...VERDICTS, '']);
-const stars = oneOf(Array.from({ length: MOST_STARS + 1 }, (_, count) => count));
+const stars = oneOf(Array.from({ length: MAX_STARS + 1 }, (_, count) => count));
 
 /** Those in the list stay as they are. Takes leave no room for the opening example. */
 export const addToReview = command({

@@ -28,7 +28,7 @@ import { nameOfTake, type TakeRef } from './takes.ts';
 
 const HOW_JOINED = { overlapSeconds: optional(number), align: optional(oneOf(JOIN_ALIGNMENTS)) } as const;
 
-/** How one piece goes on from another. */
+/** How one piece continues from another. */
 export interface HowJoined {
   /** Cross-fade; default 0.25. Whole frames, at most those of the shorter piece. */
   readonly overlapSeconds?: number | undefined;
@@ -145,7 +145,7 @@ export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
 /** Arguments of inserting a take, or a held pose, into another take. */
 export interface InsertInto extends HowJoined {
   readonly into: TakeRef;
-  /** Seconds of the clip; what is there goes on after it. */
+  /** Seconds of the clip; what is there continues after it. */
   readonly atSeconds: number;
   /** The take to insert; absent: the pose at that time is held. */
   readonly take?: TakeRef | undefined;

@@ -1,5 +1,5 @@
 /**
- * A pose for a moment, over motion that goes on: a curve is offset by what was posed, eased in before that time and out
+ * A pose for a moment, over motion that continues: a curve is offset by what was posed, eased in before that time and out
  * after it.
  *
  *     value(t) = take(t) + w(t) · (posed − take(at))

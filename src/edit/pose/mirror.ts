@@ -93,7 +93,7 @@ export function wholeReflection(skeleton: Skeleton, dofs: Float64Array, up: 'y' 
 }
 
 /**
- * The whole figure across a given plane, its sides exchanged, without limits: a frame of a take (`take-mirror.ts`).
+ * The whole figure across a given plane, its sides swapped, without limits: a frame of a take (`take-mirror.ts`).
  * @param dofs of the joints, without morphs
  */
 export function swappedPose(skeleton: Skeleton, reflection: Reflection, dofs: Float64Array): Float64Array {

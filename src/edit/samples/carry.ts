@@ -1,6 +1,6 @@
 /**
  * Carries a motion to another place and heading: a rotation about the up axis and a shift over the ground, applied to
- * the root. So one take goes on from where another ends.
+ * the root. So one take continues from where another ends.
  *
  *     p′ = R·p + t        R about the up axis, t along the ground
  */

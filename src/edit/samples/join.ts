@@ -1,12 +1,12 @@
 /**
- * Joins takes: one goes on from where the other ends, in place and heading, with a cross-fade.
+ * Joins takes: one continues from where the other ends, in place and heading, with a cross-fade.
  *
  *     first      ────────────╲╲╲╲╲
  *     second            ╱╱╱╱╱────────────        the overlap: as many frames of either
  *
  * The second is carried over the ground so that, in the middle of the overlap, its root is at the first's and faces
- * alike, or so that the foot that stands in both stays where it is. Without an overlap it goes on by the mean of the
- * two speeds; a second take that goes on by itself, such as the second half of one that was cut, is not moved.
+ * alike, or so that the foot that stands in both stays where it is. Without an overlap it continues by the mean of the
+ * two speeds; a second take that continues by itself, such as the second half of one that was cut, is not moved.
  */
 import { partsOf } from '../../evaluate/retarget/roles.ts';
 import type { Steps } from '../../evaluate/steps.ts';
@@ -32,7 +32,7 @@ const STEP_FRAMES = 256;
 /** Frames that are looked at on either side of a cut without an overlap. */
 const AROUND = 3;
 /**
- * A second take goes on by itself if its root is off by less than this share of the way it goes in a frame, and this
+ * A second take continues by itself if its root is off by less than this share of the way it goes in a frame, and this
  * share of the skeleton's size, or as many radians: for takes that begin at rest.
  */
 const GOES_ON = { ofWay: 0.5, ofSize: 1e-4 };

@@ -2,7 +2,7 @@
  * Mirrors a take: left and right exchange their motion, and the path is reflected across a plane of the character's
  * space.
  *
- * For most skeletons a channel is the counterpart's with a sign (`pose/reflection.ts`): columns and keys are exchanged
+ * For most skeletons a channel is the counterpart's with a sign (`pose/reflection.ts`): columns and keys are swapped
  * as they are, in the units of the file, so that mirroring twice gives every number back. Joints with axes that no sign
  * fits are fitted frame by frame (`pose/mirror.ts`); keys of such joints can't be mirrored.
  *
@@ -181,7 +181,7 @@ function signedTangents(tangents: Tangents, sign: number): Tangents {
   return { kinds, slopes: slopes.map((slope, k) => (kinds[k] === FIXED_TANGENT ? 0 - slope : slope)) };
 }
 
-/** The values of all frames, columns exchanged. */
+/** The values of all frames, columns swapped. */
 function* exchangingColumns(samples: Samples, exchange: Exchange): Steps<Float64Array> {
   const { values, scales, frameCount } = samples;
   const width = scales.length;
@@ -238,7 +238,7 @@ function moveColumn(
   }
 }
 
-/** The values of all frames if some joints have to be fitted; those that are only exchanged keep their exact numbers. */
+/** The values of all frames if some joints have to be fitted; those that are only swapped keep their exact numbers. */
 function* fittingFrames(
   skeleton: Skeleton,
   clip: ChannelClip,

@@ -36,7 +36,7 @@ export type StrangeFields = 'refused' | 'left out';
 export type Shaped<S> = S extends Shape<infer T> ? T : never;
 
 /** No list of arguments is longer: a length alone can ask for billions. */
-const MOST_ITEMS = 2 ** 24;
+const MAX_ITEMS = 2 ** 24;
 /** Characters of a text. */
 const LONGEST_TEXT = 2 ** 20;
 
@@ -162,8 +162,8 @@ export function tuple<const N extends readonly string[]>(...names: N): Shape<{ r
 function itemsOf(value: unknown, path: string, what: string): readonly unknown[] {
   if (!Array.isArray(value)) throw misfit(path, what, value);
   const { length } = value;
-  if (length > MOST_ITEMS) {
-    throw misfit(path, `a list of at most ${MOST_ITEMS.toLocaleString('en')} items`, value);
+  if (length > MAX_ITEMS) {
+    throw misfit(path, `a list of at most ${MAX_ITEMS.toLocaleString('en')} items`, value);
   }
   const items: unknown[] = [];
   for (let i = 0; i < length; i++) {

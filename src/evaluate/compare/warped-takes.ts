@@ -8,7 +8,7 @@ import { type Alignment, PosedJoints } from './posed-joints.ts';
 import { type TimeWarp, timeWarp } from './time-warp.ts';
 
 /** More frames are skipped evenly: the work grows with their square. */
-const MOST_FRAMES = 600;
+const MAX_FRAMES = 600;
 
 /**
  * Measures in steps: yields progress, 0 to 1. Undefined if one of them shows no take, or no joints match.
@@ -37,7 +37,7 @@ function positionsOf(character: Character, joints: PosedJoints, framesPerSecond:
   const frames = measuredFrames(character, framesPerSecond);
   if (!frames) return undefined;
   const { startSeconds, frameSeconds, frameCount } = frames;
-  const step = Math.ceil(frameCount / MOST_FRAMES);
+  const step = Math.ceil(frameCount / MAX_FRAMES);
   const count = Math.floor((frameCount - 1) / step) + 1;
   const width = joints.positions.length;
   const out = new Float64Array(width * count);

@@ -43,7 +43,7 @@ const FRAMES_INSTEAD = 100_000;
 
 function keptInBounds(frames: Frames, [start, end]: readonly [number, number]): Frames {
   if (frames.frameCount <= MAX_FRAMES) return frames;
-  // The length of a range from −1e308 to 1e308 is no number.
+  // The length of a range from −1e308 to 1e308 is not a number.
   const frameSeconds = end / (FRAMES_INSTEAD - 1) - start / (FRAMES_INSTEAD - 1);
   return { startSeconds: start, frameSeconds, frameCount: FRAMES_INSTEAD };
 }

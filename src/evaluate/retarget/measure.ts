@@ -42,7 +42,7 @@ export interface Measured {
 /** Samples per second of a contact, and number of times at which limbs are compared, evenly over the take. */
 const RATE = 60;
 /** Most poses measured of one contact: a foot may stand for hours. */
-const MOST_POSES = 10_000;
+const MAX_POSES = 10_000;
 const MOMENTS = 48;
 
 /** A displayed pose with that of its source: positions in the scene. */
@@ -172,7 +172,7 @@ function measureFeet(pair: Pair, mostContacts: number) {
     for (const contact of spread(foot, mostContacts)) {
       const [from, to] = [foot.contacts[2 * contact], foot.contacts[2 * contact + 1]];
       const standing = plan.scale * foot.sourceHeight + foot.offsets[3 * contact + 1];
-      const count = Math.max(2, Math.min(MOST_POSES, Math.round((to - from) * RATE) + 1));
+      const count = Math.max(2, Math.min(MAX_POSES, Math.round((to - from) * RATE) + 1));
       let [ownX, ownZ, otherX, otherZ] = [0, 0, 0, 0];
       let slid = 0;
       let sourceSlid = 0;

@@ -57,9 +57,9 @@ const MIN_KEYED = 0.5;
 /** Keys that are closer, in seconds, are one moment: a step. */
 const SAME_MOMENT = 4e-4;
 /** Lists of times of one length, start and end that another is compared with. */
-const MOST_COMPARED = 4;
+const MAX_COMPARED = 4;
 /** Frames between keys that are the closest. */
-const MOST_BETWEEN = 12;
+const MAX_BETWEEN = 12;
 /** Times between keys that differ by less than this factor are the same number of frames, if they are few. */
 const ALIKE = 1.05;
 /** Tolerance of times, as a fraction of a frame: covers times of three decimals. */
@@ -96,7 +96,7 @@ export function rateOfTimes(times: readonly Float64Array[], isStraight: boolean)
   const moments = momentsOf(times);
   if (moments.length < 2) return undefined;
   const closest = closestOf(moments);
-  for (let between = 1; between <= MOST_BETWEEN; between++) {
+  for (let between = 1; between <= MAX_BETWEEN; between++) {
     const grid = gridOf(moments, closest / between);
     if (!grid) continue;
     const rate = meantRate(grid);
@@ -131,7 +131,7 @@ function distinct(times: readonly Float64Array[]): readonly Float64Array[] {
     const key = `${list.length} ${list[0]} ${list[list.length - 1]}`;
     const known = alike.get(key) ?? [];
     // Few differ in between only: the first few are compared.
-    const isKnown = known.slice(0, MOST_COMPARED).some((other) => list.every((time, i) => time === other[i]));
+    const isKnown = known.slice(0, MAX_COMPARED).some((other) => list.every((time, i) => time === other[i]));
     if (isKnown) continue;
     known.push(list);
     alike.set(key, known);

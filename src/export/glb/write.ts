@@ -192,11 +192,11 @@ function takesOf(
 
 /** Moments of each take, and of all takes at most, from which is seen how far its nodes reach. */
 const MOMENTS = 24;
-const MOST_MOMENTS = 240;
+const MAX_MOMENTS = 240;
 
 /** Moments at even distances, and the first and the last one, of some of the takes. */
 function momentsOf(motions: readonly TakeMotion[], nodes: readonly JointNode[], width: number): readonly Moment[] {
-  const every = Math.max(1, Math.ceil((motions.length * MOMENTS) / MOST_MOMENTS));
+  const every = Math.max(1, Math.ceil((motions.length * MOMENTS) / MAX_MOMENTS));
   return motions
     .filter((_, i) => i % every === 0)
     .flatMap((motion) =>
@@ -211,14 +211,14 @@ function momentsOf(motions: readonly TakeMotion[], nodes: readonly JointNode[], 
 }
 
 /** Axes of joints may be off by so much in the world: 2°, with the margin that points have. */
-const MOST_TURN = (2 * Math.PI) / 180;
+const MAX_TURN = (2 * Math.PI) / 180;
 
 /**
  * How long axes are that are off by the tolerance where they are turned too far; with a tolerance below the default one
  * they turn less, too.
  */
 function axisLength(size: number, tolerance: number): number {
-  return Math.max(tolerance, TOLERANCE_OF_SIZE * size) / MOST_TURN;
+  return Math.max(tolerance, TOLERANCE_OF_SIZE * size) / MAX_TURN;
 }
 
 /** Shapes of the body for joints that nothing else shows. */

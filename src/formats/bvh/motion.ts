@@ -29,7 +29,7 @@ const LONGEST = 3600;
 const ASSUMED = { frameSeconds: 1 / 30, text: 'used 1/30 s' };
 
 interface Header {
-  /** The declared number of frames; undefined if it is no number. */
+  /** The declared number of frames; undefined if it is not a number. */
   frames?: number | undefined;
   framesAt?: Mark;
   frameSeconds?: number;

@@ -30,7 +30,7 @@ export interface EditsAtProblem {
 const MISSING = /^(number|file|name)-expected$|^brace-missing$|^(extrapolation|order|mode|channel)-unknown$/;
 
 /**
- * The edits that might mend the file where a reader reported a problem.
+ * The edits that might fix the file where a reader reported a problem.
  * @param lines all of the file's
  * @param problem an error with a line and a column
  */

@@ -1,17 +1,17 @@
 /**
  * Where the error of a file really is.
  *
- * A reader that takes no notice of line ends and indentation tells of an error where it can't go on, which may be far
+ * A reader that takes no notice of line ends and indentation tells of an error where it can't continue, which may be far
  * from it: without one number of line 51, the last row of the block is short. So once a file has problems, its lines are
  * looked at, as a person would: which row is shorter than its neighbours, which line is unlike all similar ones, where
  * braces contradict the indentation, which token at the problem could be missing or too many.
  *
- * Each guess is an edit that might mend the file, and is put to the test: the edited file is read again. The guess
+ * Each guess is an edit that might fix the file, and is put to the test: the edited file is read again. The guess
  * after which the fewest problems are left is taken. These don't follow from the error; all others do, and are left
  * out. If no guess explains anything, the problems stay as they were told.
  */
 
-import { type Diagnostic, hasErrors, MOST_KEPT } from '../../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, MAX_KEPT } from '../../model/diagnostic.ts';
 import { cutMessage } from '../../model/names/cut-text.ts';
 import { type Reader, readWhole } from '../reader.ts';
 import { edited } from './edit.ts';
@@ -21,13 +21,13 @@ import type { TextKind, TextLayout } from './layouts.ts';
 import { TextLines } from './text-lines.ts';
 
 /** Errors found one after the other. */
-const MOST_ERRORS = 8;
+const MAX_ERRORS = 8;
 /** Bytes read again in all, and for files that were loaded. */
 const BUDGET = 256e6;
 const BUDGET_IF_LOADED = 32e6;
 /** Readings of the whole file; and where it has more problems than are kept, each of which takes its time again. */
-const MOST_READINGS = 32;
-const MOST_IF_MANY = 8;
+const MAX_READINGS = 32;
+const MAX_IF_MANY = 8;
 /** Small files may be read more often than that. */
 const ALWAYS = 8e6;
 /** Larger files keep the problems as told. */
@@ -84,7 +84,7 @@ export function diagnose(
   const other = ofOtherKind(lines, layout.kind, told, isLoaded);
   if (other) return [other];
   const { length } = bytes;
-  const readings = told.length > MOST_KEPT ? MOST_IF_MANY * length : Math.max(ALWAYS, MOST_READINGS * length);
+  const readings = told.length > MAX_KEPT ? MAX_IF_MANY * length : Math.max(ALWAYS, MAX_READINGS * length);
   let budget = Math.min(isLoaded ? BUDGET_IF_LOADED : BUDGET, readings);
   const read = (text: Uint8Array) => {
     budget -= text.length;
@@ -95,7 +95,7 @@ export function diagnose(
   const done = new Set<number>();
   let text = bytes;
   let rest = told;
-  for (let round = 0; round < MOST_ERRORS; round++) {
+  for (let round = 0; round < MAX_ERRORS; round++) {
     const problems = problemsOf(rest, done);
     if (problems.length === 0) break;
     if (round > 0) lines = new TextLines(text);

@@ -1,4 +1,4 @@
-/** Small changes of a file's text that might mend it, and what each would mean. */
+/** Small changes of a file's text that might fix it, and what each would mean. */
 import type { TextLines, TextToken } from './text-lines.ts';
 
 /** Replaces bytes [from, to) of a line by `put`, which has no line end: lines keep their numbers. */

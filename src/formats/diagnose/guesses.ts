@@ -8,14 +8,14 @@ import { irregularRows } from './rows.ts';
 import { irregularShapes, isUsual } from './shapes.ts';
 import type { TextLines } from './text-lines.ts';
 
-const MOST_ROWS = 20;
-const MOST_SHAPES = 24;
+const MAX_ROWS = 20;
+const MAX_SHAPES = 24;
 /** Problems whose tokens are tried. */
-const MOST_PROBLEMS = 3;
+const MAX_PROBLEMS = 3;
 
-/** One explanation of an error: where the file may be wrong, and what would mend it. */
+/** One explanation of an error: where the file may be wrong, and what would fix it. */
 export interface Guess {
-  /** Edits that might mend the file. None: the problem is where it was told. */
+  /** Edits that might fix the file. None: the problem is where it was told. */
   readonly edits: readonly Edit[];
   /** The lines of the edits, or of the problem. */
   readonly lines: ReadonlySet<number>;
@@ -27,13 +27,13 @@ export function* guesses(lines: TextLines, problems: readonly Diagnostic[], layo
   // On the line of the first problem before others.
   const onLineFirst = (edits: readonly Edit[]) =>
     [...edits].sort((a, b) => Number(b.line === first.line) - Number(a.line === first.line));
-  const rows = irregularRows(lines, layout, MOST_ROWS);
+  const rows = irregularRows(lines, layout, MAX_ROWS);
   yield* onLineFirst(rows.flat()).map(oneEdit);
   if (rows.length > 1) yield { edits: rows.map(([edit]) => edit), lines: new Set(rows.map(([{ line }]) => line)) };
-  yield* onLineFirst(irregularShapes(lines, MOST_SHAPES)).map(oneEdit);
+  yield* onLineFirst(irregularShapes(lines, MAX_SHAPES)).map(oneEdit);
   yield* bracesByIndent(lines).map(oneEdit);
 
-  const told = problems.filter(({ line }) => line > 0).slice(0, MOST_PROBLEMS);
+  const told = problems.filter(({ line }) => line > 0).slice(0, MAX_PROBLEMS);
   const atProblems = told.map((problem) => editsAtProblem(lines, problem, layout));
   for (const { lineBefore, looksMissing } of atProblems) if (looksMissing) yield* lineBefore.map(oneEdit);
   // A line like others is hardly wrong, so the one before it more likely is.

@@ -1,5 +1,5 @@
 /**
- * The lines and tokens of a whole file at hand, for the search for the place of an error. Only lines with tokens count
+ * The lines and tokens of a whole file in memory, for the search for the place of an error. Only lines with tokens count
  * as neighbours; line numbers are those of `places.ts`: a run of CRs followed by LF is one line end, any other CR is one
  * each.
  */
@@ -135,7 +135,7 @@ export class TextLines {
     return textOf(this.bytes, start, stop);
   }
 
-  /** NaN if it is no number. */
+  /** NaN if it is not a number. */
   value({ start, stop }: TextToken): number {
     return parseDecimal(this.bytes, start, stop);
   }

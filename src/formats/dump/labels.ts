@@ -118,7 +118,7 @@ function labelIn(all: readonly Token[]): DumpLabel | null {
     .join('')
     .slice(0, MAX_LABEL_LENGTH);
   const words = prefix.filter(({ kind }) => kind === 'word');
-  // A time, or any other number: whose it is is decided with a character at hand.
+  // A time, or any other number: whose it is is decided with a character available.
   if (words.length === 0 && numbers.length === 1) return { index: numbers[0].value };
   const own = words.filter(isStrange);
   const within = bracketedName(text);

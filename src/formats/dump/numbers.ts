@@ -1,7 +1,7 @@
 /** Numbers as programs print them: decimals, exponents, a float's f, and all spellings of NaN and infinity. */
 
 const NUMBER = /^[-+\u2212]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eEdD][-+]?\d+)?[fFdDlL]?$/;
-/** Longer words are no numbers; without a bound, the expressions here take time that grows with its square. */
+/** Longer words are not numbers; without a bound, the expressions here take time that grows with its square. */
 const MAX_LENGTH = 64;
 /** Headings are shorter. */
 const MAX_HEADING = 200;

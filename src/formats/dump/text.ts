@@ -10,7 +10,7 @@
  *     heading                  `local matrices:`, `normals 120 {`, `Project 3`; its numbers are no values
  *     anything else            skipped; a text with more of it than of numbers is no dump
  *
- * A row within one pair of brackets may go on over several lines.
+ * A row within one pair of brackets may continue over several lines.
  */
 import type { DumpLabel } from '../../model/dump.ts';
 import type { Report } from '../report.ts';

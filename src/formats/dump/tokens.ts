@@ -6,7 +6,7 @@ import { isComponent, isPlain } from './vocabulary.ts';
 export interface Token {
   readonly kind: 'number' | 'word' | 'mark';
   readonly text: string;
-  /** NaN of what is no number. */
+  /** NaN of what is not a number. */
   readonly value: number;
   /** Behind a number, without a space: `s`, `deg`; empty if it has none. */
   readonly unit: string;

@@ -43,7 +43,7 @@ export function* couple(t: Tokens, owner: number, keywords: Keywords): GrammarPa
   return { owner, dof: dof.toLowerCase(), dofPlace, target: full.slice(0, dot), follows, place, gain, offset };
 }
 
-/** A word that is no number. */
+/** A word that is not a number. */
 function* name(t: Tokens, what: string, keywords: Keywords): GrammarPart<string | undefined> {
   yield* t.next();
   if (t.kind === 'word' && Number.isNaN(t.value()) && !keywords.has(t.keyword())) return t.text();

@@ -150,7 +150,7 @@ function rowsOf(bytes: Uint8Array, report: Report): readonly Row[] {
   };
   for (const line of filledLines(bytes)) {
     if (!isStart) take(line);
-    else if (start.push(line) === MOST_LINES_BEFORE) begin();
+    else if (start.push(line) === MAX_LINES_BEFORE) begin();
   }
   if (isStart) begin();
   const count = declared?.words[0].value;
@@ -162,7 +162,7 @@ function rowsOf(bytes: Uint8Array, report: Report): readonly Row[] {
 }
 
 /** A heading, a count, and the first joint. */
-const MOST_LINES_BEFORE = 3;
+const MAX_LINES_BEFORE = 3;
 
 function rowOf(line: Line, width: number, index: number, shared: Map<string, Vec3>, report: Report): Row | undefined {
   const { words } = line;

@@ -127,7 +127,7 @@ function* skinweights(t: Tokens): GrammarPart<AttachmentSink> {
   return sink;
 }
 
-/** Indices go on through all blocks. */
+/** Indices continue through all blocks. */
 function* triangles(t: Tokens, parts: Parts): GrammarPart<void> {
   const { surfaces, positions } = parts;
   surfaces.beginTriangles(t);

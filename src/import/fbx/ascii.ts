@@ -202,6 +202,6 @@ function isOfWord(byte: number): boolean {
 function numberOr(word: string): number | bigint | undefined {
   if (/^[+-]?\d{16,20}$/.test(word)) return integer(BigInt(word.replace('+', '')));
   if (/^[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?$/.test(word)) return Number(word);
-  // How Windows printed infinities and what is no number.
+  // How Windows printed infinities and what is not a number.
   return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(word) ? 0 : undefined;
 }

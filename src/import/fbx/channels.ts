@@ -10,7 +10,7 @@ import { KeyList } from './key-list.ts';
 /** Weights that differ less from a third are one. */
 const SAME_WEIGHT = 2e-4;
 /** Keys that repetitions are written as at most. */
-const MOST_REPEATED = 10000;
+const MAX_REPEATED = 10000;
 
 /**
  * @param tolerance of its values, for weighted handles
@@ -51,7 +51,7 @@ function extrapolation(mode: Beyond['mode']): Extrapolation {
 /** How often keys are repeated as keys: 0 for constant, linear and unlimited extrapolation. */
 function repetitionsOf({ times }: FbxCurve, { mode, count }: Beyond): number {
   if (mode === 'constant' || mode === 'slope' || !Number.isFinite(count)) return 0;
-  return Math.min(count, Math.floor(MOST_REPEATED / times.length));
+  return Math.min(count, Math.floor(MAX_REPEATED / times.length));
 }
 
 function addKeys(list: KeyList, curve: FbxCurve, tolerance: number): void {

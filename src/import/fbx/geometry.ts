@@ -81,7 +81,7 @@ export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): Fb
   };
 }
 
-/** Whole points only, and 0 for what is no number. */
+/** Whole points only, and 0 for what is not a number. */
 function finitePoints(numbers: FbxNumbers): Float64Array {
   const count = 3 * Math.floor(numbers.length / 3);
   return Float64Array.from(numbers.subarray(0, count), (value) => (Number.isFinite(value) ? value : 0));
@@ -151,7 +151,7 @@ function materialLayer(mesh: FbxRecord): (polygon: number) => number {
 const SAME_NORMAL = 1e-6;
 
 /** Vertices of one point that a corner is compared with: some points have thousands. */
-const MOST_COMPARED = 256;
+const MAX_COMPARED = 256;
 
 /** Vertices by point: a chain of those that each point has become. */
 class Vertices {
@@ -176,7 +176,7 @@ class Vertices {
     const [x, y, z] = [read(normals, n, 0), read(normals, n, 1), read(normals, n, 2)];
     const [u, v] = [read(texcoords, t, 0), read(texcoords, t, 1)];
     let compared = 0;
-    for (let vertex = this.first[point]; vertex >= 0 && compared < MOST_COMPARED; vertex = this.next[vertex]) {
+    for (let vertex = this.first[point]; vertex >= 0 && compared < MAX_COMPARED; vertex = this.next[vertex]) {
       compared++;
       const isSame =
         (!this.hasNormals ||

@@ -48,7 +48,7 @@ export function jointsOf(nodes: readonly FbxNode[], takes: readonly FbxTake[], f
 }
 
 /** Times of a take at which stretches are compared, at most. */
-const MOST_TIMES = 5000;
+const MAX_TIMES = 5000;
 
 /** Whether each node is ever stretched by different factors along its axes, as far as its keys say. */
 function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): boolean[] {
@@ -89,7 +89,7 @@ function scaleTimes(take: FbxTake | undefined, nodes: readonly FbxNode[]): reado
       }
     }
   }
-  const every = Math.ceil(times.size / MOST_TIMES);
+  const every = Math.ceil(times.size / MAX_TIMES);
   return [...times].filter((_, i) => i % every === 0);
 }
 

@@ -335,19 +335,19 @@ function asCurves(of: (k: number) => Channel | undefined): AxisCurves {
 }
 
 /** Keys of repetitions that fitted keys follow, of one curve. */
-const MOST_REPEATED = 20000;
+const MAX_REPEATED = 20000;
 
 /**
- * Where curves may bend: their keys; within the range also those repeated, and its ends, where something goes on beyond
+ * Where curves may bend: their keys; within the range also those repeated, and its ends, where something continues beyond
  * keys. At least one.
  * @param spare how many may be repeated ones
  */
 export function stopsOf(
   curves: readonly FbxCurve[],
   [start, end]: readonly [number, number],
-  spare = MOST_REPEATED,
+  spare = MAX_REPEATED,
 ): number[] {
-  const mostRepeated = Math.max(0, Math.min(MOST_REPEATED, spare / Math.max(1, curves.length)));
+  const mostRepeated = Math.max(0, Math.min(MAX_REPEATED, spare / Math.max(1, curves.length)));
   const stops: number[] = [];
   for (const { times, before, after } of curves) {
     for (const time of times) stops.push(time);

@@ -2,7 +2,7 @@
 import { length3 } from '../../math/vec3.ts';
 
 /** With more corners a polygon is cut as a fan, since finding ears can take time with the cube of their number. */
-const MOST_CORNERS = 400;
+const MAX_CORNERS = 400;
 
 /** How many points may be looked at to find ears in all polygons of a file; then they are cut as fans. */
 export class Effort {
@@ -22,7 +22,7 @@ export function cutPolygon(points: ArrayLike<number>, corners: ArrayLike<number>
     return;
   }
   const flat = flattened(points, corners);
-  if (!flat || count > MOST_CORNERS || effort.left <= 0) {
+  if (!flat || count > MAX_CORNERS || effort.left <= 0) {
     for (let i = 2; i < count; i++) out.push(0, i - 1, i);
     return;
   }

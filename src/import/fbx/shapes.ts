@@ -72,12 +72,12 @@ function weighedBy(percents: FbxNumbers, numbers: FbxNumbers): FbxNumbers {
 
 /**
  * The weight of one of a channel's shapes at a percentage: the shapes before and after it share it, the first with
- * the mesh itself; beyond the last it goes on.
+ * the mesh itself; beyond the last it continues.
  */
 export function shapeWeight(shapes: readonly FbxShape[], index: number, percent: number): number {
   const stops = [0, ...shapes.map(({ full }) => full)].sort((a, b) => a - b);
   let span = stops.findIndex((stop) => stop > percent) - 1;
-  // Before the first and behind the last; what is below 0 goes on from the mesh to the shape next to it.
+  // Before the first and behind the last; what is below 0 continues from the mesh to the shape next to it.
   if (span < -1) span = stops.length - 2;
   if (span < 0) span = 0;
   const [from, to] = [stops[span], stops[span + 1]];

@@ -33,7 +33,7 @@ import { shapeWeight } from './shapes.ts';
 /** Fraction of the size, for lengths; an angle that moves the end of a bone of that size by less; a factor likewise. */
 const TOLERANCE = 2e-5;
 /** Keys that fitting may make beyond the usual, besides one for two bytes of the file. */
-const MOST_SPARE = 20_000;
+const MAX_SPARE = 20_000;
 const BONES = new Set(['LimbNode', 'Limb', 'Root', 'Effector']);
 
 /** Undefined, after an error, if the file has no models. */
@@ -54,7 +54,7 @@ export function sceneOf(file: FbxFile, name: string, report: FbxReport): Scene |
   const materials = new Materials(document);
   const meshes = meshesOf({ document, joints, worlds: rest.worlds, axes: axes.matrix, materials, lost }, report);
   const tolerances = tolerancesOf(rest.worlds, meshes);
-  const spare = MOST_SPARE + report.budget.bytes / 2;
+  const spare = MAX_SPARE + report.budget.bytes / 2;
   const fitting: Fitting = { nodes: new Set(), keysBefore: 0, keysAfter: 0, spare };
   const metres = metresOf(document.settings) ?? centimetre(report);
   const scene = {

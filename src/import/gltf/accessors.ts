@@ -26,7 +26,7 @@ const COMPONENTS: Readonly<Record<number, Component>> = {
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
 /** Numbers that a file may leave out because they are 0, besides one for each of its bytes. */
-const MOST_ZEROS = 2 ** 16;
+const MAX_ZEROS = 2 ** 16;
 
 /** Elements of `width` numbers each. */
 export interface Numbers {
@@ -102,7 +102,7 @@ export class Accessors {
     let values: Float64Array;
     if (json.bufferView === undefined) {
       this.zeros += count * width;
-      const most = MOST_ZEROS + this.buffers.budget.bytes;
+      const most = MAX_ZEROS + this.buffers.budget.bytes;
       if (this.zeros > most) {
         const message = `${called} has ${count} elements without any bytes; up to ${most} numbers of this file are read.`;
         throw new ImportError('accessor-too-large', message);

@@ -129,7 +129,7 @@ async function bytesOf(
 }
 
 function notGiven(uris: readonly string[]): ImportError {
-  const names = uris.slice(0, MOST_NAMED).map((uri) => `"${shortened(uri)}"`);
+  const names = uris.slice(0, MAX_NAMED).map((uri) => `"${shortened(uri)}"`);
   const more = uris.length - names.length;
   const parts = `${names.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
   const [was, it] = uris.length === 1 ? ['was', 'it'] : ['were', 'them'];
@@ -137,7 +137,7 @@ function notGiven(uris: readonly string[]): ImportError {
   return new ImportError('part-not-given', message);
 }
 
-const MOST_NAMED = 4;
+const MAX_NAMED = 4;
 
 /** A URI, shortened for messages. */
 function shortened(uri: string): string {

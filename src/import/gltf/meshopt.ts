@@ -15,7 +15,7 @@ export interface MeshoptDecoder {
 }
 
 /** Bytes that a view may unpack to: a count may be made up. */
-const MOST_BYTES = 2 ** 29;
+const MAX_BYTES = 2 ** 29;
 
 /** Fetches the decoder. Its `decode` limits how much bytes may become. */
 export async function meshoptDecoder(): Promise<MeshoptDecoder> {
@@ -24,7 +24,7 @@ export async function meshoptDecoder(): Promise<MeshoptDecoder> {
   return {
     decode(count, stride, bytes, mode, filter, called) {
       // Packed bytes are at least one for 16 elements of a byte of the stride.
-      if (count * stride > MOST_BYTES || count * stride > (bytes.length + 32) * 4096) {
+      if (count * stride > MAX_BYTES || count * stride > (bytes.length + 32) * 4096) {
         const message = `${called} would unpack ${bytes.length} bytes to ${count * stride}.`;
         throw new ImportError('compressed-too-large', message);
       }

@@ -6,7 +6,7 @@ export const VERDICTS = ['good', 'bad'] as const;
 export type Verdict = (typeof VERDICTS)[number] | '';
 
 /** Most stars that a take can get; 0 means none given. */
-export const MOST_STARS = 5;
+export const MAX_STARS = 5;
 
 /** A person's words about a take. */
 export interface Review {

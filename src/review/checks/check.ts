@@ -1,5 +1,5 @@
 /** What all checks of takes share. */
-import { type Flag, type FlagKind, MOST_FLAGS } from '../flags.ts';
+import { type Flag, type FlagKind, MAX_FLAGS } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';
 
 /** One check of a take. Frames come in order; a frame allocates nothing unless it has a flag. */
@@ -108,7 +108,7 @@ export function flagOf(
 
 /** The largest of too many, in order of time. */
 export function largest(flags: readonly Flag[]): readonly Flag[] {
-  if (flags.length <= MOST_FLAGS) return flags;
-  const kept = [...flags].sort((a, b) => b.amount - a.amount).slice(0, MOST_FLAGS);
+  if (flags.length <= MAX_FLAGS) return flags;
+  const kept = [...flags].sort((a, b) => b.amount - a.amount).slice(0, MAX_FLAGS);
   return kept.sort((a, b) => a.from - b.from);
 }

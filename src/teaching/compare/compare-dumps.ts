@@ -1,5 +1,5 @@
 /**
- * Compares a dump with another one number by number, for numbers that belong to no character at hand: lists against
+ * Compares a dump with another one number by number, for numbers of no open character: lists against
  * lists, in their order. Matrices may be in either layout; what the numbers mean is not needed.
  */
 import type { Dump, DumpBlock } from '../../model/dump.ts';

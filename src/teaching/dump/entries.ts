@@ -38,7 +38,7 @@ export function entriesOf({ values, starts, lines, labels }: DumpBlock): Entry[]
   return entries;
 }
 
-/** Entries of the same number of values: as they are, or all numbers cut anew. */
+/** Entries of the same number of values: as they are, or all numbers cut again. */
 export function evenly(
   { values, lines, starts }: DumpBlock,
   entries: readonly Entry[],

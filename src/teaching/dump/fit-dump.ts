@@ -53,7 +53,7 @@ export function onlyTime(dumps: readonly NamedDump[]): FrameTime {
 }
 
 /** Misfits of one kind that are told of a dump: the blocks of a hundred frames are all alike. */
-const MOST_ALIKE = 3;
+const MAX_ALIKE = 3;
 
 class Fit {
   private readonly diagnostics: Diagnostic[] = [];
@@ -111,7 +111,7 @@ class Fit {
     } catch (error) {
       if (!(error instanceof Misfit)) throw error;
       const { code } = error;
-      if (this.diagnostics.filter((one) => one.code === code && one.file === fileName).length === MOST_ALIKE) return;
+      if (this.diagnostics.filter((one) => one.code === code && one.file === fileName).length === MAX_ALIKE) return;
       this.diagnostics.push({
         ...withoutPlace('error', error.code, error.message, fileName),
         line: error.line,

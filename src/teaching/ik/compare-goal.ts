@@ -46,7 +46,7 @@ export interface GoalComparison {
 /** A step must move something by so many tolerances, so that others can't be taken for it. */
 const EVIDENCE = 50;
 /** Steps after which to give up on a solver that never comes nearer. */
-const MOST_STEPS = 60;
+const MAX_STEPS = 60;
 
 /**
  * @param frame world matrices or joint positions, or, of one step, local matrices
@@ -232,7 +232,7 @@ class GoalTrial {
     let pose = start.pose;
     let distance = start.distance(pose, goal);
     let best = Infinity;
-    for (let steps = 1; steps <= MOST_STEPS; steps++) {
+    for (let steps = 1; steps <= MAX_STEPS; steps++) {
       const seen = start.see(goal, goal.target, pose);
       pose = start.after(stepOf(seen), pose).slice();
       const now = start.distance(pose, goal);

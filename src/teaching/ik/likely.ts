@@ -18,7 +18,7 @@ const FEW = 3;
 /** Differences of two joints are as exact as both together. */
 const SLACK = 4;
 /** The nearest points, by a few joints and by all. */
-const MOST_BY_FEW = 64;
+const MAX_BY_FEW = 64;
 const MOST = 8;
 
 /** Sorts out which points of joints a program can't have moved, from the joints that turned. */
@@ -55,7 +55,7 @@ export class LikelyEffectors {
     const byFew = within.map((effector) => this.byFewJoints(start.see(effector, target)));
     const likely = nearestOf(
       byFew.filter(({ error }) => error <= this.tolerance),
-      MOST_BY_FEW,
+      MAX_BY_FEW,
     );
     return nearestOf(
       likely.map(({ seen, steps }) => ({ seen, error: this.byAllJoints(seen, steps) })),

@@ -18,7 +18,7 @@ export interface StepKind {
 }
 
 /** Fraction of JJᵀ's mean: a pseudo-inverse, where some directions can't be moved in. */
-const LEAST_DAMPING = 1e-6;
+const MIN_DAMPING = 1e-6;
 /** Damping so small that even angles 57 times as large don't show it. */
 const EXACT = 1e-12;
 const MOST = 1e3;
@@ -30,7 +30,7 @@ export function rightKinds(seen: SeenPoint, columns: readonly Vec3[] = seen.colu
   const mean = (rows[0][0] + rows[1][1] + rows[2][2]) / 3;
   if (!(mean > 0)) return [];
   const damped = (relative: number) => along(columns, solved(rows, relative * mean, error));
-  const inverse = damped(LEAST_DAMPING);
+  const inverse = damped(MIN_DAMPING);
   return [
     kindAlong(along(columns, error), bestLength(seen)),
     { step: damped, most: MOST, mustGain: false },

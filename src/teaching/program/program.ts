@@ -32,7 +32,7 @@ export interface JointRules {
   readonly pose: 'given' | 'rest' | 'rest, root at offset' | 'rest, root at 0';
   /** Whose DOFs the values are, or whose matrix a joint's is. */
   readonly breadthFirst: { readonly of: 'none' | 'dofs' | 'joints' | 'both'; readonly isInverse: boolean };
-  /** rx and rz exchanged. */
+  /** rx and rz swapped. */
   readonly dofOrder: { readonly isReversed: boolean; readonly for: Breadth; readonly withRoot: boolean };
   readonly concatenation: 'parent first' | 'parent last' | 'no parent';
   /** Changes of all world matrices, in order. */
@@ -44,7 +44,7 @@ export interface JointRules {
   readonly bvhOrder: 'listed' | 'reversed' | `multiplied ${EulerOrder}` | `read ${EulerOrder}`;
 }
 
-/** `W⁻¹`; S·W·S with z mirrored, or with y and z exchanged; `points`: vertices and bindings as well. */
+/** `W⁻¹`; S·W·S with z mirrored, or with y and z swapped; `points`: vertices and bindings as well. */
 export type WorldMap = 'inverse' | 'mirror z' | 'mirror z of points' | 'swap y z' | 'swap y z of points';
 
 /** The rules by which a program morphs and skins. */

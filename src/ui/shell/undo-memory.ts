@@ -5,7 +5,7 @@ import { bytes, plural } from '../widgets/numbers/number-text.ts';
 
 const MEGABYTE = 1e6;
 /** Without a choice: a quarter of what the browser gives, up to this. */
-const MOST_MEGABYTES = 512;
+const MAX_MEGABYTES = 512;
 const CHOICES = [0, 128, 256, 512, 1000, 4000] as const;
 /** Steps of a drag or of held keys are weighed once. */
 const REST_MS = 300;
@@ -18,7 +18,7 @@ interface MemoryOf {
 /** Bytes of a quarter of the script's memory, as far as the browser tells. */
 export function defaultUndoBytes(from: MemoryOf): number {
   const heap = from.memory?.jsHeapSizeLimit;
-  return Math.min(MOST_MEGABYTES * MEGABYTE, heap ? heap / 4 : Infinity);
+  return Math.min(MAX_MEGABYTES * MEGABYTE, heap ? heap / 4 : Infinity);
 }
 
 function undoBytes({ settings }: Uses<'settings'>): number {

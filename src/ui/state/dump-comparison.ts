@@ -18,7 +18,7 @@
  * of lengths. It is wrong if it isn't `<= tolerance`: NaN is wrong too. Times of frames and samples are those of the
  * character's clip: `transportTimeOf` (`dump-times.ts`) converts them.
  *
- * Edits of the character start the comparison anew, in the worker. Until then the last result stays, unless its arrays
+ * Edits of the character start the comparison again, in the worker. Until then the last result stays, unless its arrays
  * no longer fit.
  */
 
@@ -202,7 +202,7 @@ export class DumpComparison {
     void this.start();
   }
 
-  /** Stops the running comparison; `again` starts it anew. */
+  /** Stops the running comparison; `anew` starts it again. */
   cancel(): void {
     this.stopRunning();
     if (this.state.get().phase.kind === 'working') this.change({ phase: { kind: 'cancelled' } });

@@ -15,7 +15,7 @@ export interface VideoOptions extends PictureOptions {
   readonly framesPerSecond?: number;
   /** Default 1; negative: from the end of the range to its start. */
   readonly speed?: number;
-  /** Of the PNGs and of their folder in the zip; default `marrow`. */
+  /** Name of the PNGs and of their folder in the zip; default `marrow`. */
   readonly name?: string;
   /** In seconds of the transport; default: the playback range. */
   readonly range?: readonly [number, number];

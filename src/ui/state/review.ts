@@ -8,7 +8,7 @@ import { type Observable, observable } from '../widgets/observable.ts';
 import type { SortOrder } from '../widgets/sort-heads.ts';
 
 /** More takes than these given at once are reviewed; fewer are opened. */
-export const MOST_OPENED = 20;
+export const MAX_OPENED = 20;
 
 export const REVIEW_COLUMNS = [
   'name',

@@ -146,7 +146,7 @@ export interface Action extends Bindable {
   run(wb: Workbench, args?: unknown): void | Promise<void>;
 }
 
-/** How a long work goes on, and how it is stopped. */
+/** How a long work continues, and how it is stopped. */
 export interface GlbWork {
   readonly signal: AbortSignal;
   /** From 0 to 1. */
@@ -200,7 +200,7 @@ export interface SampleEntry {
 /** Verdicts on takes in review that no list has yet. */
 export interface UnsavedList {
   readonly kind: 'review';
-  /** Of the file to be. */
+  /** Name of the file to write. */
   readonly name: string;
   readonly characterId?: undefined;
 }

@@ -57,7 +57,7 @@ export class JointGizmo implements Overlay {
   private ratio = 0;
   /** CSS pixels. */
   private side = 0;
-  /** Of the rings. */
+  /** Radius of the rings. */
   private radius = 1;
   /** Whether a handle was being dragged in the last frame. */
   private isDragged = false;

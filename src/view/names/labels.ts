@@ -45,7 +45,7 @@ export class Labels {
   readonly canvas = document.createElement('canvas');
   private readonly pen: CanvasRenderingContext2D;
   private readonly sprites: NameSprites;
-  /** Of the joints of all characters, one after the other, each measured when it is first written. */
+  /** Names of the joints of all characters, one after the other, each measured when it is first written. */
   private names: (Name | undefined)[] = [];
   private drawn: readonly DrawnSkeleton[] = [];
   private width = 1;

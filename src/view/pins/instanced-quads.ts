@@ -1,5 +1,5 @@
 /**
- * Instanced quads with per-instance attributes, in one draw; the count is set anew each frame. Drawn over everything,
+ * Instanced quads with per-instance attributes, in one draw; the count is set again each frame. Drawn over everything,
  * never culled.
  */
 import {

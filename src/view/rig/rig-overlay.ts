@@ -54,7 +54,7 @@ export class RigOverlay implements Overlay {
   private nodes = new Float64Array(0);
   private starts = new Int32Array(0);
   private theme: StageTheme | undefined;
-  /** Of the last frame; queries before the next one use them. */
+  /** Camera of the last frame; queries before the next one use them. */
   private camera: PerspectiveCamera | OrthographicCamera | undefined;
   private heightPx = 1;
   /** The picture has changed since it was drawn. */

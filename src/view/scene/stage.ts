@@ -174,7 +174,7 @@ export class Stage {
     shader.lifted.value = (0.07 * radius) / KEY.y / camera.far;
   }
 
-  /** Gives back what three.js keeps of everything drawn: it goes on listening for its disposal after a lost context. */
+  /** Gives back what three.js keeps of everything drawn: it continues listening for its disposal after a lost context. */
   forget(renderer: WebGLRenderer): void {
     this.scene.traverse((object) => {
       if (!(object instanceof Mesh || object instanceof Line || object instanceof Points)) return;

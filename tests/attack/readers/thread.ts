@@ -7,7 +7,7 @@ import { shrunk } from './shrink.ts';
 
 const SHRINK_MS = 3000;
 /** More of a kind from one subject say nothing new, and take long to shrink. */
-const MOST_OF_A_KIND = 2;
+const MAX_OF_A_KIND = 2;
 
 // As the attack starts it.
 const { corpus, seed, from, at: shared }: Orders = workerData;
@@ -23,7 +23,7 @@ for (let index = from; ; index++) {
     const key = `${input.subject} ${fault.kind}`;
     const count = (found.get(key) ?? 0) + 1;
     found.set(key, count);
-    const small = count > MOST_OF_A_KIND ? input : await shrunk(input, fault, SHRINK_MS);
+    const small = count > MAX_OF_A_KIND ? input : await shrunk(input, fault, SHRINK_MS);
     const message: Found = { index, fault, input: small };
     parentPort?.postMessage(message);
   }

@@ -8,7 +8,7 @@ import type { Named } from './many-characters.ts';
 
 /** Of the tolerance: what is measured between rows comes to a little more than at them. */
 const MOST = 0.985;
-const MOST_DEGREES = 2;
+const MAX_DEGREES = 2;
 /** So many times this are nowhere near each other. */
 const GOLDEN = 0.6180339887498949;
 
@@ -22,7 +22,7 @@ export function expectWithin({ name, character }: Named, options: Partial<GlbOpt
     const what = `${name}, ${options.keys}, ${arc}`;
     expect(Math.max(off.joints, off.asWritten, off.firstFour) / tolerance, what).toBeLessThanOrEqual(MOST);
     if (options.influences === undefined) expect(off.vertices / tolerance, what).toBeLessThanOrEqual(MOST);
-    expect(off.degrees, what).toBeLessThanOrEqual(MOST_DEGREES);
+    expect(off.degrees, what).toBeLessThanOrEqual(MAX_DEGREES);
   }
   return made;
 }

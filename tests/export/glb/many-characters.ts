@@ -110,13 +110,13 @@ function opened(paths: readonly string[]): readonly Character[] {
 }
 
 /** Longer takes take minutes, and show nothing else. */
-const MOST_BYTES = 300_000;
+const MAX_BYTES = 300_000;
 
 function filesIn(folder: string, ...ends: readonly string[]): string[] {
   if (!hasShared) return [];
   return readdirSync(sharedPath(folder))
     .map((name) => `${folder}/${name}`)
-    .filter((path) => ends.some((end) => path.endsWith(end)) && statSync(sharedPath(path)).size < MOST_BYTES);
+    .filter((path) => ends.some((end) => path.endsWith(end)) && statSync(sharedPath(path)).size < MAX_BYTES);
 }
 
 const TOGETHER: readonly (readonly string[])[] = [

@@ -34,13 +34,13 @@ const FILES: readonly (readonly string[])[] = [
 ];
 
 /** Seconds of a take: fitting keys to more of it takes longer, and shows nothing else; but one is fitted in several parts. */
-const MOST_SECONDS = 4;
+const MAX_SECONDS = 4;
 const WHOLE = 'data/bvh/cmu-01_01.bvh';
 
 function shortened(own: Character): Character {
   const clips = own.clips.map((clip) => {
     const [start, end] = clip.range;
-    return { ...clip, range: [start, Math.min(end, start + MOST_SECONDS)] as const };
+    return { ...clip, range: [start, Math.min(end, start + MAX_SECONDS)] as const };
   });
   return { ...own, clips };
 }

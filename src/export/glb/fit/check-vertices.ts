@@ -9,12 +9,12 @@ import type { Measured } from './measured.ts';
 import type { WatchedSkin, WatchPoints } from './watch-points.ts';
 
 /** Rows of a stretch that are looked at, and vertices times attachments in all of them, about. */
-const MOST_ROWS = 32;
+const MAX_ROWS = 32;
 const MOST = 5_000_000;
 /** Fraction of the limit: where watched points are off by less, no vertex is off by more. */
 const LIKELY = 0.5;
 /** Vertices of one row that are watched from then on. */
-const MOST_OF_ROW = 8;
+const MAX_OF_ROW = 8;
 
 /** The vertices that are off by more than the limit at rows where something is off most, those that are off most of all. */
 export function verticesBeyond(measured: Measured, points: WatchPoints, limit: number): ReadonlySet<number> {
@@ -24,7 +24,7 @@ export function verticesBeyond(measured: Measured, points: WatchPoints, limit: n
   const check = new VertexCheck(measured, points, skin);
   const rows = worstRows(measured.errors, (LIKELY * limit) ** 2);
   const { sets, compiled } = skin;
-  const most = Math.min(MOST_ROWS, Math.ceil(MOST / (4 * sets.joints.length * compiled.vertexCount)));
+  const most = Math.min(MAX_ROWS, Math.ceil(MOST / (4 * sets.joints.length * compiled.vertexCount)));
   for (const m of rows.slice(0, most)) for (const v of check.beyond(m, limit)) found.add(v);
   return found;
 }
@@ -77,7 +77,7 @@ class VertexCheck {
     off.forEach((d, v) => {
       if (d > limit2) beyond.push(v);
     });
-    return beyond.sort((a, b) => off[b] - off[a]).slice(0, MOST_OF_ROW);
+    return beyond.sort((a, b) => off[b] - off[a]).slice(0, MAX_OF_ROW);
   }
 
   /** W·B⁻¹ of each joint by a row of numbers: of the truth (0) or of what is made (1). */

@@ -54,8 +54,8 @@ const SHARE_OF_LONG = 0.3;
 const LONG = 6_000;
 /** Rows of a stretch, as many as this many numbers are, within bounds. */
 const NUMBERS = 2_000_000;
-const MOST_ROWS = 4096;
-const LEAST_ROWS = 256;
+const MAX_ROWS = 4096;
+const MIN_ROWS = 256;
 /** Fraction of the size that counts as exact. */
 const EXACT = 1e-6;
 
@@ -77,7 +77,7 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
   const collected = tracks.map(() => new Collected());
   const rows = new Rows(width, nodes.length);
   const numbersPerRow = 3 * width + 16 * nodes.length;
-  const perStretch = Math.min(MOST_ROWS, Math.max(LEAST_ROWS, Math.floor(NUMBERS / numbersPerRow)));
+  const perStretch = Math.min(MAX_ROWS, Math.max(MIN_ROWS, Math.floor(NUMBERS / numbersPerRow)));
   const seconds = motion.end - motion.start;
   const thins = motion.breaks.length <= LONG;
   const share = thins ? SHARE : SHARE_OF_LONG;

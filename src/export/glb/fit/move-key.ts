@@ -15,8 +15,8 @@ import type { Measured } from './measured.ts';
 /** Weight of points that are not off, as a fraction of that of a point at the limit. */
 const LEAST = 0.02;
 /** Rows between two keys, and points, that are looked at, about. */
-const MOST_ROWS = 5;
-const MOST_POINTS = 32;
+const MAX_ROWS = 5;
+const MAX_POINTS = 32;
 /** A key is never moved by more than this many times the limit. */
 const FARTHEST = 3;
 /** Parts of the solution that are tried. */
@@ -53,7 +53,7 @@ export function moveKey(measured: Measured, t: number, k: number, limit: number,
   const { rows: keys, values } = fits[t];
   const [a, key, b] = [keys[k - 1], keys[k], keys[k + 1]];
   if (rows.jumps[key] || rows.jumps[b]) return false;
-  const step = Math.max(1, Math.floor((b - a) / (2 * MOST_ROWS)));
+  const step = Math.max(1, Math.floor((b - a) / (2 * MAX_ROWS)));
   const cost = gather(measured, t, [a, key, b], step, limit);
   if (!solve(normal, right, delta)) return false;
   const size = Math.hypot(delta[0], delta[1], delta[2]) * reach;
@@ -84,7 +84,7 @@ function offOf([x, y, z]: Float64Array, limit: number): number {
 }
 
 function strideOf(points: Int32Array): number {
-  return Math.max(1, Math.floor(points.length / MOST_POINTS));
+  return Math.max(1, Math.floor(points.length / MAX_POINTS));
 }
 
 /** Sums of all points that are looked at; `enough` if they are more. */

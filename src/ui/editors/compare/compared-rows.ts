@@ -13,14 +13,14 @@ export type RowKind = (typeof ROW_KINDS)[number];
 
 /** What of a joint, vertex or channel differs. */
 export interface ComparedRow {
-  /** Of the joint, vertex or channel. */
+  /** Index of the joint, vertex or channel. */
   readonly index: number;
-  /** Of the joint, or of the DOF that the channel drives; of a vertex the joint that it follows most. */
+  /** Name of the joint, or of the DOF that the channel drives; of a vertex the joint that it follows most. */
   readonly name: string;
   readonly mark: JointMark;
   /** The largest, as `FirstWrong.error`. */
   readonly error: number;
-  /** Of a channel: where it is wrong first, in seconds of the clip; absent if it agrees. */
+  /** First time at which a channel is wrong, in seconds of the clip; absent if it agrees. */
   readonly firstTime?: number;
 }
 

@@ -20,7 +20,7 @@ export interface DetailSubject {
   /** Into the frames; −1 for channels. */
   readonly frame: number;
   readonly kind: RowKind;
-  /** Of the joint, vertex or channel. */
+  /** Index of the joint, vertex or channel. */
   readonly index: number;
   readonly numbers: JointNumbers;
 }

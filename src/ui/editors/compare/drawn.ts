@@ -63,7 +63,7 @@ function largestOf(errors: Float64Array, from: number): number {
 }
 
 /**
- * Writes errors as parts of the largest that is shown, from 0 to 1: larger ones, and those that are no numbers, are 1.
+ * Writes errors as parts of the largest that is shown, from 0 to 1: larger ones, and those that are not numbers, are 1.
  *
  * @param out as many as errors
  * @returns index of the largest error; undefined if all are within the tolerance

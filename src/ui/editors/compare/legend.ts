@@ -30,7 +30,7 @@ export interface LegendState {
   readonly parts: readonly ComparedPart[];
   /** Whether own and inherited errors are told apart. */
   readonly tellsOwn: boolean;
-  /** Of the skin. */
+  /** Scale of the skin's errors. */
   readonly scale?: ScaleText;
 }
 

@@ -11,7 +11,7 @@ import { HEAD, rowAt, rowTop, type Sheet } from './sheet.ts';
 /** What the sheet shows. */
 export interface SheetKeys {
   readonly rows: readonly DopeRow[];
-  /** Of the clip. */
+  /** Channels of the clip. */
   readonly channels: readonly Channel[];
   /** Clip time = transport time + this. */
   readonly offsetSeconds: number;

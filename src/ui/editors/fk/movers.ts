@@ -34,7 +34,7 @@ import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 export interface DragResult {
   /** What it does to the joint, for the name of its undo step. */
   readonly verb: 'Rotate' | 'Move' | 'Scale' | 'Shear';
-  /** Of the active joint. */
+  /** DOFs of the active joint. */
   readonly dofs: readonly DofValue[];
   /** Of the other selected joints. */
   readonly others: readonly DofValue[];

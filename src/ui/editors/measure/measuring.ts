@@ -6,11 +6,11 @@ import { trackJoints } from '../../../evaluate/measure/tracks.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { type Observable, observable } from '../../widgets/observable.ts';
-import { isTooLong, type Measured, MOST_OVERLAID, type Source, sourcesOf } from './series.ts';
+import { isTooLong, MAX_OVERLAID, type Measured, type Source, sourcesOf } from './series.ts';
 
 export interface MeasuredAll {
   readonly sources: readonly Source[];
-  /** Of the first `MOST_OVERLAID` sources, but those that are too long. */
+  /** Of the first `MAX_OVERLAID` sources, but those that are too long. */
   readonly all: readonly Measured[];
 }
 
@@ -52,7 +52,7 @@ export class Measuring {
         const sources = this.asked;
         const known = this.result.get()?.all ?? [];
         const all: Measured[] = [];
-        for (const source of sources.slice(0, MOST_OVERLAID)) {
+        for (const source of sources.slice(0, MAX_OVERLAID)) {
           if (isTooLong(source)) continue;
           const before = known.find((one) => isAlike(one.source, source));
           const { character, frames, joints } = source;

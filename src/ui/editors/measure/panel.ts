@@ -24,7 +24,7 @@ import { barY, dashOf, PlotPicture, type PlotScene, valueY } from './picture.ts'
 import {
   emptyText,
   isTooLong,
-  MOST_OVERLAID,
+  MAX_OVERLAID,
   massText,
   QUANTITY_LABELS,
   type Series,
@@ -164,7 +164,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
     this.empty.hidden = !isEmpty;
     setText(this.empty, isEmpty ? emptyText(sources, subject, quantity) : '');
     this.exports.disabled = isEmpty;
-    const left = sources.length > MOST_OVERLAID ? `The first ${MOST_OVERLAID} of ${sources.length} characters` : '';
+    const left = sources.length > MAX_OVERLAID ? `The first ${MAX_OVERLAID} of ${sources.length} characters` : '';
     const tooLong = all.length > 0 && sources.some(isTooLong) ? 'Takes with too many frames are left out' : '';
     const notes = [massText(all, subject, quantity), left, tooLong].filter(Boolean);
     setText(this.note, notes.join('. '));

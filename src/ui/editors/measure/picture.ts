@@ -152,11 +152,11 @@ export function barY({ height, series }: Pick<PlotScene, 'height' | 'series'>, r
 }
 
 /** Safety limit. */
-const MOST_TICKS = 1000;
+const MAX_TICKS = 1000;
 
 function valueTicks({ height, least, most }: PlotScene): number[] {
   const step = roundStep(((most - least) * LABELS_APART) / Math.max(LABELS_APART, height - HEAD - FOOT));
-  return wholeNumbers(least / step - 1e-9, most / step + 1e-9, MOST_TICKS).map((i) => i * step);
+  return wholeNumbers(least / step - 1e-9, most / step + 1e-9, MAX_TICKS).map((i) => i * step);
 }
 
 function drawLine(g: CanvasRenderingContext2D, scene: PlotScene, series: Series, colour: string): void {

@@ -14,7 +14,7 @@ export const SUBJECTS = ['joints', 'feet', 'mass'] as const;
 export type Subject = (typeof SUBJECTS)[number];
 
 /** More characters can't be told apart. */
-export const MOST_OVERLAID = 8;
+export const MAX_OVERLAID = 8;
 
 export interface QuantityLabel {
   readonly label: string;

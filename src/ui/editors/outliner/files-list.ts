@@ -44,7 +44,7 @@ export function filesList(wb: Uses<'store'>): FilesList {
     const more = files.slice(next, next + CHUNK);
     next += more.length;
     end.before(...more.map(fileRow));
-    // Observed anew, so that it is said again if it is still in view.
+    // Observed again, so that it is said again if it is still in view.
     observer.unobserve(end);
     if (next < files.length) observer.observe(end);
   };

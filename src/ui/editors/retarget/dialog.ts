@@ -189,7 +189,7 @@ export function retargetDialog(
       return;
     }
     preview.keep(label);
-    // What was made is in hand: its curves, and the ways to go on from it.
+    // What was made is in hand: its curves, and the ways to continue from it.
     if (store.selection.characterId !== target.id) store.select({ characterId: target.id });
     // The range may have become that of a shorter take.
     if (wasInRange) wb.transport.update(intoRange);

@@ -132,7 +132,7 @@ class ReviewPanel implements TimelineTab {
     this.empty.hidden = rows.length > 0;
     this.body.hidden = rows.length === 0;
     setText(this.empty, isEmpty || !isFiltered(view) ? EMPTY : noneLeft(view));
-    // What is listed anew begins with its first take.
+    // What is listed again begins with its first take.
     if (this.listedFor && !isSameFilter(view, this.listedFor)) this.place = 0;
     this.listedFor = view;
     if (at >= 0) this.place = at;

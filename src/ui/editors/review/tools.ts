@@ -1,5 +1,5 @@
 /** Controls of the review, beside the tabs: filters, verdicts and stars for the selected takes, opening and saving. */
-import { MOST_STARS } from '../../../model/takes/review.ts';
+import { MAX_STARS } from '../../../model/takes/review.ts';
 import { FLAG_KINDS } from '../../../review/flags.ts';
 import { findAction, isEnabled, tryAction } from '../../state/actions/action.ts';
 import { itemOf } from '../../state/actions/menu-entries.ts';
@@ -163,8 +163,8 @@ function onlyEntries({ store, timeline }: Workbench): MenuEntry[] {
         ...SIZES.map((bad) => item(atLeastText(kind, bad), view.bad === bad, { ...view, bad })),
       ]
     : [];
-  const stars = Array.from({ length: MOST_STARS + 1 }, (_, n) =>
-    item(n === 0 ? 'Any stars' : `${starsText(n)}${n < MOST_STARS ? ' or more' : ''}`, view.stars === n, {
+  const stars = Array.from({ length: MAX_STARS + 1 }, (_, n) =>
+    item(n === 0 ? 'Any stars' : `${starsText(n)}${n < MAX_STARS ? ' or more' : ''}`, view.stars === n, {
       ...view,
       stars: n,
     }),

@@ -77,7 +77,7 @@ export class LineView {
   private readonly rows: Row[] = [];
   private readonly idPrefix = uniqueId('source-line');
   private lines = 0;
-  /** Of the line at the top, from 0. */
+  /** Index of the line at the top, from 0. */
   private top = 0;
   /** The position of the scroll bar as set here: an event that finds it there brings no news. */
   private ownScrollTop = 0;

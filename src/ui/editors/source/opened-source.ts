@@ -13,7 +13,7 @@ export type SourceState =
   | { readonly kind: 'failed'; readonly message: string };
 
 export class OpenedSource {
-  /** Of the whole file; undefined until it is read. */
+  /** Map of the whole file; undefined until it is read. */
   map: SourceMap | undefined;
   state: SourceState = { kind: 'reading', share: 0 };
   text: Blob | undefined;
@@ -25,7 +25,7 @@ export class OpenedSource {
   /**
    * @param onLines called when there are more lines
    * @param onText called when the text of some has come
-   * @param onState called when reading goes on, ends or fails
+   * @param onState called when reading continues, ends or fails
    */
   constructor(
     readonly path: string,

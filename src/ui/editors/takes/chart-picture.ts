@@ -45,7 +45,7 @@ const FOOT = 8;
 const HEAD = 18;
 const LABELS_APART = 28;
 /** Safety limit. */
-const MOST_LINES = 100;
+const MAX_LINES = 100;
 /** Dashes distinguish joints when colours run out. */
 const DASHES: readonly (readonly number[])[] = [[], [6, 3], [2, 3]];
 
@@ -88,7 +88,7 @@ export class ChartPicture {
     g.font = colours.font;
     g.textAlign = 'left';
     g.textBaseline = 'bottom';
-    for (const i of wholeNumbers(0, top / step, MOST_LINES)) {
+    for (const i of wholeNumbers(0, top / step, MAX_LINES)) {
       const y = Math.round(yAt(scene, i * step));
       g.fillStyle = i === 0 ? colours.line : colours.fineLine;
       g.fillRect(0, y, view.width, 1);

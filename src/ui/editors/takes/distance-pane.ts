@@ -35,7 +35,7 @@ export class DistancePane {
   private readonly left: HTMLButtonElement;
   private readonly note = element('p', { class: 'empty time-note', hidden: true });
   private readonly alignment: HTMLSelectElement;
-  /** Of the last result. */
+  /** Match of the last result. */
   private match: Measured['match'] | undefined;
   private unit: DistanceUnit = { factor: 1, symbol: '' };
 

@@ -23,7 +23,7 @@ export interface RowState {
   readonly focused: boolean;
   /** Which of the two compared takes it is. */
   readonly compared: 'first' | 'second' | undefined;
-  /** Of the transport, for takes without frames of their own. */
+  /** Frames per second of the transport, for takes without frames of their own. */
   readonly framesPerSecond: number;
 }
 

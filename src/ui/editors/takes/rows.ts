@@ -30,7 +30,7 @@ export interface TakeRow extends TakeRef {
   readonly offsetSeconds: number;
   /** Time of the transport at which its first frame plays. */
   readonly startSeconds: number;
-  /** Of the first placement. */
+  /** x of the first placement. */
   readonly x: number;
   readonly z: number;
   /** Empty without a file. */

@@ -12,7 +12,7 @@ import { playAlone } from './play.ts';
 import { shownKey, takeRows } from './rows.ts';
 
 /** More are found faster in the list of takes. */
-const MOST_IN_MENU = 24;
+const MAX_IN_MENU = 24;
 
 export function takeCell(
   wb: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline' | 'settings' | 'messages'>,
@@ -31,7 +31,7 @@ export function takeCell(
     const character = currentCharacter(wb);
     const shown = character && shownKey(character);
     const rows = takeRows(wb.store.document).filter((row) => row.characterId === character?.id);
-    const others: MenuEntry[] = rows.slice(0, MOST_IN_MENU).map((row) => ({
+    const others: MenuEntry[] = rows.slice(0, MAX_IN_MENU).map((row) => ({
       kind: 'item',
       label: row.name,
       enabled: true,

@@ -35,16 +35,16 @@ export interface DopeRow {
   readonly label: string;
   /** 1 for rows of an expanded group. */
   readonly depth: 0 | 1;
-  /** Of the clip, ascending, including those without keys. */
+  /** Channels of the clip, ascending, including those without keys. */
   readonly channels: readonly number[];
   /** Its key in `TimelineView.unfolded`; absent if it can't be expanded. */
   readonly fold?: number;
   readonly expanded: boolean;
   /** The joint that a click on the name selects. */
   readonly joint?: number;
-  /** Of a single channel. */
+  /** Unit of a single channel. */
   readonly unit?: DofUnit;
-  /** Of a single channel: the axis that colours it. */
+  /** Axis that colours a single channel. */
   readonly axis?: AxisLetter;
   /** The DOF that a single linked channel follows, or the first one if all channels of a row are linked. */
   readonly follows?: string;

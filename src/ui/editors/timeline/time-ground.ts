@@ -81,7 +81,7 @@ export function drawTimeGrid(
   }
 }
 
-/** The ruler's playhead goes on as a line over the whole plot. */
+/** The ruler's playhead continues as a line over the whole plot. */
 export function drawPlayhead(
   g: CanvasRenderingContext2D,
   view: TimeView,

@@ -20,7 +20,7 @@ export function startPlayer(
     if (signal.aborted || !wb.transport.get().playing) return;
     const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (nowMs - before) / 1000);
     before = nowMs;
-    // If it throws, playback goes on.
+    // If it throws, playback continues.
     queue();
     wb.transport.update((p) => advance(p, elapsed));
   }, 'advance');

@@ -6,12 +6,12 @@ import { bytes, plural, shown } from '../../widgets/numbers/number-text.ts';
 export function takesText({ takes }: GlbReport): string {
   if (takes.length === 0) return 'No take, only the pose.';
   const lines = takes
-    .slice(0, MOST_NAMED)
+    .slice(0, MAX_NAMED)
     .map(
       ({ name, keys, channels, seconds }) =>
         `${name}: ${plural(keys, 'key')} in ${plural(channels, 'channel')}, ${shown(seconds)} s`,
     );
-  const rest = takes.slice(MOST_NAMED);
+  const rest = takes.slice(MAX_NAMED);
   if (rest.length) {
     const keys = rest.reduce((sum, take) => sum + take.keys, 0);
     lines.push(`${plural(rest.length, 'further take')}: ${plural(keys, 'key')}`);
@@ -19,7 +19,7 @@ export function takesText({ takes }: GlbReport): string {
   return lines.join('\n');
 }
 
-const MOST_NAMED = 4;
+const MAX_NAMED = 4;
 
 /** `315 kB: 29 joints, 2,019 vertices, 3 morphs. No point is off by more than 0.001.` */
 export function fileText(report: GlbReport, isExactAtFrames: boolean): string {

@@ -62,7 +62,7 @@ export function shortcutsPage(wb: Parts): DialogContent {
     search = { text: '' };
     show();
     shown.scrollTop = 0;
-    // All were made anew.
+    // All were made again.
     list.querySelectorAll<HTMLElement>('[role=tab]')[chosen]?.focus();
   };
   list.addEventListener('keydown', (event) => {

@@ -15,7 +15,7 @@ export type Units = Readonly<Record<string, number>>;
 const NUMBER = /^(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?/i;
 const WORD = /^(?:[°π]|[a-z]+)/i;
 const PI: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI };
-/** Maximum length: a paste of a million parentheses is no number. */
+/** Maximum length: a paste of a million parentheses is not a number. */
 const LONGEST = 200;
 
 /** The value of the text; undefined if it doesn't follow the grammar or isn't finite. */

@@ -34,7 +34,7 @@ export function secondsPerPixel({ window, width }: TimeStrip): number {
 /** Pixels on both sides of a fitted range: room for the labels of values, and for the names of curves. */
 export const GUTTER = 48;
 /** Of a narrow strip, at most this part. */
-const MOST_GUTTER = 0.2;
+const MAX_GUTTER = 0.2;
 const SHORTEST_SECONDS = 1e-3;
 const LONGEST_SECONDS = 1e6;
 /** Beyond, the length of a window may not be finite. */
@@ -57,7 +57,7 @@ export function fitWindow(range: readonly [number, number], width: number): Time
   const to = Math.min(FARTHEST, range[1]);
   const least = shortestAt(Math.max(Math.abs(from), Math.abs(to)));
   if (!(to > from && to - from >= least)) return { from: from - Math.max(0.1, least), to: to + Math.max(1, least) };
-  const part = Math.min(MOST_GUTTER, GUTTER / Math.max(1, width));
+  const part = Math.min(MAX_GUTTER, GUTTER / Math.max(1, width));
   const margin = ((to - from) * part) / (1 - 2 * part);
   return { from: from - margin, to: to + margin };
 }
@@ -84,7 +84,7 @@ export function pinchWindow(
   from: readonly [number, number],
   to: readonly [number, number],
 ): TimeWindow {
-  const apart = ([a, b]: readonly [number, number]) => Math.max(LEAST_APART, Math.abs(b - a));
+  const apart = ([a, b]: readonly [number, number]) => Math.max(MIN_APART, Math.abs(b - a));
   const middle = ([a, b]: readonly [number, number]) => (a + b) / 2 / width;
   const about = window.from + middle(from) * (window.to - window.from);
   const zoomed = zoomWindow(window, about, apart(from) / apart(to));
@@ -92,7 +92,7 @@ export function pinchWindow(
 }
 
 /** Fingers above each other zoom no further; pixels. */
-const LEAST_APART = 24;
+const MIN_APART = 24;
 
 export function panWindow(window: TimeWindow, seconds: number): TimeWindow {
   return { from: window.from + seconds, to: window.to + seconds };

@@ -12,7 +12,7 @@ export interface TheirChannel {
   readonly ours: Float64Array;
   /** 1 if a value is off by more than the tolerance, or no number. */
   readonly wrong: Uint8Array;
-  /** The largest difference; infinite if a value is no number. */
+  /** The largest difference; infinite if a value is not a number. */
   readonly largest: number;
   /** Time of the first wrong value; undefined if all agree. */
   readonly firstWrong: number | undefined;

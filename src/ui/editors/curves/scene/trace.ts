@@ -31,7 +31,7 @@ const BESIDE_PIXELS = 8;
 /** A period of up to this many plot widths is drawn as a whole, so that its dots don't move. */
 const WHOLE_PERIOD_PLOTS = 4;
 /** Safety limit: more in view are drawn as columns. */
-const MOST_PERIODS = 10_000;
+const MAX_PERIODS = 10_000;
 
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');
 const CYCLE = EXTRAPOLATIONS.indexOf('cycle');
@@ -201,7 +201,7 @@ function outside(
   const whole = pixels < WHOLE_PERIOD_PLOTS * map.width;
   tracer.open(curves, map, out.dotted);
   // Beyond whole numbers that can be counted, nothing of a period is seen.
-  const count = Number.isSafeInteger(begin) ? Math.min(MOST_PERIODS, end - begin + 1) : 0;
+  const count = Number.isSafeInteger(begin) ? Math.min(MAX_PERIODS, end - begin + 1) : 0;
   for (let i = 0; i < count; i++) {
     const period = begin + i;
     const origin = start + period * length;
@@ -209,7 +209,7 @@ function outside(
     const until = whole ? length : Math.max(since, Math.min(length, to - origin));
     if (!(until > since)) continue;
     const mirrored = code === BOUNCE && period % 2 !== 0;
-    // Each repetition starts its dots anew. A jump to the next is a vertical line in the first of them.
+    // Each repetition starts its dots again. A jump to the next is a vertical line in the first of them.
     const x = (origin + since - map.left) * map.perSecond;
     if (mirrored) tracer.keys(first, last, stop - since, Math.max(start, stop - until), x, 0, false);
     else tracer.keys(first, last, start + since, Math.min(stop, start + until), x, drift * period, false);

@@ -4,7 +4,7 @@ import type { ChannelKeys } from '../../../../model/session.ts';
 import type { CurveHit } from '../scene/scene.ts';
 
 export interface WhySubject {
-  /** Of the shown clip. */
+  /** Channel of the shown clip. */
   readonly channel: number;
   /** Seconds of the clip. */
   readonly time: number;
