@@ -57,7 +57,11 @@ interface Rule {
 const RULES: readonly Rule[] = [
   { not: /\b(is|are|was|were|been) (told|said|asked)\b/, say: 'Marrow tells, names, asks' },
   { not: /\bat hand\b/, say: 'available' },
-  { not: /\bstands?\b/, say: 'is, applies, has', but: [[/feet that stand|foot that stands|stands? on a floor/, 'feet and characters do']] },
+  {
+    not: /\bstands?\b/,
+    say: 'is, applies, has',
+    but: [[/feet that stand|foot that stands|stands? on a floor/, 'feet and characters do']],
+  },
   { not: /\bwhere (there (is|are)|none|any)\b/, say: 'if there is, or, if none' },
   {
     not: /(?<!\bthere )\b(is|are) no (?!longer|more\b)[a-z]|\b(is|are) none\b/i,

@@ -243,7 +243,10 @@ describe('where nothing can be kept', () => {
       withSmallPage(
         async ({ page }) => {
           await openArm(page);
-          await page.locator('.message-line').getByText('keep a backup of your work').waitFor();
+          await page
+            .locator('.message-line')
+            .getByText(/your work is not protected|keep a backup of your work/)
+            .waitFor();
           await page.getByRole('button', { name: 'Dismiss' }).click();
           for (const value of [0.5, 0.6]) {
             await page.evaluate(() => {
