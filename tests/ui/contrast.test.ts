@@ -25,8 +25,22 @@ function contrast(a: string, b: string): number {
   return (high + 0.05) / (low + 0.05);
 }
 
-const TEXTS = ['text', 'text-faint', 'accent', 'selected', 'axis-x', 'axis-y', 'axis-z', 'error', 'warning', 'info'];
-const GROUNDS = ['ground', 'surface', 'raised', 'field'];
+const TEXTS = [
+  'text',
+  'text-faint',
+  'accent',
+  'selected',
+  'axis-x',
+  'axis-y',
+  'axis-z',
+  'move-x',
+  'move-y',
+  'move-z',
+  'error',
+  'warning',
+  'info',
+];
+const GROUNDS = ['ground', 'surface', 'raised', 'field', 'plot'];
 const PAIRS: readonly (readonly [string, string])[] = [
   ...TEXTS.flatMap((text) => GROUNDS.map((ground) => [text, ground] as const)),
   ['text', 'hover'],
@@ -37,6 +51,7 @@ const PAIRS: readonly (readonly [string, string])[] = [
   ['text', 'range'],
   ['text-faint', 'range'],
   ['key', 'range'],
+  ...['axis', 'move'].flatMap((kind) => ['x', 'y', 'z'].map((axis) => [`${kind}-${axis}`, 'outside'] as const)),
 ];
 
 describe.each(['dark', 'light'] as const)('the %s theme', (theme) => {

@@ -187,7 +187,10 @@ export class ChannelList {
     const theirs = this.source.theirs(channel);
     setText(row.theirs, theirs ? (theirs.firstWrong === undefined ? '=' : '≠') : '');
     row.theirs.classList.toggle('wrong', theirs?.firstWrong !== undefined);
-    row.swatch.style.background = line && keyed ? cssColour(line.colour) : '';
+    row.swatch.style.color = line ? cssColour(line.colour) : '';
+    row.swatch.style.visibility = line && keyed ? '' : 'hidden';
+    row.swatch.classList.toggle('ring', line?.unit === 'angle');
+    row.swatch.classList.toggle('bar', line?.unit !== 'angle');
     row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
     describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
     const { keyCount, sampleCount } = listed;
@@ -321,7 +324,7 @@ export class ChannelList {
 }
 
 function makeRow(): Row {
-  const swatch = element('span', { class: 'channel-swatch' });
+  const swatch = element('span', { class: 'swatch' });
   const joint = middleCut('channel-joint');
   const dof = element('span', { class: 'channel-dof' });
   // The cell's label says it too.
@@ -365,7 +368,7 @@ export function selectedLabel(character: Character | undefined, selection: Selec
     return LIST_LABELS.selected;
   }
   if (!selectedChannels(character, selection)) return 'All (no joint)';
-  return character.morphs.length ? 'Root and morphs' : 'Root';
+  return 'Root';
 }
 
 function lowerFirst(text: string): string {

@@ -9,7 +9,13 @@ import type { ChannelClip } from '../../../model/takes/clip.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { drawnChannels, type ListedChannel, listedChannels, selectedChannels } from '../timeline/channels.ts';
+import {
+  drawnChannels,
+  isOfRootOnly,
+  type ListedChannel,
+  listedChannels,
+  selectedChannels,
+} from '../timeline/channels.ts';
 import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
@@ -20,6 +26,7 @@ const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
 /** With more lines, those of the selection are in front of the others. */
 const MAX_LINES_ALIKE = 12;
 const NO_LINES: readonly CurveLine[] = [];
+const NONE: ReadonlySet<number> = new Set();
 
 export class PlotScene {
   /** Value ranges; the time window is the timeline's. */
@@ -105,12 +112,17 @@ export class PlotScene {
     return result && theirChannels(result);
   }
 
-  /** In a thicket of all channels the selected joint's are in front. */
+  /** In a thicket of all channels the selected joint's are in front. Those of a root that nobody has selected are faint. */
   private updateEmphasis(character: Character | undefined, { list, isolated }: TimelineView): void {
+    const { selection } = this.wb.store;
+    if (list === 'selected' && !isolated && character && isOfRootOnly(character, selection)) {
+      this.emphasised = NONE;
+      return;
+    }
     const isThicket = list === 'all' && !isolated && this.lines.length > MAX_LINES_ALIKE;
     const front = isThicket && character ? selectedChannels(character, this.wb.store.selection) : undefined;
     const drawn = front?.filter((channel) => this.lines.some((line) => line.channel === channel)) ?? NO_CHANNELS;
-    if (sameNumbers(drawn, [...(this.emphasised ?? NO_CHANNELS)])) return;
+    if (this.emphasised !== NONE && sameNumbers(drawn, [...(this.emphasised ?? NO_CHANNELS)])) return;
     this.emphasised = drawn.length ? new Set(drawn) : undefined;
   }
 

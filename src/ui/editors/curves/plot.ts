@@ -23,6 +23,8 @@ import type { CurveScene } from './scene/scene.ts';
 import { type CurveSpace, pan, yOf, zoom } from './scene/space.ts';
 import type { WhyPlace } from './why/why-subject.ts';
 
+const SELECT_A_JOINT = 'Select a joint to edit its curves';
+
 export class CurvePlot implements PlotHost {
   readonly element: HTMLElement;
   private readonly picture: CurvePicture;
@@ -215,8 +217,10 @@ export class CurvePlot implements PlotHost {
     // Escape has cancelled the drag, though the button is still down.
     if (this.input.cancelled) this.say('');
     const isEmpty = !scene.lines.length;
-    this.empty.hidden = !isEmpty;
+    const isOnlyRoot = scene.emphasised?.size === 0;
+    this.empty.hidden = !isEmpty && !isOnlyRoot;
     if (isEmpty) setText(this.empty, emptyPlotText(wb, plotScene.channels.length));
+    else if (isOnlyRoot) setText(this.empty, SELECT_A_JOINT);
     if (!this.picture.draw(scene)) this.drawSoon();
     this.picture.drawOverlay(wb.transport.get().timeSeconds, hover, this.box);
     this.legend.show(scene);

@@ -98,7 +98,7 @@ export class DopeNames {
 
   private fill(view: NameRow, row: DopeRow): void {
     const { element: made, name } = view;
-    const { axis, follows } = row;
+    const { axis, unit, follows } = row;
     made.className = `dope-row dope-row-${row.kind}${follows === undefined ? '' : ' follows'}`;
     setAttribute(made, 'aria-level', String(row.depth + 1));
     setAttribute(made, 'aria-expanded', row.fold === undefined ? undefined : String(row.expanded));
@@ -111,7 +111,7 @@ export class DopeNames {
     cut.show(text);
     label.append(cut.element);
     if (follows !== undefined) label.append(element('span', { class: 'dope-follows' }, ` ← ${follows}`));
-    name.replaceChildren(twisty, ...(axis ? [dot(axis)] : []), label);
+    name.replaceChildren(twisty, ...(axis ? [dot(axis, unit === 'length')] : []), label);
     this.mark(view, row);
   }
 
@@ -231,6 +231,10 @@ export function rowName(row: DopeRow): string {
   return row.label || (row.joint === undefined ? 'unnamed' : jointName(undefined, row.joint));
 }
 
-function dot(axis: string): HTMLElement {
-  return element('span', { class: `dope-axis axis-${axis}`, 'aria-hidden': 'true' });
+/** A ring turns, a bar moves. */
+function dot(axis: string, moves: boolean): HTMLElement {
+  return element('span', {
+    class: `swatch ${moves ? `bar move-${axis}` : `ring axis-${axis}`}`,
+    'aria-hidden': 'true',
+  });
 }

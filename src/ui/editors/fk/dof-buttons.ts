@@ -3,9 +3,9 @@
  * follow.
  */
 import { coupleOf } from '../../../model/skeleton/couples.ts';
-import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { dofClass } from '../../state/joints/dof-class.ts';
 import { limitValueText } from '../../state/joints/dof-text.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -38,7 +38,7 @@ export function dofButtons(wb: Uses<'store' | 'posing' | 'settings' | 'messages'
       }
       if (isLockedDof(selected, dof) && byHand.includes(dof)) return [lockedButton(wb, selected, dof)];
       return byHand.includes(dof)
-        ? [dofButton(wb, dof, all[dof].name, axisOfDof(character.skeleton, all[dof]), dof === active)]
+        ? [dofButton(wb, dof, all[dof].name, dofClass(character.skeleton, all[dof]), dof === active)]
         : [];
     });
     if (!own.length) parts.push(element('span', { class: 'dof-note' }, 'fixed: no DOF'));
@@ -86,7 +86,7 @@ function lockedButton(
     'button',
     {
       type: 'button',
-      class: `tool dof-button is-locked axis-${axisOfDof(skeleton, one) ?? 'other'}`,
+      class: `tool dof-button is-locked ${dofClass(skeleton, one)}`,
       role: 'radio',
       'aria-checked': 'false',
       'aria-disabled': 'true',
@@ -103,14 +103,14 @@ function dofButton(
   wb: Uses<'store' | 'posing'>,
   dof: number,
   name: string,
-  axis: AxisLetter | undefined,
+  colour: string,
   isActive: boolean,
 ): HTMLElement {
   const made = element(
     'button',
     {
       type: 'button',
-      class: `tool dof-button axis-${axis ?? 'other'}`,
+      class: `tool dof-button ${colour}`,
       role: 'radio',
       'aria-checked': String(isActive),
       tooltip: `${name}: drag the bone up or down to change it`,

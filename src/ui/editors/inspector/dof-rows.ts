@@ -4,13 +4,13 @@ import { sameChange } from '../../../edit/pose/same-change.ts';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { coupleOf, type DofCouple } from '../../../model/skeleton/couples.ts';
-import { axisOfDof } from '../../../model/skeleton/dof-axis.ts';
 import type { CharacterDof, DofValue } from '../../../model/skeleton/dofs.ts';
 import { reachOf } from '../../../model/skeleton/reach.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton/skeleton.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/joints/angles.ts';
+import { dofClass } from '../../state/joints/dof-class.ts';
 import { lengthUnit } from '../../state/joints/length-unit.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
@@ -265,9 +265,7 @@ function shortName({ name, unit }: CharacterDof, character: Character): string {
   return name;
 }
 
-/** Red, green or blue by the DOF's axis, the accent for other axes; weights have none. */
+/** A colour by the DOF's axis, the accent for other axes; weights have none. */
 function axisClass(dof: CharacterDof, { skeleton }: Character): string {
-  const axis = axisOfDof(skeleton, dof);
-  if (axis) return `axis-${axis}`;
-  return dof.unit === 'weight' ? 'plain-name' : 'axis-other';
+  return dof.unit === 'weight' ? 'plain-name' : dofClass(skeleton, dof);
 }

@@ -73,19 +73,22 @@ export function listedChannels(character: Character, selection: Selection, setti
 }
 
 /**
- * The channels of the selected joints. Without one, those of the root and the morphs: where the character goes and what
- * its face does, without the thicket of all its joints. Undefined if no joint is selected and none of those is animated.
+ * The channels of the selected joints. Without one, those of the root: where the character goes, without the thicket of
+ * all its joints. Undefined if no joint is selected and none of those is animated.
  */
 export function selectedChannels(character: Character, selection: Selection): readonly number[] | undefined {
   const joints = selection.characterId === character.id ? jointsIn(selection) : [];
   if (joints.length > 0) return [...joints].sort((a, b) => a - b).flatMap((joint) => jointChannels(character, joint));
   const channels = jointChannels(character, 0);
-  dofsFor(character).forEach((dof, channel) => {
-    if (dof.joint < 0) channels.push(channel);
-  });
   const clip = shownClip(character);
   const silent = silentChannels(character);
   return channels.some((c) => c >= silent && clip && spanOfChannel(clip, c)) ? channels : undefined;
+}
+
+/** Whether the listed channels are the root's because no joint is selected. */
+export function isOfRootOnly(character: Character, selection: Selection): boolean {
+  const hasJoint = selection.characterId === character.id && jointsIn(selection).length > 0;
+  return !hasJoint && selectedChannels(character, selection) !== undefined;
 }
 
 function jointChannels(character: Character, joint: number): number[] {

@@ -31,14 +31,14 @@ describe('listed channels', () => {
     expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 0 }, list))).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
-  it('listed channels are the root’s and the morphs’ where no joint of this character is selected', () => {
+  it('listed channels are the root’s where no joint of this character is selected', () => {
     const list = { ...all, list: 'selected' } as const;
-    expect(numbers(listedChannels(walker, {}, list))).toEqual([0, 1, 2, 3, 4, 5, 9]);
+    expect(numbers(listedChannels(walker, {}, list))).toEqual([0, 1, 2, 3, 4, 5]);
     const other = { characterId: 'other', joint: 1 };
-    expect(numbers(listedChannels(walker, other, list))).toEqual([0, 1, 2, 3, 4, 5, 9]);
+    expect(numbers(listedChannels(walker, other, list))).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
-  it('listed channels are all where no joint is selected and neither root nor morphs move', () => {
+  it('listed channels are all where no joint is selected and the root doesn’t move', () => {
     const list = { ...all, list: 'selected' } as const;
     const channels = Array.from({ length: 9 }, (_, i) => (i === 7 ? keyed() : restChannel()));
     expect(listedChannels({ ...walker, clips: [clip([0, 1], ...channels)] }, {}, list)).toHaveLength(10);

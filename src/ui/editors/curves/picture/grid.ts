@@ -1,36 +1,28 @@
 /** Below the curves: range, grid, limits; above them: labels of the value axes. */
+
+import { GUTTER } from '../../../widgets/time/time-window.ts';
 import { drawOutsideRange, drawTimeGrid, type TimeView } from '../../timeline/time-ground.ts';
 import type { CurveLine, CurveScene } from '../scene/scene.ts';
-import { type AxisName, VALUE_AXES, yOf } from '../scene/space.ts';
+import { type AxisName, yOf } from '../scene/space.ts';
 import { isInDegrees, type ValueTick, valueTicks } from '../scene/ticks.ts';
 import type { PictureColours } from './picture-colours.ts';
 
 const LABEL_SPACING = 34;
-/** Width of the labels of a second axis on the right. */
-const LABEL_WIDTH = 46;
-/** Below the name of the axis, so that they are two lines. */
-const BELOW_UNIT = 26;
 const HATCH_PIXELS = 7;
 /** Translucent, since curves are drawn over it. */
 const HATCH_OPACITY = 0.6;
-
-const UNITS: Readonly<Record<AxisName, string>> = {
-  angle: 'angle',
-  length: 'length',
-  factor: 'factor',
-  weight: 'weight',
-  normalised: 'normalised',
-};
 
 export function timeView(scene: CurveScene): TimeView {
   const { space, range, framesPerSecond, inFrames } = scene;
   return { window: space.window, width: space.width, range, framesPerSecond, inFrames };
 }
 
-/** The axes of the lines: the first is labelled on the left and has the grid. */
-function shownAxes(lines: readonly CurveLine[]): AxisName[] {
-  const shown = VALUE_AXES.filter((axis) => lines.some((line) => line.axis === axis));
-  return shown.length ? shown : ['angle'];
+/** The axis that has labels and grid: of the first selected curve, else of the first; and the other of length and angle. */
+function shownAxes({ lines, selected }: CurveScene): readonly AxisName[] {
+  const line = lines.find(({ channel }) => selected.some((keys) => keys.channel === channel)) ?? lines[0];
+  const first = line?.axis ?? 'angle';
+  const other = first === 'angle' ? 'length' : first === 'length' ? 'angle' : undefined;
+  return other && lines.some(({ axis }) => axis === other) ? [first, other] : [first];
 }
 
 export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
@@ -40,7 +32,7 @@ export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, 
   g.fillRect(0, 0, width, height);
   drawOutsideRange(g, view, 0, height, colours.time);
   drawTimeGrid(g, view, 0, height, colours.time);
-  const [axis] = shownAxes(scene.lines);
+  const [axis] = shownAxes(scene);
   const ticks = axisTicks(scene, axis);
   for (const labelled of [false, true]) {
     for (const tick of ticks) {
@@ -51,31 +43,28 @@ export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, 
   }
 }
 
-/** Labels of every axis shown, outlined in the plot's colour so that they are readable over curves. */
+/**
+ * Labels of the axis of the first selected curve in the left gutter; of lengths and angles, the other's in the right one.
+ * Outlined in the plot's colour so that they are readable over curves.
+ */
 export function drawValueLabels(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
   const { width, height } = scene.space;
-  const axes = shownAxes(scene.lines);
   g.font = colours.time.font;
+  g.textAlign = 'right';
   g.textBaseline = 'middle';
   g.lineJoin = 'round';
   g.lineWidth = 3;
   g.strokeStyle = colours.plot;
   g.fillStyle = colours.label;
-  axes.forEach((axis, i) => {
-    g.textAlign = i === 0 ? 'left' : 'right';
-    const x = i === 0 ? 6 : width - 6 - LABEL_WIDTH * (axes.length - 1 - i);
-    const write = (text: string, y: number) => {
-      g.strokeText(text, x, y);
-      g.fillText(text, x, y);
-    };
+  shownAxes(scene).forEach((axis, i) => {
+    const x = i === 0 ? GUTTER - 8 : width - GUTTER;
     for (const { label, value } of axisTicks(scene, axis)) {
       if (label === undefined) continue;
-      const y = Math.round(yOf(scene.space, { axis }, value)) - (i === 0 ? 7 : 0);
-      if (y < (axes.length > 1 ? BELOW_UNIT : 8) || y > height - 6) continue;
-      write(label, y);
-      if (i > 0) g.fillRect(x + 3, Math.round(yOf(scene.space, { axis }, value)), 3, 1);
+      const y = Math.round(yOf(scene.space, { axis }, value));
+      if (y < 7 || y > height - 7) continue;
+      g.strokeText(label, x, y);
+      g.fillText(label, x, y);
     }
-    if (axes.length > 1) write(UNITS[axis], 10);
   });
 }
 

@@ -19,6 +19,7 @@ import { handleOf } from '../scene/handles.ts';
 import { type CurveHit, type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
 import { yOf } from '../scene/space.ts';
 import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
+import { drawNames } from './names.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer, LINE_WIDTH } from './picture-curves.ts';
 import { drawKeys, drawKeysOf, KEY_PIXELS } from './picture-keys.ts';
@@ -101,6 +102,7 @@ export class CurvePicture {
       this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette, ground: colours.plot });
       drawTheirs(g, scene, colours);
       drawValueLabels(g, scene, colours);
+      drawNames(g, scene, colours);
     });
   }
 

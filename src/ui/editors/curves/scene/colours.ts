@@ -1,6 +1,6 @@
 /**
- * Colours of the curves. Channels with an axis (`model/dof-axis.ts`) are red, green or blue; others (morph weights)
- * have mixtures of these and the accent. Several joints at once are distinguished by mixing in some of the text's
+ * Colours of the curves. Channels with an axis (`model/dof-axis.ts`) have its colour, one for turning and another for
+ * moving along it; others (morph weights) have mixtures of these and the accent. Several joints at once are distinguished by mixing in some of the text's
  * colour, and further ones by dashes: mixing towards the text never reduces contrast, and unlike turning the hue it
  * never comes near the orange of the selection. Only linked DOFs are fainter, as their keys have no effect.
  *
@@ -17,6 +17,9 @@ export const BASE_COLOURS = {
   x: '--axis-x',
   y: '--axis-y',
   z: '--axis-z',
+  moveX: '--move-x',
+  moveY: '--move-y',
+  moveZ: '--move-z',
   accent: '--accent',
   text: '--text',
   faint: '--text-faint',
@@ -45,10 +48,12 @@ const MORPHS: readonly (readonly [BaseColour, BaseColour, number])[] = [
   ['y', 'x', 0.4],
 ];
 
+const MOVES: Readonly<Record<AxisLetter, BaseColour>> = { x: 'moveX', y: 'moveY', z: 'moveZ' };
+
 /** @param ordinal index of the joint among those shown together */
-export function axisColour(axis: AxisLetter, ordinal: number): LineColour {
+export function axisColour(axis: AxisLetter, ordinal: number, moves = false): LineColour {
   return {
-    base: axis,
+    base: moves ? MOVES[axis] : axis,
     with: 'text',
     part: TINTS[ordinal % TINTS.length],
     dash: Math.floor(ordinal / TINTS.length) % 2 ? DASHED : UNBROKEN,
@@ -79,7 +84,7 @@ export function mixed(colour: LineColour, palette: Readonly<Record<BaseColour, s
 }
 
 /** How much of the background is in a faint line. */
-const FAINTNESS = 0.72;
+const FAINTNESS = 0.6;
 
 /** The colour of a faint line, nearly that of the plot behind it. @param ground `#rrggbb` */
 export function faintly(colour: LineColour, palette: Readonly<Record<BaseColour, string>>, ground: string): string {

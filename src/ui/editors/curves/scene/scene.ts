@@ -95,7 +95,7 @@ export function sceneLines(
     const group = dof ? `${dof.joint}` : '';
     if (axis && !ordinals.has(group)) ordinals.set(group, ordinals.size);
     const unit = unitOfChannel(dofs, channel);
-    const colour = axis ? axisColour(axis, ordinals.get(group) ?? 0) : otherColour(others++);
+    const colour = axis ? axisColour(axis, ordinals.get(group) ?? 0, unit === 'length') : otherColour(others++);
     lines.push({
       channel,
       name: lineName(character, channel, dof),

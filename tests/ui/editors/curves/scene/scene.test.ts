@@ -98,6 +98,9 @@ describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
     x: of('x'),
     y: of('y'),
     z: of('z'),
+    moveX: of('moveX'),
+    moveY: of('moveY'),
+    moveZ: of('moveZ'),
     accent: of('accent'),
     text: of('text'),
     faint: token(theme, BASE_COLOURS.faint),
@@ -115,10 +118,13 @@ describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
       axisColour('x', i),
       axisColour('y', i),
       axisColour('z', i),
+      axisColour('x', i, true),
+      axisColour('y', i, true),
+      axisColour('z', i, true),
       otherColour(i),
     ]);
     for (const colour of all.flat()) {
-      for (const ground of ['--surface', '--ground']) {
+      for (const ground of ['--plot', '--outside']) {
         const [low, high] = [luminance(mixed(colour, palette)), luminance(token(theme, ground))].sort((a, b) => a - b);
         expect((high + 0.05) / (low + 0.05)).toBeGreaterThanOrEqual(3);
       }
@@ -127,9 +133,9 @@ describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
 
   it('no two lines shown together look alike', () => {
     const looks = Array.from({ length: 6 }, (_, i) =>
-      [axisColour('x', i), axisColour('y', i), axisColour('z', i)].map(
-        (c) => `${mixed(c, palette)} ${c.dash.length > 0}`,
-      ),
+      [false, true]
+        .flatMap((moves) => (['x', 'y', 'z'] as const).map((axis) => axisColour(axis, i, moves)))
+        .map((c) => `${mixed(c, palette)} ${c.dash.length > 0}`),
     ).flat();
     expect(new Set(looks).size).toBe(looks.length);
   });

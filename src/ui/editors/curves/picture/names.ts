@@ -1,0 +1,62 @@
+/** Names of the curves at their right ends, moved apart where those are close. */
+import { evaluateChannel } from '../../../../evaluate/curves.ts';
+import { GUTTER, timeAt } from '../../../widgets/time/time-window.ts';
+import { mixed } from '../scene/colours.ts';
+import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
+import { yOf } from '../scene/space.ts';
+import type { PictureColours } from './picture-colours.ts';
+
+const APART = 15;
+/** Beyond, names are in the list only: there is no room. */
+const MOST_NAMES = 12;
+
+/**
+ * Heights at least `APART` from each other and within the plot, in the given order of ascending wishes; those of too
+ * many names overlap at the top.
+ *
+ * @param wishes ascending; CSS pixels
+ */
+export function movedApart(wishes: readonly number[], height: number): number[] {
+  const margin = APART / 2;
+  const places: number[] = [];
+  for (const wish of wishes) places.push(Math.max(wish, margin, (places.at(-1) ?? -APART) + APART));
+  let most = height - margin;
+  for (let i = places.length - 1; i >= 0; i--) {
+    places[i] = Math.max(margin, Math.min(places[i], most));
+    most = places[i] - APART;
+  }
+  return places;
+}
+
+/** `rx` where one joint is shown, else with its joint. */
+function shortName({ name }: CurveLine, isAlone: boolean): string {
+  return isAlone && !name.startsWith('channel ') ? name.slice(name.lastIndexOf(' ') + 1) : name;
+}
+
+export function drawNames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+  const { space, offsetSeconds, curves } = scene;
+  const lines = scene.lines.filter((line) => !isFaint(scene, line));
+  if (lines.length === 0 || lines.length > MOST_NAMES) return;
+  const joints = new Set(lines.map(({ name }) => name.slice(0, name.lastIndexOf(' '))));
+  const time = timeAt(space, space.width - GUTTER / 2) + offsetSeconds;
+  const ends = lines
+    .map((line) => ({ line, y: yOf(space, line, evaluateChannel(curves, line.channel, time)) }))
+    .filter(({ y }) => Number.isFinite(y))
+    .sort((a, b) => a.y - b.y);
+  const places = movedApart(
+    ends.map(({ y }) => y),
+    space.height,
+  );
+  g.font = `600 ${colours.time.font}`;
+  g.textAlign = 'right';
+  g.textBaseline = 'middle';
+  g.lineJoin = 'round';
+  g.lineWidth = 3;
+  g.strokeStyle = colours.plot;
+  ends.forEach(({ line }, i) => {
+    const text = shortName(line, joints.size === 1);
+    g.strokeText(text, space.width - 6, places[i]);
+    g.fillStyle = mixed(line.colour, colours.palette);
+    g.fillText(text, space.width - 6, places[i]);
+  });
+}

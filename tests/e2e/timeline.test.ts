@@ -1,0 +1,202 @@
+/** One ruler for all plots, what is seen below it, and the share of the page that the viewport keeps. */
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { GUTTER } from '../../src/ui/widgets/time/time-window.ts';
+import { withPage } from '../helpers/page.ts';
+
+const run = (page: Page, id: string) => page.evaluate((command) => window.marrow.run(command), id);
+const time = (page: Page) =>
+  page.evaluate(() => Number(document.querySelector('.scrubber')?.getAttribute('aria-valuenow')));
+/** Names of the tabs that are seen. */
+const seen = (page: Page) => page.locator('.timeline-tab[aria-selected=true]').allTextContents();
+const box = async (page: Page, selector: string) => {
+  const found = await page.locator(selector).boundingBox();
+  if (!found) throw new Error(`${selector} has no place.`);
+  return found;
+};
+const share = async (page: Page) => {
+  const { width, height } = await box(page, '.stage .viewport canvas[role=application]');
+  const { width: wide, height: high } = page.viewportSize() ?? { width: 1, height: 1 };
+  return (width * height) / (wide * high);
+};
+const walks = (page: Page) => page.waitForFunction(() => window.marrow?.characters()[0]?.dofs.length === 93);
+
+describe('the viewport', () => {
+  it.each([
+    [1440, 900, 0.55],
+    [1024, 640, 0.45],
+  ])(
+    'has its share of %i × %i with a take, and nothing in the row below it is cut or overlaps',
+    (width, height, least) =>
+      withPage(
+        async ({ page }) => {
+          await walks(page);
+          await expect.poll(() => share(page)).toBeGreaterThanOrEqual(least);
+          const faults = () =>
+            page.locator('.transport-row').evaluate((row) => {
+              const all = [...row.querySelectorAll<HTMLElement>('button, input')].filter((one) =>
+                one.checkVisibility(),
+              );
+              const boxes = all.map((one) => one.getBoundingClientRect());
+              const cut = all.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent);
+              const covered = boxes.flatMap((a, i) =>
+                boxes.flatMap((b, j) =>
+                  j > i && a.left < b.right - 0.5 && b.left < a.right - 0.5 ? [all[i].textContent] : [],
+                ),
+              );
+              const beyond = boxes.filter(({ right }) => right > innerWidth).length;
+              return { cut, covered, beyond };
+            });
+          await page.evaluate(() => window.marrow.seek(119.496));
+          await expect.poll(faults).toEqual({ cut: [], covered: [], beyond: 0 });
+        },
+        { walking: true, firstVisit: true, size: { width, height } },
+      ),
+  );
+
+  it('has nothing below it without a take, until one is begun or a tab is opened', () =>
+    withPage(
+      async ({ page }) => {
+        await page.waitForFunction(() => window.marrow?.characters().length === 1);
+        await expect.poll(() => share(page)).toBeGreaterThanOrEqual(0.65);
+        await run(page, 'page.tab.steps');
+        await page.locator('.timeline').waitFor();
+        await run(page, 'page.timeline');
+        await page.locator('.timeline').waitFor({ state: 'hidden' });
+        await page.getByRole('button', { name: 'New take', exact: true }).click();
+        await page.locator('.scrubber').waitFor();
+        await page.getByRole('button', { name: 'New take', exact: true }).waitFor({ state: 'hidden' });
+      },
+      { firstVisit: true, size: { width: 1440, height: 900 } },
+    ));
+});
+
+it('the ruler, curves, dope sheet and charts have each time at the same place, and a press at its first pixel seeks 0', () =>
+  withPage(
+    async ({ page }) => {
+      await walks(page);
+      await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
+      await page.locator('.curve-plot').waitFor();
+      const ruler = await box(page, '.scrubber');
+      for (const [tab, plot] of [
+        ['curves', '.curve-plot'],
+        ['dope', '.dope-sheet'],
+        ['measure', '.measure .time-chart'],
+      ] as const) {
+        await run(page, `page.tab.${tab}`);
+        await page.locator(plot).waitFor();
+        const place = await box(page, plot);
+        expect(Math.abs(place.x - ruler.x), tab).toBeLessThanOrEqual(1);
+        expect(Math.abs(place.width - ruler.width), tab).toBeLessThanOrEqual(1);
+      }
+      await run(page, 'page.tab.curves');
+      await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeCloseTo(ruler.x + GUTTER, 0);
+      await page.evaluate(() => window.marrow.seek(2));
+      await page.mouse.click(ruler.x + GUTTER, ruler.y + 6);
+      await expect.poll(() => time(page)).toBe(0);
+
+      // One window: the wheel over a plot moves the ruler's times too.
+      await page.mouse.move(ruler.x + 600, ruler.y + ruler.height + 60);
+      await page.mouse.wheel(0, -300);
+      await expect
+        .poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x))
+        .toBeLessThan(ruler.x + GUTTER - 5);
+      await page.mouse.click(ruler.x + 600, ruler.y + 6);
+      const at = await time(page);
+      await expect
+        .poll(() => page.evaluate((t) => window.marrow.placeOf(38, t, 0)?.x ?? 0, at))
+        .toBeGreaterThan(ruler.x + 600 - 30);
+      await page.mouse.dblclick(ruler.x + 600, ruler.y + 6);
+      await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeCloseTo(ruler.x + GUTTER, 0);
+    },
+    { walking: true },
+  ));
+
+it('curve editor and dope sheet are seen together, other tabs replace both, and the last one folds; by mouse and by keys', () =>
+  withPage(
+    async ({ page }) => {
+      await walks(page);
+      await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
+      await page.locator('.curve-plot').waitFor();
+      await page.getByRole('tab', { name: 'Dope sheet' }).click();
+      await page.locator('.dope-sheet').waitFor();
+      await expect.poll(() => seen(page)).toEqual(['Curve editor', 'Dope sheet']);
+      const [dope, curves] = [await box(page, '.dope-sheet'), await box(page, '.curve-plot')];
+      expect(dope.y + dope.height).toBeLessThanOrEqual(curves.y + 1);
+      expect([dope.x, dope.width]).toEqual([curves.x, curves.width]);
+
+      // The splitter, by keys.
+      const edge = page.getByRole('separator', { name: 'Height of the dope sheet' });
+      await edge.focus();
+      await page.keyboard.press('ArrowDown');
+      await expect.poll(async () => (await box(page, '.dope-sheet')).height).toBeCloseTo(dope.height + 16, 0);
+
+      // Keys are for the one that was worked in last.
+      await page.locator('.curve-plot').focus();
+      await page.keyboard.press('Control+a');
+      await expect.poll(() => page.locator('[id^=curves-selected]').textContent()).not.toBe('');
+
+      await page.getByRole('tab', { name: 'Takes' }).click();
+      await expect.poll(() => seen(page)).toEqual(['Takes']);
+      const tab = page.getByRole('tab', { name: 'Curve editor' });
+      await tab.focus();
+      await page.keyboard.press('Enter');
+      await expect.poll(() => seen(page)).toEqual(['Curve editor']);
+      await page.keyboard.press('ArrowRight');
+      await page.keyboard.press(' ');
+      await expect.poll(() => seen(page)).toEqual(['Curve editor', 'Dope sheet']);
+      await page.keyboard.press(' ');
+      await expect.poll(() => seen(page)).toEqual(['Curve editor']);
+      await tab.click();
+      await expect.poll(() => seen(page)).toEqual([]);
+      await page.locator('.scrubber').waitFor();
+      await page.locator('.curve-plot').waitFor({ state: 'hidden' });
+    },
+    { walking: true, size: { width: 1440, height: 900 } },
+  ));
+
+it('without a selection there are the curves of the root only, and it is said how to get others', () =>
+  withPage(
+    async ({ page }) => {
+      await walks(page);
+      await run(page, 'select.nothing');
+      await page.getByText('Select a joint to edit its curves').waitFor();
+      const joints = () => page.locator('.channel-row .channel-joint').allTextContents();
+      await expect.poll(async () => [...new Set(await joints())].every((name) => name.startsWith('root'))).toBe(true);
+      await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
+      await page.getByText('Select a joint to edit its curves').waitFor({ state: 'hidden' });
+    },
+    { walking: true },
+  ));
+
+it('on a phone nothing of transport and ruler overlaps, and every number has a name or a unit', () =>
+  withPage(
+    async ({ page }) => {
+      await walks(page);
+      const faults = () =>
+        page.evaluate(() => {
+          const all = [
+            ...document.querySelectorAll<HTMLElement>('.transport :is(button, input), .time-row > *'),
+          ].filter((one) => one.checkVisibility());
+          const boxes = all.map((one) => one.getBoundingClientRect());
+          const covered = boxes.flatMap((a, i) =>
+            boxes.flatMap((b, j) => {
+              const isOver = a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+              return j > i && isOver ? [`${all[i].ariaLabel} ${all[j].ariaLabel}`] : [];
+            }),
+          );
+          const small = boxes.filter(({ width, height }) => width < 44 || height < 44).length;
+          const unnamed = [...document.querySelectorAll<HTMLElement>('.times .field')].filter(
+            (one) => !/[a-z]/i.test(one.innerText),
+          );
+          return {
+            covered,
+            beyond: boxes.filter(({ right }) => right > innerWidth).length,
+            small,
+            unnamed: unnamed.length,
+          };
+        });
+      await expect.poll(faults).toEqual({ covered: [], beyond: 0, small: 0, unnamed: 0 });
+    },
+    { walking: true, firstVisit: true, touch: true, size: { width: 390, height: 780 } },
+  ));
