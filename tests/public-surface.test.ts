@@ -55,10 +55,14 @@ function exportsIn(text: string, file: string): Exported[] {
   return found.filter(({ name }, i) => found.findIndex((one) => one.name === name) === i);
 }
 
+/** A tag alone doesn't say what a function gives, and nothing is above a comment on the page of an API. */
+const WITHOUT_SUBJECT = /^\/\*\*[\s*]*(?:@|(?:Of|What|The same) )/;
+
 function isDocumented(text: string, start: number): boolean {
   const above = text.lastIndexOf('\n', start);
   if (above < 0 || text.slice(above, start).trim() || !text.endsWith('*/', above)) return false;
-  return text.startsWith('/**', text.lastIndexOf('/*', above));
+  const comment = text.slice(text.lastIndexOf('/*', above), above);
+  return comment.startsWith('/**') && !WITHOUT_SUBJECT.test(comment);
 }
 
 /** Undocumented exports as `file:line name`. */

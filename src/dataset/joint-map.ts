@@ -13,7 +13,10 @@ import type { JointPair } from '../model/takes/retarget.ts';
 /** Names of joints: the target's, and the source's that it follows. */
 export type JointMap = readonly (readonly [target: string, source: string])[];
 
-/** @throws CommandError, in a sentence, naming the line */
+/**
+ * Reads which joint follows which from a text.
+ * @throws CommandError, in a sentence, naming the line
+ */
 export function readJointMap(text: string, file: string): JointMap {
   const map = new Map<string, string>();
   text

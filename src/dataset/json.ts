@@ -2,7 +2,10 @@
 import { type DataArray, sizeOf } from './data-array.ts';
 import { shortest } from './table.ts';
 
-/** @param meta as the last member */
+/**
+ * Writes arrays as JSON, in pieces to be written one after the other.
+ * @param meta as the last member
+ */
 export function* jsonPieces(arrays: readonly DataArray[], meta: unknown): Generator<string> {
   yield '{\n';
   for (const array of arrays) {

@@ -23,7 +23,10 @@ const RLE = 3;
 const UNCOMPRESSED = 0;
 const DATA_PAGE = 0;
 
-/** @param metadata texts by their names */
+/**
+ * Writes a table as Parquet, in pieces to be written one after the other.
+ * @param metadata texts by their names
+ */
 export function* parquetPieces(
   columns: readonly TableColumn[],
   rowCount: number,

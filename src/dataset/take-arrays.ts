@@ -66,6 +66,7 @@ export interface FrameWatcher {
 }
 
 /**
+ * Evaluates all frames of a take, and makes its arrays.
  * @param pool of which the floats are taken: those of one take are overwritten by the next
  * @throws CommandError if they would be too large
  */

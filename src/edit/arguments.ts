@@ -2,7 +2,10 @@
 import { cutText } from '../model/names/cut-text.ts';
 import { CommandError } from './command-error.ts';
 
-/** An index from `from` up to (excluding) `to`. */
+/**
+ * An index from `from` up to (excluding) `to`.
+ * @throws CommandError for anything else, naming `what`
+ */
 export function indexIn(value: unknown, from: number, to: number, what: string): number {
   if (typeof value === 'number' && Number.isInteger(value) && value >= from && value < to) return value;
   throw new CommandError(`There is no ${what} number ${described(value)}; there are ${to}.`);

@@ -10,7 +10,10 @@ import { movedPoses } from './pose/library.ts';
 import { sameJoints } from './pose/same-joints.ts';
 import { remapIk, remapPairs, withIk } from './rig/by-joint.ts';
 
-/** @param after the character with its new skeleton, and everything else as before */
+/**
+ * Carries pose library, IK settings and retargeting over to a character's new skeleton.
+ * @param after the character with its new skeleton, and everything else as before
+ */
 export function carriedOver(before: Character, after: Character): Character {
   const { poses, ik, driver } = before;
   if (!(poses ?? ik ?? driver)) return after;

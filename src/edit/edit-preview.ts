@@ -37,7 +37,10 @@ export class EditPreview {
     this.gesture.preview(change);
   }
 
-  /** @param label of the step, if more exact than at the start */
+  /**
+   * Keeps the preview as one undo step.
+   * @param label of the step, if more exact than at the start
+   */
   keep(label?: string): void {
     this.unsubscribe();
     this.gesture.commit(label);

@@ -70,7 +70,10 @@ export class History {
     }
   }
 
-  /** @param present the result of the last step or rebase */
+  /**
+   * The state before the last step, which can then be redone; undefined if there is none.
+   * @param present the result of the last step or rebase
+   */
   undo(present: State): State | undefined {
     return across(present, this.past, this.future);
   }

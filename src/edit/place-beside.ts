@@ -57,7 +57,10 @@ export class Placing {
     this.sizes.push(Number.NaN);
   }
 
-  /** @param scale as of `placeBeside` */
+  /**
+   * The placement of another character, beside those so far.
+   * @param scale as of `placeBeside`
+   */
   place(character: Character, scale = 1): Placement {
     const { characters, leaders, rows, sizes } = this;
     const together = this.figures.find(character);

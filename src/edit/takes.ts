@@ -59,7 +59,7 @@ export function newTakeName(character: Character): string {
   return takeNameOf(character, 'anim');
 }
 
-/** The same with another suffix than `anim`: `wasp_dance`, for the take `dance` of another character. */
+/** The name of a new take, with another suffix than `anim`: `wasp_dance`, for the take `dance` of another character. */
 export function takeNameOf(character: Character, what: string): string {
   const file = character.parts?.skeleton?.file;
   const stem = character.skeleton?.name || (file && stemOf(file.source)) || character.name;

@@ -23,7 +23,7 @@ export interface Frames {
 
 /** More than this is refused: real takes have fewer frames, so such a rate or range is a mistake. */
 export const MAX_FRAMES = 1_000_000;
-/** The same for frames times channels: 800 MB. */
+/** Most values that may be baked, frames times channels: 800 MB. */
 export const MAX_VALUES = 100_000_000;
 
 /** Fraction of a frame below which a time counts as that frame: 2.3 s at 30 FPS are 69 frames, not 68.99. */

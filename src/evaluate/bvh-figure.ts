@@ -61,9 +61,12 @@ export function framesFor(character: Character, framesPerSecond: number): Frames
 }
 
 /**
+ * Converts a character and its shown clip to a BVH figure, sampled at the frames; one that is such a figure already is
+ * returned as it is.
  * @param character with a skeleton
  * @param frames seconds of the clip
  * @param file the name used in diagnostics
+ * @throws Error without a skeleton
  */
 export function toBvhFigure(character: Character, frames: Frames, file = ''): BvhFigure {
   const { skeleton } = character;

@@ -25,7 +25,10 @@ export function provideDrivenPose(pose: DrivenPose): void {
   provided = pose;
 }
 
-/** @throws Error if the script was not imported */
+/**
+ * Poses a character by its driver, with the function that was provided.
+ * @throws Error if the script was not imported
+ */
 export const drivenPose: DrivenPose = (character, driver, skeleton, timeSeconds, out) => {
   if (!provided) throw new Error(`${character.name} is moved by another's take, but the code for that is not loaded.`);
   provided(character, driver, skeleton, timeSeconds, out);

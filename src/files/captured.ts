@@ -15,8 +15,8 @@ export interface CapturedContent {
 }
 
 /**
- * Guesses the space of the figures of one file and the meaning of their position channels, and says so. Equal skeletons
- * become one object.
+ * Guesses the space of the figures of one file and the meaning of their position channels, and says so. Equal lists
+ * of joints become one array.
  */
 export function capturedContent(read: readonly CapturedFigure[], fileName: string): CapturedContent {
   const figures = read.map((figure) => {

@@ -19,6 +19,7 @@ export interface ZipContent {
 }
 
 /**
+ * Takes the wanted files out of a zip.
  * @param path of the zip
  * @param isWanted by its name
  * @param maxBytes of all that is wanted, unpacked; default: as `unzip`

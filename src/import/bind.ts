@@ -36,7 +36,10 @@ export interface BoundMesh {
   readonly joints: readonly number[];
 }
 
-/** @param worlds of nodes at rest, 16 numbers each */
+/**
+ * Finds one binding for each joint, and a matrix for each mesh.
+ * @param worlds of nodes at rest, 16 numbers each
+ */
 export function bindMeshes(meshes: readonly SceneMesh[], worlds: Float64Array): Binding {
   const inverse = new Map<number, Float64Array>();
   const further: FurtherJoint[] = [];

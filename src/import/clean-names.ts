@@ -5,7 +5,7 @@ export function cleanName(name: string): string {
   return name.trim().replace(/[\s{}]/g, '_');
 }
 
-/** The same without what file systems don't take or give a meaning to. */
+/** A name without what file systems don't take or give a meaning to. */
 export function cleanFileName(name: string): string {
   return cleanName(name)
     .replace(/[/\\:*?"<>|\p{Cc}]/gu, '_')

@@ -50,7 +50,10 @@ export class Remarks {
 
   constructor(private readonly fileName: string) {}
 
-  /** @param assumed what is used instead */
+  /**
+   * Adds a warning, once.
+   * @param assumed what is used instead
+   */
   warn(code: string, message: string, assumed: string): void {
     const key = `${code} ${message}`;
     if (!this.told.has(key)) this.told.set(key, withoutPlace('warning', code, message, this.fileName, assumed));

@@ -39,6 +39,7 @@ const CLEAR = Math.sin((80 * Math.PI) / 180);
 const LOCKED = Math.sin((88 * Math.PI) / 180);
 
 /**
+ * The type of joint that a node becomes, from its rest and all that its takes do.
  * @param size of the character, in the space of the node's parent
  * @param spare for rotations that need many keys
  */

@@ -16,6 +16,7 @@ const QUARTER_LOW = 6.077100506506192e-11;
 const ROUNDER = 6755399441055744;
 
 /**
+ * Computes the sines and cosines of many angles at once.
  * @param angles radians; the first `count` are read
  * @param out sine and cosine of each in turn, within 2e-16 of the exact values
  */

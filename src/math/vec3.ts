@@ -101,7 +101,7 @@ export function transformPoint(m: Float64Array, [x, y, z]: Vec3, o = 0): Vec3 {
   ];
 }
 
-/** The same for a vector: without translation. */
+/** A vector transformed by an affine matrix of 16 numbers at `o`: without its translation. */
 export function transformVector(m: Float64Array, [x, y, z]: Vec3, o = 0): Vec3 {
   return [
     m[o] * x + m[o + 4] * y + m[o + 8] * z,

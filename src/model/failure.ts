@@ -20,7 +20,10 @@ const OF_THE_LANGUAGE = /^(Type|Range|Reference|Syntax|URI|Eval|Internal)Error$/
 /** Length to which unexpected messages are quoted: enough to find out more by. */
 const MAX_QUOTED = 160;
 
-/** @param error anything that was thrown */
+/**
+ * The sentence that tells a person about an error.
+ * @param error anything that was thrown
+ */
 export function sentenceOf(error: unknown): string {
   if (error instanceof UserError) return error.message;
   if (!(error instanceof Error)) return String(error);

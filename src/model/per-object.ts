@@ -30,7 +30,7 @@ export function perObject<K extends WeakKey, V>(make: (of: K) => V): PerObject<K
   return Object.assign(get, { adopt: (of: K, value: V) => void known.set(of, value) });
 }
 
-/** The same for two objects: the entry is collected as soon as either object is. */
+/** Caches what is computed from two objects, like `perObject`: the entry is collected as soon as either object is. */
 export function perPair<A extends WeakKey, B extends WeakKey, V>(make: (a: A, b: B) => V): (a: A, b: B) => V {
   const byFirst = perObject((a: A) => perObject((b: B) => make(a, b)));
   return (a, b) => byFirst(a)(b);

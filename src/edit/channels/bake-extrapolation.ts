@@ -51,7 +51,8 @@ export function withExtrapolationBaked(channel: KeyedChannel, from: number, to: 
 }
 
 /**
- * The same with a key at both ends even for constant extrapolation, so that all of `from` to `to` lies between keys.
+ * The channel with baked extrapolation and a key at both ends even for constant extrapolation, so that all of `from` to
+ * `to` lies between keys.
  */
 export function unrolled(channel: KeyedChannel, from: number, to: number): KeyedChannel {
   return extended(channel, from, to, true);

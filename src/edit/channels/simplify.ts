@@ -32,6 +32,7 @@ export interface Simplified extends Difference {
 const CORNER = 4;
 
 /**
+ * Removes keys as long as the curve stays within the tolerance.
  * @param tolerance in the channel's unit (radians for an angle); greater than 0
  * @param range seconds of the clip: only keys inside may be removed
  */

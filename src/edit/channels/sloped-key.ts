@@ -12,7 +12,10 @@ export interface Sloped extends Key {
   readonly slopeOut: number;
 }
 
-/** @param slopes the channel's, from `resolvedSlopes` */
+/**
+ * A key of a channel with its resolved slopes.
+ * @param slopes the channel's, from `resolvedSlopes`
+ */
 export function slopedKey(channel: KeyedChannel, slopes: Slopes, k: number): Sloped {
   return { ...keyAt(channel, k), slopeIn: slopes.in[k], slopeOut: slopes.out[k] };
 }

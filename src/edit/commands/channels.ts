@@ -109,7 +109,7 @@ export interface EulerFiltering {
   readonly notes: readonly string[];
 }
 
-/** The same in steps, yielding progress every few milliseconds. */
+/** Runs `eulerFilter` in steps, yielding progress every few milliseconds. */
 export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<EulerFiltering> {
   const { characterId } = args;
   const clip = clipOf(document, characterId);

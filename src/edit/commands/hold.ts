@@ -63,7 +63,11 @@ export interface Held {
   readonly report: HeldTake;
 }
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `holdPins` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if there is no skeleton, no take or no such pin, if another take is retargeted to the character,
+ * or for numbers out of range
+ */
 export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { characterId } = args;
   const character = requireCharacter(document, characterId);

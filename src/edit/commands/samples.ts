@@ -90,7 +90,10 @@ export const resampleSamples = command({
   run: (document, args) => runToEnd(resampleSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `resampleSamples` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if the rate is not greater than 0, or the take has no samples
+ */
 export function* resampleSteps(document: Document, args: ResampleSamples): Steps<Document> {
   const rate = args.framesPerSecond;
   if (!(rate > 0)) throw new CommandError(`The frame rate must be greater than 0, found ${rate}.`);
@@ -106,7 +109,7 @@ export const reverseSamples = command({
   run: (document, args) => runToEnd(reverseSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/** Runs `reverseSamples` in steps, yielding progress every few milliseconds. */
 export function* reverseSteps(document: Document, args: OfSamples): Steps<Document> {
   return withClip(document, args, yield* reversing(ownTake(requireCharacter(document, args.characterId))));
 }
@@ -141,7 +144,7 @@ export const smoothSamples = command({
   run: (document, args) => runToEnd(smoothSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/** Runs `smoothSamples` in steps, yielding progress every few milliseconds. */
 export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Document> {
   const filter = checkedFilter(args);
   const character = requireCharacter(document, args.characterId);
@@ -194,7 +197,10 @@ export interface Conversion {
   readonly report: Converted;
 }
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `convertToKeys` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if a tolerance is not greater than 0, or the take has no samples
+ */
 export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Conversion> {
   const { characterId, tolerance } = args;
   const { position, angle } = tolerance;

@@ -76,7 +76,11 @@ export const autoWeights = command({
   run: (document, args) => runToEnd(autoWeightsSteps(document, args)).document,
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `autoWeights` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if there is no skeleton or skin, for more than 16 joints per vertex, or if the skin can't be
+ * bound in that pose
+ */
 export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<AutoWeighted> {
   const character = requireCharacter(document, args.characterId);
   const { skeleton, skins } = character;

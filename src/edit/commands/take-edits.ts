@@ -38,7 +38,7 @@ export const mirrorTakes = command({
   run: (document, args) => runToEnd(mirrorTakesSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/** Runs `mirrorTakes` in steps, yielding progress every few milliseconds. */
 export function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
   return changingTakes(document, takes, (character, clip) =>
     mirroringTake({ ...character, skeleton: skeletonOf(character) }, clip, character.space?.up),
@@ -59,7 +59,10 @@ export const setTakeSpeed = command({
   run: (document, args) => runToEnd(setSpeedSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `setTakeSpeed` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if the factor is not greater than 0
+ */
 export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): Steps<Document> {
   if (!(factor > 0)) {
     throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
@@ -83,7 +86,10 @@ export const loopTakes = command({
   run: (document, args) => runToEnd(loopTakesSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `loopTakes` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if the cross-fade is negative
+ */
 export function loopTakesSteps(
   document: Document,
   { takes, blendSeconds = BLEND_SECONDS }: LoopTakes,
@@ -141,7 +147,10 @@ export interface FeetReport {
   readonly unreached: number;
 }
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `lockFeet` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if the ease is negative, or the tolerance not greater than 0
+ */
 export function* lockFeetSteps(document: Document, args: LockFeet): Steps<FeetReport> {
   const easeSeconds = args.easeSeconds ?? EASE_SECONDS;
   if (!(easeSeconds >= 0)) throw new CommandError(`The ease must not be negative, found ${easeSeconds} s.`);

@@ -57,7 +57,10 @@ export const joinTakes = command({
   run: (document, args) => runToEnd(joinSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `joinTakes` in steps, yielding progress every few milliseconds.
+ * @throws CommandError for fewer than two takes
+ */
 export function* joinSteps(document: Document, args: JoinTakes): Steps<Document> {
   const refs = takesToChange(document, args.takes);
   if (refs.length < 2)
@@ -113,7 +116,10 @@ export const cutOutOfTakes = command({
   run: (document, args) => runToEnd(cutOutSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/**
+ * Runs `cutOutOfTakes` in steps, yielding progress every few milliseconds.
+ * @throws CommandError if the range ends before it starts, or has all frames of a take
+ */
 export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   const how = checkedHow(args);
   const [from, to] = [args.from, args.to];
@@ -170,7 +176,7 @@ export const insertIntoTake = command({
   run: (document, args) => runToEnd(insertSteps(document, args)),
 });
 
-/** The same in steps, yielding progress every few milliseconds. */
+/** Runs `insertIntoTake` in steps, yielding progress every few milliseconds. */
 export function insertSteps(document: Document, args: InsertInto): Steps<Document> {
   const how = checkedHow(args);
   return changingTakes(document, [args.into], (character, clip) =>

@@ -66,6 +66,7 @@ const SHARE = 0.42;
 const FINEST = 8;
 
 /**
+ * Holds pins over a range of a take, as described at the top of this file; yields its progress.
  * @param character without unkeyed changes
  * @param clip the take that it shows, with a channel for each DOF
  * @param targets where the pins are held, one per pin

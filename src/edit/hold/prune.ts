@@ -22,6 +22,7 @@ import type { HoldWindow } from './window.ts';
 const AFFECTED = 2;
 
 /**
+ * Removes keys that a hold doesn't need; yields its progress.
  * @param original the take before the hold
  * @param dense with a key on every frame
  * @param thin the same with fewer keys

@@ -27,6 +27,7 @@ export interface Stretch {
 }
 
 /**
+ * Replaces a stretch of a channel's curve by keys.
  * @param played playback range of the clip, which contains the stretch. If an end value is not on the curve, the curve
  * jumps there: before the start it is kept, and at the end a step leads back to it.
  */

@@ -45,6 +45,7 @@ export interface Arranged extends EditedChannel {
  * @param indices ascending, unique
  * @param newTimes one for each of `indices`: ascending, or descending if time is mirrored
  * @param arriving the keys come from elsewhere: they land on others even if their times don't change
+ * @throws CommandError if a new time is not finite
  */
 export function arrangeKeys(
   channel: KeyedChannel,

@@ -76,7 +76,8 @@ export function changedCycles(
 }
 
 /**
- * The same for the take that a character shows before and after a step; none if take, skeleton or morphs are others.
+ * The changed cycles of the take that a character shows before and after a step; none if take, skeleton or morphs are
+ * others.
  */
 export function changedCyclesOf(was: Character, now: Character): readonly ChangedCycle[] {
   if (was === now || was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return [];

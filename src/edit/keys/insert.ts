@@ -45,7 +45,10 @@ export interface Inserted {
   readonly periodChanged: boolean;
 }
 
-/** @param channel not a sampled one */
+/**
+ * Inserts a key on the curve, which keeps its shape.
+ * @param channel not a sampled one
+ */
 export function insertKey(channel: Channel, time: number): Inserted {
   if (channel.kind !== 'keys') {
     const value = channel.kind === 'rest' ? channel.value : 0;

@@ -26,7 +26,10 @@ export interface PixelSpan {
   readonly secondsPerPixel: number;
 }
 
-/** @param out one entry per pixel; set to the bits PLAIN and SELECTED, or 0 */
+/**
+ * Marks the pixels of a row that have keys, and those with selected ones.
+ * @param out one entry per pixel; set to the bits PLAIN and SELECTED, or 0
+ */
 export function markKeys(
   channels: readonly Channel[],
   of: readonly number[],

@@ -26,7 +26,10 @@ export function withKeysMoved(
   return arrangeKeys(raised, indices, times, collision);
 }
 
-/** The channel with some values changed; the same object if none is. */
+/**
+ * The channel with some values changed; the same object if none is.
+ * @throws CommandError if a new value is not finite
+ */
 export function withValues(
   channel: KeyedChannel,
   indices: readonly number[],

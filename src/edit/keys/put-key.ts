@@ -34,9 +34,9 @@ export function putKey(channel: Channel, time: number, value: number, kind: numb
 }
 
 /**
- * The same for keys outside the cycle of a repeating channel (`cycle.ts`): the channel has that value at that time,
- * wherever the key is put. On the seam of a loop, both ends are changed, so that the loop stays closed: keying only one
- * of them would make a jump in every repetition (Blender's *cycle-aware keying*).
+ * Puts a key that may lie outside the cycle of a repeating channel (`cycle.ts`): the channel has that value at that
+ * time, wherever the key is put. On the seam of a loop, both ends are changed, so that the loop stays closed: keying
+ * only one of them would make a jump in every repetition (Blender's *cycle-aware keying*).
  */
 export function putKeyAt(channel: Channel, time: number, value: number, kind: number, placing: KeyPlacing): Put {
   const place = placeOf(channel, time, placing);

@@ -3,6 +3,7 @@ import { type Channel, type KeyedChannel, restChannel } from '../../model/takes/
 import { takeKeys } from './columns.ts';
 
 /**
+ * The channel without some keys.
  * @param indices ascending
  * @param rest value of the channel if no key is left
  */

@@ -25,7 +25,7 @@ export interface Scaling {
 }
 
 /**
- * The same channel if nothing changes, and the same columns if these don't.
+ * The channel with scaled keys: the same object if nothing changes, and the same columns if these don't.
  * @param indices ascending, unique
  */
 export function withKeysScaled(

@@ -10,6 +10,7 @@ import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 
 /**
+ * The pose between two others: DOFs blended by `share`.
  * @param from the character's DOFs
  * @param to as many
  * @param share 0: exactly `from`, 1: exactly `to`

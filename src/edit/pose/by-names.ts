@@ -12,7 +12,10 @@ import { haveSameNames, sameNames } from './same-joints.ts';
 
 type Posed = Pick<Character, 'skeleton' | 'morphs'>;
 
-/** @param values one per DOF of the character; missing ones are at rest */
+/**
+ * A pose of the library by the names of joints, DOFs and morphs.
+ * @param values one per DOF of the character; missing ones are at rest
+ */
 export function poseByNames(character: Posed, { name, values }: NamedPose): PoseByNames {
   const all = characterDofs(character.skeleton, character.morphs);
   const joints: { name: string; dofs: NamedValue[] }[] = (character.skeleton?.joints ?? []).map((joint) => ({

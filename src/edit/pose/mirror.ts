@@ -52,6 +52,7 @@ export function counterpartOf(skeleton: Skeleton, joint: number): number | undef
 }
 
 /**
+ * Mirrors a displayed pose.
  * @param dofs of the character as displayed: with limits and links applied
  * @param clamps whether limits are enforced
  */

@@ -33,6 +33,7 @@ export interface Partners {
 }
 
 /**
+ * Pairs the joints of a skeleton across a plane.
  * @param points x y z per joint
  * @param normal of the plane through the root, normalised
  */

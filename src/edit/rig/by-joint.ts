@@ -6,7 +6,10 @@ import type { JointPair } from '../../model/takes/retarget.ts';
 import { sameValue } from '../delta.ts';
 import { driverSource } from '../drivers.ts';
 
-/** @param to for each old joint its new index; -1 if removed, together with what refers to it */
+/**
+ * IK settings with the new indices of joints.
+ * @param to for each old joint its new index; -1 if removed, together with what refers to it
+ */
 export function remapIk({ pins, stiff, rootIsFree }: IkSetup, to: ArrayLike<number>): IkSetup {
   const moved = <T extends { readonly joint: number }>(all: readonly T[]) =>
     all.flatMap((one) => (to[one.joint] >= 0 ? [{ ...one, joint: to[one.joint] }] : []));

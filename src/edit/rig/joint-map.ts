@@ -35,7 +35,7 @@ export interface JointMap {
   readonly likes: ReadonlyMap<number, Likeness>;
 }
 
-/** The same joints, some of them changed; one for each old one. */
+/** The map to joints that have changed, one for each old one. */
 export function changedJoints(before: Skeleton, joints: readonly Joint[]): JointMap {
   const branches = joints.map((joint, origin): Branch => ({ origin, joint, children: [] }));
   return mapOf(before, joints, branches);

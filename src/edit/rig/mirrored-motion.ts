@@ -30,6 +30,7 @@ export interface MirroredMotion {
 }
 
 /**
+ * A motion mirrored across the plane perpendicular to an axis.
  * @param across 0, 1 or 2 for x, y or z
  * @param like the motion of the existing joint, whose axis direction is used
  */

@@ -21,7 +21,10 @@ interface ChannelSource extends Omit<DofSource, 'like'> {
   readonly like?: DofSource['like'];
 }
 
-/** @param pose of the old character: values of DOFs for which the clip has no channel */
+/**
+ * A clip with the channels of the changed skeleton.
+ * @param pose of the old character: values of DOFs for which the clip has no channel
+ */
 export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly number[]): ChannelClip {
   const sources = channelSources(clip, map);
   const channels = sources.map((source) => {

@@ -13,7 +13,7 @@ import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type Attachments, bindingCount, type Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 
-/** The same object if all joints keep their indices and none is new. */
+/** A skin with the new indices of joints; the same object if all joints keep their indices and none is new. */
 export function remapSkin(skin: Skin, map: JointMap): Skin {
   if (map.keepsJoints) return skin;
   const attachments = skin.attachments && remapAttachments(skin.attachments, map);

@@ -109,6 +109,7 @@ interface Fitting {
 }
 
 /**
+ * Converts sampled channels to few keys, within the tolerance at every frame.
  * @param given channels; others than sampled ones are skipped. Refuses if none is left.
  * @returns yields progress, from 0 to 1
  */

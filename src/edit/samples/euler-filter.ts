@@ -28,7 +28,10 @@ export interface FilteredClip {
   readonly notes: readonly string[];
 }
 
-/** @param given channels of the clip, keyed or sampled. Yields after each joint */
+/**
+ * Applies the Euler filter to channels of a clip, joint by joint.
+ * @param given channels of the clip, keyed or sampled. Yields after each joint
+ */
 export function* filteringAngles(
   character: Character,
   clip: ChannelClip,

@@ -50,6 +50,7 @@ export interface Joining {
 }
 
 /**
+ * Joins two takes with a cross-fade, the second carried to where the first ends.
  * @param a and `b`, its continuation: columns for the same channels, at one frame rate
  * @param overlap frames of either that are blended; from 0 to the number of frames of the shorter one
  */

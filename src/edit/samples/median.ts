@@ -14,7 +14,10 @@
 /** Windows that a median can have, in frames. */
 export const MEDIAN_FRAMES: readonly number[] = [3, 5, 7];
 
-/** @param reach frames to either side. @returns for each frame the one whose value replaces it */
+/**
+ * The frame with the median of the values around a frame.
+ * @param reach frames to either side. @returns for each frame the one whose value replaces it
+ */
 export function medianFrame(values: Float64Array, frame: number, reach: number): number {
   const r = Math.min(reach, frame, values.length - 1 - frame);
   // The value with as many below as above it; the frame's own if it is among equals.
@@ -32,7 +35,7 @@ export function medianFrame(values: Float64Array, frame: number, reach: number):
 }
 
 /**
- * The same for rotations.
+ * The frame with the vector median of the rotations around a frame.
  * @param q x y z w per frame, normalised; signs don't matter
  */
 export function medianRotation(q: Float64Array, frame: number, reach: number): number {

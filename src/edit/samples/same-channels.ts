@@ -13,7 +13,10 @@ import type { Samples } from '../../model/takes/samples.ts';
 import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
 
-/** The same samples if the channels agree already. Refuses other skeletons, units and up axes. */
+/**
+ * Samples in the channels of the target; the same object if these agree already. Refuses other skeletons, units and up
+ * axes.
+ */
 export function inChannelsOf(target: Character, source: Character, samples: Samples): Samples {
   if (target === source) return samples;
   const [own, theirs] = [target.skeleton, source.skeleton];

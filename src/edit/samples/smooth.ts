@@ -56,6 +56,7 @@ interface Job {
 }
 
 /**
+ * Filters the samples of a clip; yields its progress.
  * @param rotations of the character's skeleton
  * @param channels only these; others, and keyed ones, are kept
  * @param seconds of the clip; default: all frames

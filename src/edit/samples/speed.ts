@@ -9,7 +9,10 @@ import { withKeysScaled } from '../keys/scale.ts';
 import { retimed, withMarkers } from '../markers.ts';
 import { resampling } from './resample.ts';
 
-/** @param factor greater than 0; 2 takes half the time. The same object for 1. */
+/**
+ * Changes the speed of a take, with its keys, samples and markers.
+ * @param factor greater than 0; 2 takes half the time. The same object for 1.
+ */
 export function* retiming(character: Character, clip: ChannelClip, factor: number): Steps<ChannelClip> {
   if (factor === 1) return clip;
   const [start, end] = clip.range;

@@ -206,7 +206,7 @@ export type Shapes<F extends Fields> = {
   readonly [K in Exclude<keyof F, OptionalNames<F>>]: Shaped<F[K]>;
 } & { readonly [K in OptionalNames<F>]?: Shaped<F[K]> };
 
-/** The same, where undefined, too, leaves a field out. */
+/** The values of a record's fields as callers give them: undefined, too, leaves a field out. */
 export type Given<F extends Fields> = {
   readonly [K in Exclude<keyof F, OptionalNames<F>>]: Shaped<F[K]>;
 } & { readonly [K in OptionalNames<F>]?: Shaped<F[K]> | undefined };

@@ -82,7 +82,11 @@ export class Turning {
     this.readQuaternion();
   }
 
-  /** @param axis unit vector in the world @param angle radians */
+  /**
+   * Rotates the joint further about an axis.
+   * @param axis unit vector in the world
+   * @param angle radians
+   */
   by(axis: Vec3, angle: number): void {
     const own = unit(transformVector(this.toFrame, axis));
     if (!own) return;

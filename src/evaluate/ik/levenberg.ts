@@ -55,7 +55,10 @@ export function descend(problem: IkProblem, dofs: Float64Array, options: Descent
   descendFrom(problem, dofs, evaluatePose(problem, dofs), options, out);
 }
 
-/** The same if the pose was already evaluated. @param error the sum of its squared errors */
+/**
+ * Descends like `descend`, from a pose that was already evaluated.
+ * @param error the sum of its squared errors
+ */
 export function descendFrom(
   problem: IkProblem,
   dofs: Float64Array,

@@ -187,8 +187,8 @@ export function solveDamped(
 }
 
 /**
- * The same for one pin's position, three equations, directly from J: storing nothing but the step takes a third of the
- * time. J has at least 3 columns.
+ * Solves a damped step for one pin's position, three equations, directly from J: storing nothing but the step takes a
+ * third of the time. J has at least 3 columns.
  */
 export function solveThree(
   jacobian: Float64Array,

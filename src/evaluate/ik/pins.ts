@@ -62,7 +62,10 @@ export function ikStiffness(skeleton: Skeleton, freeRoot: boolean): Float64Array
   return stiffness;
 }
 
-/** @throws IkError */
+/**
+ * Checks that the joints of pins exist, and that their numbers are valid.
+ * @throws IkError
+ */
 export function checkPins(skeleton: CompiledSkeleton, pins: readonly IkPin[]): void {
   pins.forEach(({ joint, point, target, orientation, weight = 1 }, p) => {
     if (!(Number.isInteger(joint) && joint >= 0 && joint < skeleton.jointCount))

@@ -20,6 +20,7 @@ import { type IkVariables, ikVariables } from './variables.ts';
 const ORIENTATION_WEIGHT = 0.3;
 
 /**
+ * Makes the IK problem of some pins, with all arrays that solving needs.
  * @param pose the character's current DOFs: lengths are measured there, and locked DOFs keep these values
  * @throws IkError for an invalid pin
  */

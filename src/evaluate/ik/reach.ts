@@ -37,6 +37,7 @@ export function pathReach(
 }
 
 /**
+ * The balls that bound the pins.
  * @param dofs the pose in which lengths are measured: a pin has a ball only if they are the same in any pose
  * @param rootMoves whether root translation is a variable: then nothing is bounded
  */

@@ -30,7 +30,10 @@ export const RULES = 7;
 
 const STILL = { dof: -1, axis: [0, 0, 0], turn: 0, slide: 0 } as const;
 
-/** @param isKept by slot, whether its matrix is needed */
+/**
+ * The joints of a problem as links.
+ * @param isKept by slot, whether its matrix is needed
+ */
 export function linksOf(
   compiled: CompiledSkeleton,
   { joint, parent, takesScrews, isKept }: Slots,

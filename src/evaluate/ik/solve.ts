@@ -40,6 +40,7 @@ const MODES: Readonly<Record<IkMode, ModeOptions>> = {
 const descent: Descent = { iterations: 0, error: 0, isThere: false, isFlat: false };
 
 /**
+ * Moves the pose so that the pins are at their targets, or as near as possible.
  * @param dofs the character's DOFs, as many as in the problem's pose; free ones are moved in place, linked ones follow,
  * and if limits are enforced all are clamped first
  * @returns the problem's own result

@@ -47,6 +47,7 @@ export interface Followers {
 }
 
 /**
+ * The DOFs that may move, as scaled variables.
  * @param onPath whether a joint is on a path from a pin to the root
  * @param stiffness by DOF of the character; Infinity for locked ones
  */

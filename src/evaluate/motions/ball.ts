@@ -55,8 +55,8 @@ function orderedBall(order: EulerOrder): BallMotion {
 }
 
 /**
- * The same if the angles about x, y and z are a joint's DOFs `x`, `y` and `z`, in the order of their screws. Read in
- * place rather than gathered first, since most joints of motion capture are such balls.
+ * The motion of three Euler angles, if the angles about x, y and z are a joint's DOFs `x`, `y` and `z`, in the order of
+ * their screws. Read in place rather than gathered first, since most joints of motion capture are such balls.
  */
 export function spreadBall(order: EulerOrder, x: number, y: number, z: number): BallMotion {
   const places = [x, y, z];

@@ -16,6 +16,7 @@ export const MEANT_KEY = 2;
 const DENSE = 8;
 
 /**
+ * Marks the pixels that have keys.
  * @param from transport time at the left edge of pixel 0, seconds
  * @param secondsPerPixel greater than 0
  * @param out one entry per pixel; set to NO_KEY, OTHER_KEY or MEANT_KEY

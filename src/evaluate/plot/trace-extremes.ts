@@ -134,7 +134,10 @@ export class ChannelExtremes {
   private sweptPeriod = Number.NaN;
   private sweptTo = 0;
 
-  /** @returns an object to keep alive while the channel is queried repeatedly */
+  /**
+   * Starts queries of a channel of the compiled clip.
+   * @returns an object to keep alive while the channel is queried repeatedly
+   */
   open(curves: CompiledClip, index: number, channel: Channel): SpanExtremes | undefined {
     this.curves = curves;
     this.index = index;

@@ -26,7 +26,10 @@ export function upRotation(space: Space | undefined): Float64Array {
   return out;
 }
 
-/** @param dofs all of the character's; absent: the file pose */
+/**
+ * A posed skeleton in the scene: metres, y up.
+ * @param dofs all of the character's; absent: the file pose
+ */
 export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Float64Array): RetargetFigure {
   const compiled = compileSkeleton(skeleton);
   const { jointCount } = compiled;

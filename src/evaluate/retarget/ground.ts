@@ -27,6 +27,7 @@ const BELOW = 0.01;
 const ABOVE = 0.1;
 
 /**
+ * The sole of one foot: the points below the ankle that may touch the ground.
  * @param rest the skeleton in its file pose: without a space of its own it may stand on the ground with its skin, so
  *   that its joints don't reach it
  */

@@ -73,7 +73,10 @@ function plansAlike({ options, source: a }: Driver, { options: otherOptions, sou
   );
 }
 
-/** @param ownTake of the target: needed if its file pose is not a standing one */
+/**
+ * Prepares everything about one retargeting that is the same at all times.
+ * @param ownTake of the target: needed if its file pose is not a standing one
+ */
 export function planRetarget(
   driver: Driver,
   skeleton: Skeleton,

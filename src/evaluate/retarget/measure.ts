@@ -82,6 +82,7 @@ class Pair {
 }
 
 /**
+ * Measures a retargeted character over its source's take.
  * @param mostContacts limit per foot, evenly over the take: long takes have thousands
  * @throws Error if nothing is retargeted to the character
  */

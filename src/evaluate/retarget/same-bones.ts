@@ -23,7 +23,10 @@ const PAIRED = 0.8;
 
 const NEITHER: SameBones = { directions: false, lengths: false };
 
-/** @param rest the source in its file pose; the bodies' must be the target's */
+/**
+ * Compares the bones of a target with those of its source, both in their file poses.
+ * @param rest the source in its file pose; the bodies' must be the target's
+ */
 export function sameBones({ target, source, sourceOf, rest: own }: Bodies, rest: RetargetFigure): SameBones {
   const bones: { readonly own: number; readonly other: number; readonly cos: number }[] = [];
   let paired = 0;

@@ -13,6 +13,7 @@ import { turnedNear } from '../../math/euler.ts';
 const LOCKED = 1e-12;
 
 /**
+ * The angles of a rotation as Zrotation Xrotation Yrotation of a `.bvh`, near the previous ones.
  * @param m column-major, 16 numbers at `o`, whose upper left 3×3 is a rotation
  * @param angles a, b, c at `at`: the previous angles, overwritten
  */

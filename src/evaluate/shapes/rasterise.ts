@@ -21,6 +21,7 @@ export interface Shaded {
 }
 
 /**
+ * Draws triangles into a picture of `width` × `height` pixels.
  * @param dark colour of unlit parts, `bright` of lit ones
  * @returns RGBA, straight alpha: 0 in the background
  */

@@ -28,6 +28,7 @@ const MAX_VERTICES = 150_000;
 export type Posed = Pick<Character, 'skeleton' | 'skins' | 'shownSkin' | 'morphs' | 'clampsToLimits'>;
 
 /**
+ * A posed character as triangles.
  * @param values one per DOF of the character; missing ones are 0
  * @returns undefined if there is nothing to draw
  */

@@ -26,7 +26,7 @@ const SHORTEST = 1e-4;
 /** Vertices between two yields. */
 const A_STEP = 15000;
 
-/** The same bones in the same order, extended where they were points. Yields its progress. */
+/** The bones, in the same order, extended where they were points. Yields its progress. */
 export function* lastBones(tree: TriangleTree, surface: SurfaceSides, bones: BoneSegments): Steps<BoneSegments> {
   const points = [...bones.joints.keys()].filter((bone) => isPoint(bones.ends, bone));
   if (points.length === 0) return bones;

@@ -22,6 +22,7 @@ export interface AttachmentSets {
 const SUM_OFF = 0.01;
 
 /**
+ * The attachments of a skin in sets of four.
  * @param jointCount joints of the skeleton
  * @param resting the index of a joint that never moves, for vertices without attachments
  * @param influences keep only so many, the strongest

@@ -14,6 +14,7 @@ const WIDEST = 0.15;
 const SHORT = 0.3;
 
 /**
+ * A skin that shows a skeleton by its bones, an octahedron each.
  * @param worlds of the joints in the pose that the body is made in, 16 numbers each
  * @param lastOf which of the matrices is a joint's
  * @param name of the mesh

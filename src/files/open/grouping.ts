@@ -157,7 +157,10 @@ export class ByStem<T> {
   private first: T | undefined;
   private count = 0;
 
-  /** @param source its file */
+  /**
+   * Adds an entry by the stem of its file.
+   * @param source its file
+   */
   add(item: T, source: SourceFile): void {
     const stem = stemOf(source).toLowerCase();
     this.first ??= item;

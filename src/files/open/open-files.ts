@@ -37,6 +37,7 @@ export interface OpenResult {
 }
 
 /**
+ * Opens files that were read: as new characters, or as parts of existing ones.
  * @param files in the order that decides between alternatives: as given on a command line, by name for a drop
  * @param broken files given with them that have errors
  * @param selectedId the character that receives a single skin, morph or anim

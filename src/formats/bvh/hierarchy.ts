@@ -65,7 +65,10 @@ interface Open {
   toldRest: boolean;
 }
 
-/** Everything up to `MOTION`, which is then the current token. */
+/**
+ * Everything up to `MOTION`, which is then the current token.
+ * @throws ParseError, already reported, if the file does not start with HIERARCHY or can't be read on
+ */
 export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   const roots: Root[] = [];
   // One list for all: of ten thousand roots, each would take more than its joints.

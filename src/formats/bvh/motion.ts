@@ -36,6 +36,7 @@ interface Header {
 }
 
 /**
+ * Reads MOTION: the frame count, the frame time and the rows.
  * @param width number of channels of all roots
  * @param byteLength of the whole file
  */

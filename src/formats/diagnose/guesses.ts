@@ -21,7 +21,10 @@ export interface Guess {
   readonly lines: ReadonlySet<number>;
 }
 
-/** @param problems of which the first one is explained, at least one */
+/**
+ * Explanations of a file's errors, one after the other, the likeliest first.
+ * @param problems of which the first one is explained, at least one
+ */
 export function* guesses(lines: TextLines, problems: readonly Diagnostic[], layout: TextLayout): Generator<Guess> {
   const [first] = problems;
   // On the line of the first problem before others.

@@ -48,7 +48,10 @@ export class Blocks {
     this.targets.push({ ...target, ...(time !== undefined && { time }), line });
   }
 
-  /** @param mayBeHeading whether its numbers may be those of a heading, which `settle` decides */
+  /**
+   * Adds a row of numbers to the current block.
+   * @param mayBeHeading whether its numbers may be those of a heading, which `settle` decides
+   */
   row(numbers: ArrayLike<number>, line: number, label: DumpLabel | null = null, mayBeHeading = false): void {
     if (mayBeHeading) this.doubtful.push(this.rows);
     const needed = this.count + numbers.length;

@@ -62,8 +62,8 @@ function namesIn(text: string, delimiter: RegExp): readonly string[] {
 }
 
 /**
- * The roles of the columns by their names in lower case: the first time, then indices and names of joints; all others
- * are values.
+ * The roles of the columns by their names in lower case: the first time, the first index, and names of joints. Other
+ * columns that count rows are skipped; all others are values.
  */
 export function tableOf(names: readonly string[], delimiter: RegExp): Table {
   const timeAt = names.findIndex(isTimeColumn);

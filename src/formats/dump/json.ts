@@ -22,7 +22,10 @@ const LF = 10;
 
 type Json = Readonly<Record<string, unknown>>;
 
-/** @returns whether the text is JSON; nothing was read if not */
+/**
+ * Reads a dump in JSON into `blocks`.
+ * @returns whether the text is JSON; nothing was read if not
+ */
 export function readJson(text: string, blocks: Blocks): boolean {
   if (!/^\s*[[{]/.test(text)) return false;
   const whole = parse(text);

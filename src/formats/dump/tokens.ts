@@ -87,7 +87,10 @@ export function lastWord(tokens: readonly Token[], before: number): string {
   return '';
 }
 
-/** @param more those behind the tokens */
+/**
+ * All numbers of a line, in order.
+ * @param more those behind the tokens
+ */
 export function numbersOf(tokens: readonly Token[], more: readonly number[]): number[] {
   const numbers = tokens.filter(({ kind }) => kind === 'number').map(({ value }) => value);
   for (const value of more) numbers.push(value);

@@ -7,7 +7,10 @@ import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Text } from '../write-text.ts';
 import { degreesOf } from './degrees.ts';
 
-/** @throws Error for a joint other than a hinge with a bone */
+/**
+ * Writes a skeleton in the axis-angle form of `.skel`.
+ * @throws Error for a joint other than a hinge with a bone
+ */
 export function writeAxisAngleTree(text: Text, { joints, name }: Skeleton): void {
   const children = new Uint32Array(joints.length);
   for (const { parent } of joints) if (parent >= 0) children[parent]++;

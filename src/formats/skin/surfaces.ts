@@ -37,7 +37,10 @@ export class Surfaces {
     this.waiting = undefined;
   }
 
-  /** @param triangleCount in this block */
+  /**
+   * Adds the triangles that were read to the surface of the current material.
+   * @param triangleCount in this block
+   */
   endTriangles(triangleCount: number): void {
     const { all, current } = this;
     const last = all.at(-1);

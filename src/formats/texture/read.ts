@@ -10,7 +10,10 @@ export const TEXTURE_EXTENSIONS = ['bmp', 'png', 'jpg', 'jpeg', 'webp'] as const
 /** MIME types that are not called after the extension. */
 const TYPES: Readonly<Record<string, string>> = { jpg: 'jpeg' };
 
-/** @param extension of images, in lower case */
+/**
+ * The MIME type of an image.
+ * @param extension of images, in lower case
+ */
 export function textureMime(extension: string): string {
   return `image/${TYPES[extension] ?? extension}`;
 }

@@ -13,6 +13,7 @@ const SAME_WEIGHT = 2e-4;
 const MAX_REPEATED = 10000;
 
 /**
+ * An FBX curve as a keyed channel.
  * @param tolerance of its values, for weighted handles
  * @param factor what values and slopes are multiplied by
  * @param offset what is then added to values

@@ -62,6 +62,7 @@ const THIRD = 1 / 3;
 const BITS_IN_TEXT = 7200;
 
 /**
+ * Reads a curve from its record.
  * @returns undefined, after a warning, if the curve has no keys or columns of different lengths
  */
 export function curveOf(

@@ -34,7 +34,10 @@ export class FbxReport {
     this.report.error(code, this.located(message, offset), this.placeOf(offset));
   }
 
-  /** @param assumed what was done instead */
+  /**
+   * Reports a warning at a byte offset of the file.
+   * @param assumed what was done instead
+   */
   warn(code: string, message: string, offset: number, assumed: string): void {
     if (this.report.hasRoom('warning')) {
       this.report.warn(code, this.located(message, offset), this.placeOf(offset), assumed);

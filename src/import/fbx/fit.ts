@@ -16,6 +16,7 @@ const CHECKED = [0.1, 0.3, 0.5, 0.7, 0.9];
 const STEP = 1e-4;
 
 /**
+ * Fits keys to functions of time, between stops.
  * @param stops ascending, at least one: where the function may jump or bend
  * @param start the values nearest to which the first ones are
  * @param tolerances one per value

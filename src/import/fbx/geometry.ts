@@ -30,7 +30,10 @@ const NOTHING = new Float64Array(0);
 const PER_POINT = 12;
 const PER_CORNER = 12;
 
-/** @param effort that cutting polygons may take */
+/**
+ * Reads a mesh from its record.
+ * @param effort that cutting polygons may take
+ */
 export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): FbxMesh {
   const points = finitePoints(numbersOf(childOf(record, 'Vertices')));
   const corners = numbersOf(childOf(record, 'PolygonVertexIndex'));

@@ -28,7 +28,10 @@ export interface FbxJoint {
   readonly divisor: number;
 }
 
-/** @param first the index of the first scene node to be used */
+/**
+ * Decides how each node of the file becomes nodes of the scene.
+ * @param first the index of the first scene node to be used
+ */
 export function jointsOf(nodes: readonly FbxNode[], takes: readonly FbxTake[], first: number): FbxJoint[] {
   const uneven = unevenStretches(nodes, takes);
   let next = first;

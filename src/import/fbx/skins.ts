@@ -25,7 +25,10 @@ export interface FbxSkin {
   readonly method: string;
 }
 
-/** @param nodeOf the index of a model; -1 for one that is not in the scene */
+/**
+ * The skins of a geometry.
+ * @param nodeOf the index of a model; -1 for one that is not in the scene
+ */
 export function skinsOf(document: FbxDocument, geometry: FbxObject, nodeOf: (id: string) => number): FbxSkin[] {
   return partsOfKind(document, geometry, 'Deformer', 'Skin').map((skin) => ({
     method: textAt(childOf(skin.record, 'SkinningType')) ?? 'Linear',

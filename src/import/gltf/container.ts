@@ -20,7 +20,10 @@ export interface Container {
   readonly binary?: Uint8Array<ArrayBuffer>;
 }
 
-/** @throws ImportError for anything else, and for another version than 2 */
+/**
+ * Reads a `.gltf` or `.glb`, told by content.
+ * @throws ImportError for anything else, and for another version than 2
+ */
 export function readContainer(bytes: Uint8Array<ArrayBuffer>): Container {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length >= 4 && view.getUint32(0, true) === MAGIC) return readChunks(bytes, view);

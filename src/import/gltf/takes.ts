@@ -31,6 +31,7 @@ const PER_ROTATION = 32;
 /**
  * Reads all animations as takes. What can't be held is left out with a remark.
  * @param indexOf index of each node of the file among the scene's
+ * @throws ImportError for an index that the file lacks, or if takes exceed the budget
  */
 export function readTakes(
   document: Document,

@@ -30,7 +30,7 @@ export function dofAxis(motion: Motion | undefined, name: string): AxisLetter | 
   return LETTERS.find((_, k) => Math.abs(axis[k]) >= length * (1 - ALONG));
 }
 
-/** The same for one of a character's DOFs; undefined for morph weights. */
+/** The axis that colours one of a character's DOFs; undefined for morph weights. */
 export function axisOfDof(
   skeleton: Skeleton | undefined,
   { joint, name, unit }: Pick<CharacterDof, 'joint' | 'name' | 'unit'>,

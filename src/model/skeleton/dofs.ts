@@ -104,7 +104,7 @@ export function filePose(skeleton: Skeleton | undefined, morphCount: number): nu
   return values;
 }
 
-/** The same of a whole character, with the weights that its file gives to morphs. */
+/** The file pose of a whole character, with the weights that its file gives to morphs. */
 export function wholeFilePose(skeleton: Skeleton | undefined, morphs: readonly Pick<Morph, 'weight'>[]): number[] {
   return [...filePose(skeleton, 0), ...morphs.map(({ weight = 0 }) => weight)];
 }

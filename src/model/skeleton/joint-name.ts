@@ -7,7 +7,7 @@ export function jointName(skeleton: Skeleton | undefined, index: number): string
   return skeleton?.joints[index]?.name || `joint ${index}`;
 }
 
-/** The same in lists: without a namespace that all names share, such as Mixamo's `mixamorig:`. */
+/** A joint's name as lists show it: without a namespace that all names share, such as Mixamo's `mixamorig:`. */
 export function shortJointName(skeleton: Skeleton | undefined, index: number): string {
   const name = jointName(skeleton, index);
   const shared = skeleton ? namespaceOf(skeleton) : '';

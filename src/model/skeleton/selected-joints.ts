@@ -20,7 +20,10 @@ export function jointsIn({ joint, others = NONE }: Selection): readonly number[]
   return joint === undefined ? NONE : [...others, joint];
 }
 
-/** @param joints the last one becomes active; repeated ones count where they come last; none: only the character */
+/**
+ * The selection of several joints of one character.
+ * @param joints the last one becomes active; repeated ones count where they come last; none: only the character
+ */
 export function withJoints({ characterId, placement }: Omit<JointPick, 'joint'>, joints: readonly number[]): Selection {
   const each = [...new Set([...joints].reverse())].reverse();
   const joint = each.at(-1);

@@ -251,7 +251,10 @@ function sizeOf(target: FrameTarget, own: FrameNumbers): number {
   return target.vertices ? diagonalOf(own.vertices, 3, 0) : diagonalOf(own.world, 16, 12);
 }
 
-/** @param channels of each sample */
+/**
+ * Counts the numbers that are compared, by kind.
+ * @param channels of each sample
+ */
 export function countOf(frames: readonly FrameTarget[], channels: Uint32Array): Compared {
   const counts = { world: 0, local: 0, positions: 0, vertices: 0, normals: 0, channels: new Set(channels).size };
   for (const frame of frames) {

@@ -38,7 +38,10 @@ export function entriesOf({ values, starts, lines, labels }: DumpBlock): Entry[]
   return entries;
 }
 
-/** Entries of the same number of values: as they are, or all numbers cut again. */
+/**
+ * Entries of the same number of values: as they are, or all numbers cut again.
+ * @throws Misfit if labelled entries have another number of values
+ */
 export function evenly(
   { values, lines, starts }: DumpBlock,
   entries: readonly Entry[],

@@ -38,7 +38,10 @@ export interface NamedDump {
   readonly assumed?: { readonly time: FrameTime };
 }
 
-/** @param time of dumps that state none; undefined: the only time that others state, else the file pose */
+/**
+ * Finds out what the numbers of dumps are for a character.
+ * @param time of dumps that state none; undefined: the only time that others state, else the file pose
+ */
 export function fitDumps(character: Character, dumps: readonly NamedDump[], time: FrameTime): Fitted {
   const fit = new Fit(character, time ?? onlyTime(dumps));
   for (const dump of dumps) fit.add(dump);

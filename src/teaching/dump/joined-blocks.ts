@@ -4,7 +4,10 @@
  */
 import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
 
-/** @param joints of the character, whose matrices are joined only if that makes 12 or 16 numbers for each */
+/**
+ * Joins the matrices of one kind and time, if each joint has a block of its own.
+ * @param joints of the character, whose matrices are joined only if that makes 12 or 16 numbers for each
+ */
 export function joinedBlocks(blocks: readonly DumpBlock[], joints: number): readonly DumpBlock[] {
   const groups = new Map<string, number[]>();
   blocks.forEach(({ holds, time }, b) => {

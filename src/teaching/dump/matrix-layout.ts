@@ -7,6 +7,7 @@ import type { MatrixLayout } from '../compare/targets.ts';
 type Order = MatrixLayout['order'];
 
 /**
+ * Matrices of joints from printed numbers, and the layout that these have.
  * @param numbers 12 or 16 per joint, as printed
  * @param nesting of JSON: a list of rows, or one list by columns; decides where the numbers don't
  * @param ours column-major, 16 per joint; decides where nothing else does

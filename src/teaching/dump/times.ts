@@ -6,7 +6,10 @@ import type { Character } from '../../model/document.ts';
 import { type DumpBlock, isUntimed } from '../../model/dump.ts';
 import { type Fitted, fitDumps, type NamedDump } from './fit-dump.ts';
 
-/** @param times of dumps that state none; empty: the only time that others state, else the file pose */
+/**
+ * Finds out what the numbers of dumps are, at one of several times each.
+ * @param times of dumps that state none; empty: the only time that others state, else the file pose
+ */
 export function fitDumpsAt(character: Character, dumps: readonly NamedDump[], times: readonly number[]): Fitted {
   if (times.length < 2) return fitDumps(character, dumps, times[0]);
   const within = fitDumps(

@@ -49,6 +49,7 @@ const EVIDENCE = 50;
 const MAX_STEPS = 60;
 
 /**
+ * Compares a program's numbers with one target.
  * @param frame world matrices or joint positions, or, of one step, local matrices
  * @param isOneStep whether the program made one step only
  */

@@ -57,7 +57,10 @@ export function setAnswers(): readonly SetAnswers[] {
   return KIT_SETS.map((set) => answersOf(set, characterOf(set.files, files)));
 }
 
-/** @throws Error if a file of the kit has an error */
+/**
+ * A character of some of the kit's files.
+ * @throws Error if a file of the kit has an error
+ */
 export function characterOf(names: readonly string[], files: ReadonlyMap<string, string>): Character {
   const read = names.map((name): ParsedFile => {
     const bytes = new TextEncoder().encode(files.get(name) ?? '');

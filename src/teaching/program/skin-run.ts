@@ -63,7 +63,10 @@ export class SkinRun {
     this.transposed = { bindings, inverses };
   }
 
-  /** @param dofs the character's, of which the morph weights are the last */
+  /**
+   * Morphs and skins by these rules; without world matrices, morphs only.
+   * @param dofs the character's, of which the morph weights are the last
+   */
   run(rules: SkinRules, dofs: Float64Array, world: Float64Array | undefined, wanted: Wanted) {
     const { positions, normals, skin } = this;
     this.blend(rules, dofs);

@@ -36,7 +36,10 @@ export interface PoseSteps {
   readonly dofs: Float64Array;
 }
 
-/** @param timeSeconds of the transport */
+/**
+ * The values of all DOFs of a pose, with where they come from.
+ * @param timeSeconds of the transport
+ */
 export function stepsOfPose(character: Character, timeSeconds: number): PoseSteps {
   const given = new Float64Array(dofCountOf(character));
   poseAt({ ...character, clampsToLimits: false }, timeSeconds, given);
@@ -45,7 +48,10 @@ export function stepsOfPose(character: Character, timeSeconds: number): PoseStep
   return { character, timeSeconds, given, dofs };
 }
 
-/** @param name as formats spell it */
+/**
+ * The steps by which one DOF gets its value.
+ * @param name as formats spell it
+ */
 export function stepsOfDof(pose: PoseSteps, dof: number, name: string, unit: DofUnit): DofStep {
   const { character, given, dofs } = pose;
   const { skeleton } = character;

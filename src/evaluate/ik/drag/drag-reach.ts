@@ -21,6 +21,7 @@ export interface DragReach {
 export const WHOLE: DragReach = { bending: 'body', standing: [] };
 
 /**
+ * Decides which joints a drag bends and which feet hold meanwhile.
  * @param world of the pose at the start, from `worldMatrices`
  * @param placement from the character's space to the scene's
  */

@@ -77,7 +77,7 @@ export class HandProblem {
     this.run('drag', 1);
   }
 
-  /** The same drag from another pose. @param character with other settings */
+  /** A problem of this drag from another pose. @param character with other settings */
   from(start: ArrayLike<number>, character = this.character): HandProblem {
     const { skeleton, targets, dragged, bending } = this;
     return new HandProblem(character, skeleton, start, targets, dragged, bending);

@@ -30,7 +30,10 @@ export class Homing {
     this.tried = of.dofs.slice();
   }
 
-  /** @param iterations the most it may spend */
+  /**
+   * Moves the pose towards its start, as far as the pins allow.
+   * @param iterations the most it may spend
+   */
   come(iterations: number): void {
     const { of, home, tried } = this;
     let boldness = 1;

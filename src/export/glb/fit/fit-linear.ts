@@ -59,7 +59,10 @@ function firstJump({ jumps }: Rows, from: number, to: number): number {
   return to + 1;
 }
 
-/** @param tolerance of the track's numbers: radians for rotations */
+/**
+ * A test whether a straight line from one row to another is within the tolerance at the rows between.
+ * @param tolerance of the track's numbers: radians for rotations
+ */
 export function linearHolds(rows: Rows, track: Track, tolerance: number): SegmentHolds {
   return track.path === 'rotation' ? rotationHolds(rows, track.at, tolerance) : vectorHolds(rows, track, tolerance);
 }
@@ -141,7 +144,7 @@ export function fitLinear(rows: Rows, track: Track, keys: readonly number[]): Fi
   return fitted;
 }
 
-/** The same after some keys were added: only those, and their neighbours, are computed. */
+/** The keys of a track, fitted again after some were added: only those, and their neighbours, are computed. */
 export function refitLinear(
   rows: Rows,
   track: Track,
@@ -166,7 +169,7 @@ export function refitLinear(
   return fitted;
 }
 
-/** The same without the key of index k, which is neither the first nor the last. */
+/** The keys of a track without the key of index k, which is neither the first nor the last. */
 export function withoutKey(rows: Rows, track: Track, { rows: keys, values }: FittedKeys, k: number): FittedKeys {
   const { width } = track;
   const fewer = keys.toSpliced(k, 1);
@@ -181,8 +184,8 @@ export function withoutKey(rows: Rows, track: Track, { rows: keys, values }: Fit
 const NEAR = 5e-4;
 
 /**
- * The same with a key on the line before each two that are so near that programs take them for one: what leads there
- * isn't bent towards the later one.
+ * The keys of a track, with a key on the line before each two that are so near that programs take them for one: what
+ * leads there isn't bent towards the later one.
  */
 export function guarded(rows: Rows, { at, width }: Track, fitted: FittedKeys, made: Float64Array): FittedKeys {
   const { rows: keys, values } = fitted;
