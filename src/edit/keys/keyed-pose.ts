@@ -12,6 +12,7 @@ const ON_CURVE = 1e-9;
 /** Seconds to a neighbour within which a new value is a jump. */
 const JUMPS_WITHIN = 0.1;
 
+/** The DOFs of one character that a step has keyed off their curves. */
 export interface KeyedPose {
   readonly characterId: string;
   /** By index into the character's DOFs: those keyed off their curve. */
