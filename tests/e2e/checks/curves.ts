@@ -8,18 +8,21 @@ import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
 import type { Check } from '../../helpers/check.ts';
 import { dropFiles, type Pixels, readPixels } from '../../helpers/page.ts';
 
-/** How much a channel of a pixel has to exceed the others, of 255. */
+/** How much a pixel has to be redder than green and blue, or less red than both; of 255. */
 const COLOURED = 24;
+/** How much greener than blue, or bluer than green: the colours of moving along y and z are neighbours. */
+const APART = 6;
 /** A line is 1.5 pixels wide, with antialiased edges. */
 const HALF_LINE_PIXELS = 2;
 
-/** Rows of a column in which red (0), green (1) or blue (2) dominates. */
+/** Rows of a column that have the colour of moving along x (0), y (1) or z (2) in the light theme. */
 function colouredRows({ width, height, data }: Pixels, x: number, colour: number, from: number): number[] {
   const rows: number[] = [];
   for (let y = from; y < height; y++) {
-    const rgb = [0, 1, 2].map((i) => data[4 * (y * width + x) + i]);
-    const others = rgb.filter((_, i) => i !== colour);
-    if (rgb[colour] - Math.max(...others) > COLOURED) rows.push(y);
+    const [red, green, blue] = [0, 1, 2].map((i) => data[4 * (y * width + x) + i]);
+    const isRed = red - Math.max(green, blue) > COLOURED;
+    const isOther = Math.min(green, blue) - red > COLOURED - APART;
+    if (colour === 0 ? isRed : isOther && (colour === 1 ? green - blue : blue - green) > APART) rows.push(y);
   }
   return rows;
 }
