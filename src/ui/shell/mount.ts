@@ -6,6 +6,7 @@ import { offerOverSamples } from '../editors/posing/auto-key-samples.ts';
 import { followForm } from '../editors/posing/mode-of-form.ts';
 import { followKeyedPoses } from '../editors/posing/offer-moment.ts';
 import { followOpened } from '../editors/posing/opened.ts';
+import { followLoneSkins } from '../editors/rig/offer-skeleton.ts';
 import { takeCell } from '../editors/takes/take-cell.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
@@ -82,6 +83,7 @@ export function mountWorkbench(
     limitUndo(wb),
     offerOverSamples(wb),
     followKeyedPoses(wb),
+    followLoneSkins(wb),
     theme.subscribe(recolour),
   ];
   signal.addEventListener('abort', () => {
