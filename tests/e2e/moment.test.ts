@@ -32,15 +32,15 @@ async function drag(page: Page, name: string, point: readonly [number, number, n
   await page.mouse.up();
 }
 
-function expectSame(is: readonly number[], was: readonly number[]): void {
+function expectSame(is: readonly number[], was: readonly number[], digits = 9): void {
   is.forEach((value, dof) => {
-    expect(value).toBeCloseTo(was[dof], 9);
+    expect(value).toBeCloseTo(was[dof], digits);
   });
 }
 
-it('a hand dragged up and keyed waves for a moment of the walk, which goes on as it was, saved and opened again too', () =>
+it('a hand dragged up and keyed waves for a moment of the walk, which goes on as it was, and a script does the same', () =>
   withPage(
-    async ({ page, download }) => {
+    async ({ page }) => {
       await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'walker');
       await page.evaluate(async () => {
         window.marrow.pause();
@@ -61,7 +61,7 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       await dialog.getByRole('button', { name: 'For a moment' }).click();
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
-      await expect.poll(async () => (await shown(page)).dofs).toEqual(posed);
+      expectSame((await shown(page)).dofs, posed, 12);
       const after = await dofsAt(page, away, 2.9);
       after.forEach((dofs, i) => {
         expectSame(dofs, before[i]);
@@ -86,9 +86,6 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
         await window.marrow.run('keys.forMoment', { easeIn: 0.4, easeOut: 0.3, playedRange: [0, 6.4] });
       });
       await expect.poll(save).toEqual(saved);
-      const file = await download(() => page.evaluate(() => window.marrow.run('save.anim')));
-      await dropFiles(page, [{ name: 'walker_walk.anim', bytes: file.bytes }]);
-      await expect.poll(async () => (await dofsAt(page, [2.9], 2.9))[0]?.[arm]).toBeCloseTo(posed[arm], 5);
     },
     { walking: true },
   ));

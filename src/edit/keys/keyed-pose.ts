@@ -8,7 +8,7 @@ import { period } from './cycle.ts';
 import { findKey } from './same-time.ts';
 
 /** Values nearer than this to the curve are on it. */
-const ON_CURVE = 1e-9;
+const ON_CURVE = 1e-12;
 /** Seconds to a neighbour within which a new value is a jump. */
 const JUMPS_WITHIN = 0.1;
 
