@@ -107,7 +107,7 @@ export interface MarrowApi {
   /** Statistics of the last frame drawn. */
   stats(): FrameStats;
   /** Labels of the next undo and redo steps; absent if there is none. */
-  steps(): { readonly undo?: string | undefined; readonly redo?: string | undefined };
+  steps(): { readonly undo?: string; readonly redo?: string };
   /** False if there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;

@@ -21,14 +21,14 @@ const KINDS: Readonly<Record<NewKeyTangents, number>> = { smooth: SMOOTH, linear
 /** Options for new keys, as commands take them. */
 export interface KeyOptions {
   /** Default smooth. */
-  readonly tangents?: NewKeyTangents | undefined;
+  readonly tangents?: NewKeyTangents;
   /**
    * Playback range of a take that has to be created, in seconds of the transport; if absent or empty, from 0 to the
    * key, at least 1 s. Repetitions are baked over at least this range.
    */
-  readonly playedRange?: readonly [number, number] | undefined;
+  readonly playedRange?: readonly [number, number];
   /** For keys outside the cycle of a repeating channel (`keys/cycle.ts`); default `lengthen`. */
-  readonly outsideCycle?: OutsideCycle | undefined;
+  readonly outsideCycle?: OutsideCycle;
 }
 
 /** A character after keying, and its new keys. */

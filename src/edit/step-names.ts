@@ -19,11 +19,7 @@ export function characterIn(document: Document, characterId: string, length?: nu
 }
 
 /** A joint's name; handles missing joints. */
-export function jointIn(
-  { skeleton }: { readonly skeleton?: Skeleton | undefined },
-  joint: number,
-  length?: number,
-): string {
+export function jointIn({ skeleton }: { readonly skeleton?: Skeleton }, joint: number, length?: number): string {
   return cutName(jointName(skeleton, joint), length);
 }
 

@@ -5,7 +5,7 @@ import type { Vec3 } from '../math/vec3.ts';
 export interface PoseByNames {
   readonly name: string;
   /** Root translation, apart from the root joint's own DOFs; absent if those include its translation. */
-  readonly root?: Vec3 | undefined;
+  readonly root?: Vec3;
   /** In the order of its skeleton; names may repeat or be empty. */
   readonly joints: readonly PosedJoint[];
   /** Morph weights. */

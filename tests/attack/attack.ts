@@ -22,7 +22,7 @@ export interface Chance {
 export interface Attempt extends Chance {
   readonly seed: number;
   /** What an earlier run kept in tests/repro/, to be done again instead of chance. */
-  readonly replay?: string | undefined;
+  readonly replay?: string;
   /** Whether there is time for another try. True at least once. */
   goesOn(): boolean;
   /** Counts tries: of inputs, events, kills. */

@@ -126,7 +126,7 @@ describe('marrow export', () => {
     expect([gone.code, gone.err]).toEqual([1, expect.stringContaining('wave.bin')]);
     // As in a zip, of which another has a file of that name.
     const zip = (name: string, z?: number) => {
-      const files = z === undefined ? {} : { 'wave.bin': buffer(z) };
+      const files: Record<string, Uint8Array> = z === undefined ? {} : { 'wave.bin': buffer(z) };
       writeFileSync(join(folder, name), zipSync({ 'wave.gltf': strToU8(JSON.stringify(gltf)), ...files }));
     };
     zip('a.zip', 0.5);

@@ -115,10 +115,13 @@ function packaged(): FoundChromium | undefined {
   if (platform !== 'linux' || process.arch !== 'x64') return undefined;
   const folder = unpacked();
   const path = join(folder, 'chromium');
-  const fonts = existsSync('/etc/fonts/fonts.conf') ? {} : { FONTCONFIG_FILE: join(folder, 'fonts.conf') };
+  const fonts: Record<string, string> = existsSync('/etc/fonts/fonts.conf')
+    ? {}
+    : { FONTCONFIG_FILE: join(folder, 'fonts.conf') };
   // Prefers the system's libraries if complete: they are newer and match their own dependencies.
-  for (const libraries of [{}, { LD_LIBRARY_PATH: join(folder, 'al2023', 'lib') }]) {
-    const extra = { ...fonts, ...libraries };
+  const all: readonly Record<string, string>[] = [{}, { LD_LIBRARY_PATH: join(folder, 'al2023', 'lib') }];
+  for (const libraries of all) {
+    const extra: Record<string, string> = { ...fonts, ...libraries };
     if (starts(path, extra)) return { path, env: extra, from: '@sparticuz/chromium' };
   }
   return undefined;

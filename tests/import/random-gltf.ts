@@ -265,9 +265,9 @@ function sparseOf(maker: GltfMaker, indices: readonly number[], values: readonly
 }
 
 interface Placed {
-  readonly translation?: readonly number[] | undefined;
-  readonly rotation?: readonly number[] | undefined;
-  readonly scale?: readonly number[] | undefined;
+  readonly translation?: readonly number[];
+  readonly rotation?: readonly number[];
+  readonly scale?: readonly number[];
 }
 
 function matrixOf({

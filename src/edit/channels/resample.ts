@@ -25,7 +25,7 @@ export interface Resampling {
    * Time of frame 0, in seconds of the clip; default 0. Pass the character's time offset to use the transport's frames,
    * which are the visible ones.
    */
-  readonly offsetSeconds?: number | undefined;
+  readonly offsetSeconds?: number;
   /** Seconds of the clip: all frames in between, both included, get a key. */
   readonly from: number;
   readonly to: number;

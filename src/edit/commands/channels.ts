@@ -39,7 +39,7 @@ export interface Simplify extends OfChannels {
   /** Greater than 0: one per unit, to combine half a degree with a millimetre, or one for all. */
   readonly tolerance: number | Tolerances;
   /** Seconds of the clip: keys outside are kept, with the curve there. Default: all keys. */
-  readonly range?: readonly [number, number] | undefined;
+  readonly range?: readonly [number, number];
 }
 
 /** Fewer keys, with the curve within tolerance everywhere; see `channels/simplify.ts` for the method. */

@@ -20,7 +20,7 @@ import { withoutUnkeyed } from '../unkeyed.ts';
 interface OfTake {
   readonly characterId: string;
   /** Index of the character's takes; default: the shown one. */
-  readonly clip?: number | undefined;
+  readonly clip?: number;
 }
 
 /** Sets the seconds of a take that play; its keys stay. */

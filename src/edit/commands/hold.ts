@@ -34,9 +34,9 @@ export interface HoldPins {
   /** Frames to solve; a sampled take has frames of its own. */
   readonly framesPerSecond: number;
   /** Duration of the ease in before the range and the ease out after it; default 0.1. */
-  readonly easeSeconds?: number | undefined;
+  readonly easeSeconds?: number;
   /** How far joints and pins may deviate to save keys, in lengths; default a thousandth of the reach. */
-  readonly tolerance?: number | undefined;
+  readonly tolerance?: number;
 }
 
 const EASE_SECONDS = 0.1;

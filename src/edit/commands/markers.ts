@@ -19,7 +19,7 @@ const marker = record({ timeSeconds: number, endSeconds: optional(number), label
 interface OfTake {
   readonly characterId: string;
   /** Index of the character's takes; default: the shown one. */
-  readonly clip?: number | undefined;
+  readonly clip?: number;
 }
 
 /** Adds markers, or spans. One that the take has already is not added again. */

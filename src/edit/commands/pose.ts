@@ -35,7 +35,7 @@ export interface SetDofs {
   /** Transport time: keyed DOFs are changed at this time only. */
   readonly timeSeconds: number;
   /** Auto-key: keys the DOFs at that time instead. */
-  readonly key?: KeyOptions | undefined;
+  readonly key?: KeyOptions;
 }
 
 /** Sets DOFs, clamped to their limits if the character enforces them. */

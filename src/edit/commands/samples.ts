@@ -117,15 +117,15 @@ export function* reverseSteps(document: Document, args: OfSamples): Steps<Docume
 /** Arguments of smoothing samples, or removing their spikes. */
 export interface SmoothSamples extends OfSamples {
   /** Default: all sampled channels. */
-  readonly channels?: readonly number[] | undefined;
+  readonly channels?: readonly number[];
   /** Default `gaussian`; a `median` removes spikes. See `samples/smooth.ts`. */
-  readonly filter?: SampleFilter['kind'] | undefined;
+  readonly filter?: SampleFilter['kind'];
   /** σ of the Gaussian, seconds; greater than 0. */
-  readonly sigmaSeconds?: number | undefined;
+  readonly sigmaSeconds?: number;
   /** Window of the median: 3, 5 or 7. */
-  readonly frames?: number | undefined;
+  readonly frames?: number;
   /** Seconds of the clip, both included: frames outside are kept. Default: the whole take. */
-  readonly range?: readonly [number, number] | undefined;
+  readonly range?: readonly [number, number];
 }
 
 /** Smooths sampled channels, or removes their spikes; see `samples/smooth.ts`. */
@@ -175,7 +175,7 @@ function interval(from: number, to: number): readonly [number, number] {
 /** Arguments of converting samples to keys. */
 export interface ConvertToKeys extends OfSamples {
   /** Default: all sampled channels; others are skipped. */
-  readonly channels?: readonly number[] | undefined;
+  readonly channels?: readonly number[];
   readonly tolerance: Tolerance;
 }
 

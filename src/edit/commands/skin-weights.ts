@@ -35,13 +35,13 @@ export type BindPlace = (typeof BIND_PLACES)[number];
 export interface AutoWeights {
   readonly characterId: string;
   /** Index of the character's skins; default: the shown one. */
-  readonly skin?: number | undefined;
+  readonly skin?: number;
   /** Seconds of the transport: the pose for `drawn` and `file`. */
   readonly timeSeconds: number;
   /** One of `bindPlaces`; default: the first of them. */
-  readonly bind?: BindPlace | undefined;
+  readonly bind?: BindPlace;
   /** Maximum number of joints per vertex: 1 to 16; default 4. */
-  readonly mostInfluences?: number | undefined;
+  readonly mostInfluences?: number;
 }
 
 /** Joints per vertex at most, unless stated. */

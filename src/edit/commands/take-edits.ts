@@ -73,7 +73,7 @@ export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): 
 /** Arguments of making takes loop. */
 export interface LoopTakes extends OfTakes {
   /** Length of the cross-fade; default 0.25, at most half of the take. */
-  readonly blendSeconds?: number | undefined;
+  readonly blendSeconds?: number;
 }
 
 const BLEND_SECONDS = 0.25;
@@ -123,9 +123,9 @@ function loopedKeys({ skeleton, morphs }: Character, clip: ChannelClip): Channel
 /** Arguments of locking feet. */
 export interface LockFeet extends OfTakes {
   /** Default 0.1. */
-  readonly easeSeconds?: number | undefined;
+  readonly easeSeconds?: number;
   /** How far a foot may slide without being locked, in metres; default 0.0005. */
-  readonly toleranceMetres?: number | undefined;
+  readonly toleranceMetres?: number;
 }
 
 const EASE_SECONDS = 0.1;

@@ -31,15 +31,15 @@ const HOW_JOINED = { overlapSeconds: optional(number), align: optional(oneOf(JOI
 /** How one piece continues from another. */
 export interface HowJoined {
   /** Cross-fade; default 0.25. Whole frames, at most those of the shorter piece. */
-  readonly overlapSeconds?: number | undefined;
+  readonly overlapSeconds?: number;
   /** Default `root`. */
-  readonly align?: JoinAlignment | undefined;
+  readonly align?: JoinAlignment;
 }
 
 /** Arguments of joining takes, in the order in which they follow each other. */
 export interface JoinTakes extends OfTakes, HowJoined {
   /** Default: the first one's, with `_joined`. */
-  readonly name?: string | undefined;
+  readonly name?: string;
 }
 
 interface Joined {
@@ -105,7 +105,7 @@ export interface CutOut extends OfTakes, HowJoined {
   readonly from: number;
   readonly to: number;
   /** They are seconds of the transport: characters start at different times. */
-  readonly areOfTransport?: boolean | undefined;
+  readonly areOfTransport?: boolean;
 }
 
 /** Removes the frames from one time to another, both included, and closes the gap. */
@@ -154,9 +154,9 @@ export interface InsertInto extends HowJoined {
   /** Seconds of the clip; what is there continues after it. */
   readonly atSeconds: number;
   /** The take to insert; absent: the pose at that time is held. */
-  readonly take?: TakeRef | undefined;
+  readonly take?: TakeRef;
   /** How long the pose is held. */
-  readonly holdSeconds?: number | undefined;
+  readonly holdSeconds?: number;
 }
 
 /** Inserts another take, or holds the pose at a time. */

@@ -48,7 +48,7 @@ export interface Paste extends KeyPlacing {
   /** Clip time for the earliest key. */
   readonly timeSeconds: number;
   /** Target channels other than the source: any number for one copied channel, else one for each. */
-  readonly into?: readonly number[] | undefined;
+  readonly into?: readonly number[];
   readonly mode: PasteMode;
 }
 

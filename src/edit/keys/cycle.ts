@@ -24,11 +24,11 @@ export type OutsideCycle = (typeof OUTSIDE_CYCLE)[number];
 /** Treatment of keys outside a cycle. */
 export interface KeyPlacing {
   /** Default `lengthen`. */
-  readonly outsideCycle?: OutsideCycle | undefined;
+  readonly outsideCycle?: OutsideCycle;
   /**
    * Minimum range to bake, in seconds of the clip, as far as the channel repeats there; default: the key's own time.
    */
-  readonly bakedRange?: readonly [number, number] | undefined;
+  readonly bakedRange?: readonly [number, number];
 }
 
 /** Seconds from the first key to the last; 0 without keys. */

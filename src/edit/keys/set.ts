@@ -8,11 +8,11 @@ import { withTangents } from './tangents.ts';
 /** Omitted numbers are not changed. */
 export interface TypedKey {
   /** Seconds of the clip. */
-  readonly timeSeconds?: number | undefined;
-  readonly value?: number | undefined;
+  readonly timeSeconds?: number;
+  readonly value?: number;
   /** Value per second; makes that side FIXED. */
-  readonly slopeIn?: number | undefined;
-  readonly slopeOut?: number | undefined;
+  readonly slopeIn?: number;
+  readonly slopeOut?: number;
 }
 
 /**

@@ -20,7 +20,7 @@ import { localMirrored, signed } from './reflection-signs.ts';
 /** Which joints take which pose. */
 export interface MirrorScope {
   /** The joint whose hierarchy is mirrored; absent or the root: the whole figure with its position. */
-  readonly joint?: number | undefined;
+  readonly joint?: number;
   /**
    * `swap`: the sides exchange their poses; `toOther`: the other side takes the pose of the joint's side, which is
    * unchanged.

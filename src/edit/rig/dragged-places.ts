@@ -116,7 +116,7 @@ export function boxWithFace(
     both = false,
     step,
     unitsPerPixel,
-  }: { readonly both?: boolean; readonly step?: number | undefined; readonly unitsPerPixel?: number } = {},
+  }: { readonly both?: boolean; readonly step?: number; readonly unitsPerPixel?: number } = {},
 ): Box {
   const own = side === 'min' ? min[axis] : max[axis];
   const across = side === 'min' ? max[axis] : min[axis];

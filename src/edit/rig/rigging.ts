@@ -10,9 +10,9 @@ export type SkinMode = (typeof SKIN_MODES)[number];
 export interface Rigging {
   readonly characterId: string;
   /** Default `follows`. */
-  readonly skin?: SkinMode | undefined;
+  readonly skin?: SkinMode;
   /** Transport time of the displayed pose. Default 0. */
-  readonly timeSeconds?: number | undefined;
+  readonly timeSeconds?: number;
 }
 
 /** A joint, as argument of rigging commands. */

@@ -209,7 +209,7 @@ export type Shapes<F extends Fields> = {
 /** The values of a record's fields as callers give them: undefined, too, leaves a field out. */
 export type Given<F extends Fields> = {
   readonly [K in Exclude<keyof F, OptionalNames<F>>]: Shaped<F[K]>;
-} & { readonly [K in OptionalNames<F>]?: Shaped<F[K]> | undefined };
+} & { readonly [K in OptionalNames<F>]?: Shaped<F[K]> };
 
 /** An object with these fields, all its own. */
 export function record<const F extends Fields>(fields: F): Shape<Shapes<F>> {

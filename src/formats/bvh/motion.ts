@@ -30,7 +30,7 @@ const ASSUMED = { frameSeconds: 1 / 30, text: 'used 1/30 s' };
 
 interface Header {
   /** The declared number of frames; undefined if it is not a number. */
-  frames?: number | undefined;
+  frames?: number;
   framesAt?: Mark;
   frameSeconds?: number;
 }

@@ -3,12 +3,12 @@ import type { DumpBlock, DumpHeading, DumpKind, DumpLabel, DumpTarget } from '..
 
 /** Facts that headings have stated so far; applies to the rows that follow. */
 export interface Heading {
-  readonly holds?: DumpKind | undefined;
-  readonly time?: number | undefined;
-  readonly channel?: number | undefined;
-  readonly times?: Float64Array | undefined;
-  readonly columns?: readonly string[] | undefined;
-  readonly nesting?: 'flat' | 'rows' | undefined;
+  readonly holds?: DumpKind;
+  readonly time?: number;
+  readonly channel?: number;
+  readonly times?: Float64Array;
+  readonly columns?: readonly string[];
+  readonly nesting?: 'flat' | 'rows';
 }
 
 /** Collects rows into blocks of equal heading, in the order of the file, with headings and IK targets beside them. */

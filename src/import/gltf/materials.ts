@@ -139,8 +139,8 @@ export async function readMaterials(
 /** A colour of a material and its image, as the file states them. */
 interface Tint {
   /** Linear red, green and blue; absent: white. */
-  readonly factor?: readonly number[] | undefined;
-  readonly info?: Json | undefined;
+  readonly factor?: readonly number[];
+  readonly info?: Json;
 }
 
 /** The colour that a material reflects, and that which it emits, if any. */

@@ -11,7 +11,7 @@ export interface JointPair {
 /** Options of retargeting a take. */
 export interface RetargetOptions {
   /** Root motion scale, from metres to metres; absent: the ratio of leg lengths. */
-  readonly scale?: number | undefined;
+  readonly scale?: number;
   /**
    * The reference pose: the source's file pose, a time of its take (seconds of the clip), or `automatic`: the file pose
    * if it is a standing one, else the frame closest to the target's pose.

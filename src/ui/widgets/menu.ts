@@ -16,17 +16,17 @@ export interface MenuItem {
   readonly kind: 'item';
   readonly label: string;
   /** Before the label, where a menu shows those of its buttons elsewhere. */
-  readonly icon?: IconName | undefined;
-  readonly detail?: string | undefined;
+  readonly icon?: IconName;
+  readonly detail?: string;
   /** Shown at the right edge. */
-  readonly shortcut?: string | undefined;
-  readonly ariaShortcut?: string | undefined;
+  readonly shortcut?: string;
+  readonly ariaShortcut?: string;
   readonly enabled: boolean;
   /** Chosen while disabled: says why. Without it the menu stays open. */
-  readonly refuse?: (() => void) | undefined;
+  readonly refuse?: () => void;
   /** Absent: not checkable. `mixed`: of some of what is selected, not for `radio`. */
-  readonly checked?: boolean | 'mixed' | undefined;
-  readonly radio?: boolean | undefined;
+  readonly checked?: boolean | 'mixed';
+  readonly radio?: boolean;
   run(): void;
 }
 

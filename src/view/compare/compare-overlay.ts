@@ -16,8 +16,8 @@ export interface ComparedPose {
 export interface ComparedDrawing {
   readonly placementCount: number;
   readonly side: ComparedSide;
-  readonly joints?: ComparedJoints | undefined;
-  readonly vertices?: ComparedVertices | undefined;
+  readonly joints?: ComparedJoints;
+  readonly vertices?: ComparedVertices;
 }
 
 export class CompareOverlay implements Overlay {

@@ -34,7 +34,7 @@ export interface ComparedVertices {
   readonly skin: Skin;
   /** x y z per vertex, in the character's own space; theirs are absent if only normals were compared. */
   readonly ours: Float64Array;
-  readonly theirs?: Float64Array | undefined;
+  readonly theirs?: Float64Array;
   /** A float from 0 to 1 per vertex. */
   readonly errors: Float32Array<ArrayBuffer>;
   /** Vertex with the largest error; undefined if all agree. */

@@ -27,7 +27,7 @@ export interface PosedSkeleton {
   /** Absent without a skin. */
   readonly skinShape?: SkinShape;
   /** Overrides the joints' own colours. */
-  readonly tint?: Tint | undefined;
+  readonly tint?: Tint;
   /** Whether bones are drawn even if the display has none. */
   readonly withBones?: boolean;
 }

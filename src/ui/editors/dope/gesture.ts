@@ -28,7 +28,7 @@ export interface DopeDrag {
   release(at: Pointer, moved: boolean): void;
   /** Escape: restores everything. */
   cancel(): void;
-  readonly box?: SelectionBox | undefined;
+  readonly box?: SelectionBox;
   /** The result so far, shown beside the pointer. */
-  readonly readout?: string | undefined;
+  readonly readout?: string;
 }

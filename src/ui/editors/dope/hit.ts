@@ -16,7 +16,7 @@ export interface SheetKeys {
   /** Clip time = transport time + this. */
   readonly offsetSeconds: number;
   /** First and last time of the selected keys, of the transport; absent if none is selected. */
-  readonly selectedSpan?: readonly [number, number] | undefined;
+  readonly selectedSpan?: readonly [number, number];
 }
 
 export type SheetHit =

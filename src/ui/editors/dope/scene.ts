@@ -19,7 +19,7 @@ export interface DopeScene extends SheetKeys {
 
 export interface DopeOverlay {
   readonly timeSeconds: number;
-  readonly box?: SelectionBox | undefined;
+  readonly box?: SelectionBox;
   /** Beside the pointer, during a drag. */
-  readonly readout?: { readonly x: number; readonly y: number; readonly text: string } | undefined;
+  readonly readout?: { readonly x: number; readonly y: number; readonly text: string };
 }

@@ -36,8 +36,8 @@ export interface ShownRow {
   readonly isLit: boolean;
   /** Of the current time. */
   readonly isNow: boolean;
-  readonly problem?: LineProblem | undefined;
-  readonly change?: RowChange | undefined;
+  readonly problem?: LineProblem;
+  readonly change?: RowChange;
 }
 
 /** `old`: what a changed or removed line was. */

@@ -13,7 +13,7 @@ export interface MousePlace {
   /** Name of the joint under the pointer in the viewport. */
   readonly joint?: string;
   /** Pose and IK modes: what a drag of that joint moves. */
-  readonly moves?: string | undefined;
+  readonly moves?: string;
   /** Rig mode: clicks add joints. */
   readonly isAdding?: boolean;
   /** *Snap to frames* is on. */

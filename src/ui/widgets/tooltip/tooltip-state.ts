@@ -19,7 +19,7 @@ export type TooltipState<T> =
       /** Until then the next one needs no rest. */
       readonly warmUntilMs: number;
       /** Dismissed while the pointer is on it: shows again only after the pointer was elsewhere. */
-      readonly dismissed?: T | undefined;
+      readonly dismissed?: T;
     }
   | { readonly kind: 'waiting'; readonly target: T; readonly cause: TooltipCause; readonly atMs: number }
   | { readonly kind: 'shown'; readonly target: T; readonly cause: TooltipCause; readonly leavesAtMs?: number };

@@ -28,7 +28,7 @@ function dragBody(press: CanvasPointer = at(0, 0)) {
   const told: (number | undefined)[] = [];
   let clicks = 0;
   let longPresses = 0;
-  const wait: { run?: (() => void) | undefined; ms?: number } = {};
+  const wait: { run?: () => void; ms?: number } = {};
   const grip = { characterId: 'c2', placement: 0, joint: BODY_JOINT, point: [0, 0, 0] } as const;
   const events = {
     click: () => void clicks++,

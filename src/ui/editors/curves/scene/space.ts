@@ -44,7 +44,7 @@ export interface Normalise {
 /** The part of a line that determines where its values are drawn. */
 export interface OnAxis {
   readonly axis: AxisName;
-  readonly normalise?: Normalise | undefined;
+  readonly normalise?: Normalise;
 }
 
 export const DEFAULT_AXES: CurveSpace['axes'] = {
