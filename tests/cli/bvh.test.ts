@@ -97,7 +97,7 @@ describe('marrow pose, of motion capture', () => {
     ['before the first frame', ['two.bvh', '--frame', '-1'], '0 to 2'],
     ['between frames', ['two.bvh', '--frame', '0.5'], 'whole number'],
     ['a frame of what has none', ['still.bvh', '--frame', '0'], 'no samples'],
-    ['a frame and a time', ['two.bvh', '--frame', '0', '--time', '0'], 'Give one of --time, --times and --frame'],
+    ['a frame and a time', ['two.bvh', '--frame', '0', '--time', '0'], 'Give only one of --time, --times and --frame'],
   ])('refuses %s, and says what there is', async (_, args, said) => {
     const { code, out, err } = await command(['pose', ...args], folder);
     expect({ code, out }).toEqual({ code: 2, out: '' });

@@ -405,7 +405,7 @@ describe('marrow grade', () => {
       [['grade', 'class', '--reference', 'broken'], 'broken/test.skel:1:'],
       [['grade', 'class', '--reference', 'bare'], 'has no skeleton'],
       [['grade', 'bare', '--reference', 'ref'], 'There are no folders or zips in "bare"'],
-      [[...GRADE, '--csv', '--html'], 'Give one of'],
+      [[...GRADE, '--csv', '--html'], 'Give only one of'],
       [[...GRADE, '--tolerance', '-1'], 'greater than 0'],
     ] as const) {
       const { code, err } = await command(args, folder);

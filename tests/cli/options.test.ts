@@ -80,7 +80,7 @@ it.each([
   [['--time', 'noon'], '--time takes a number, found "noon".'],
   [['--time='], '--time takes a number, found "".'],
   [['--name', 'Walk'], '--name takes one of walk, run, found "Walk".'],
-  [['--json', '--csv'], 'Give one of --json and --csv.'],
+  [['--json', '--csv'], 'Give only one of --json and --csv.'],
   [['--root', '1,2,3'], '--root needs --time T.'],
   [['--time', '1', '--root', '1,2'], '--root takes 3 numbers, x,y,z, found "1,2".'],
 ])('%j is refused in a sentence', (args, sentence) => {

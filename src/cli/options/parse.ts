@@ -22,7 +22,7 @@ export type Exclusive<O extends Options> = readonly (readonly (keyof O & string)
 export function parse<O extends Options>(args: readonly string[], options: O, exclusive: Exclusive<O> = []): Parsed<O> {
   const { inputs, given } = split(args, options);
   for (const names of exclusive) {
-    if (names.filter((name) => given.has(name)).length > 1) throw new UsageError(`Give one of ${listed(names)}.`);
+    if (names.filter((name) => given.has(name)).length > 1) throw new UsageError(`Give only one of ${listed(names)}.`);
   }
   for (const [name, { needs, isRequired, kind }] of Object.entries(options)) {
     if (needs !== undefined && given.has(name) && !given.has(needs)) {
