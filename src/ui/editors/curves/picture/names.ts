@@ -8,7 +8,7 @@ import type { PictureColours } from './picture-colours.ts';
 
 const APART = 15;
 /** Beyond, names are in the list only: there is no room. */
-const MOST_NAMES = 12;
+const MAX_NAMES = 12;
 
 /**
  * Heights at least `APART` from each other and within the plot, in the given order of ascending wishes; those of too
@@ -36,7 +36,7 @@ function shortName({ name }: CurveLine, isAlone: boolean): string {
 export function drawNames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
   const { space, offsetSeconds, curves } = scene;
   const lines = scene.lines.filter((line) => !isFaint(scene, line));
-  if (lines.length === 0 || lines.length > MOST_NAMES) return;
+  if (lines.length === 0 || lines.length > MAX_NAMES) return;
   const joints = new Set(lines.map(({ name }) => name.slice(0, name.lastIndexOf(' '))));
   const time = timeAt(space, space.width - GUTTER / 2) + offsetSeconds;
   const ends = lines
