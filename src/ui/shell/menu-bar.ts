@@ -4,7 +4,7 @@ import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { tryById } from '../state/actions/action.ts';
 import { menuEntries } from '../state/actions/menu-entries.ts';
-import { setActionTooltip } from '../state/actions/tooltips.ts';
+import { keyNameOf, setActionTooltip } from '../state/actions/tooltips.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
@@ -33,6 +33,7 @@ export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 
     bar,
     allMenus(wb),
     undoButtons(wb),
+    findButton(wb),
     element('div', { class: 'menu-end' }, whatIsUnsaved(wb), whatIsLoaded(wb)),
     panelButton(wb, 'page.inspector', 'Inspector', 'inspector'),
   );
@@ -90,6 +91,25 @@ function allMenus(wb: Uses<'actions' | 'settings'>): HTMLElement {
     MENUS.map((label) => ({ kind: 'menu', label, entries: () => menuEntries(wb, label) })),
   );
   return keepsFocusElsewhere(made);
+}
+
+/** The visible door to all commands. */
+function findButton(wb: Uses<'actions' | 'settings'>): HTMLElement {
+  const key = element('kbd', { 'aria-hidden': 'true' });
+  const made = keepsFocusElsewhere(
+    button('Find a command', { class: 'tool text-tool find-button', tooltip: undefined }, icon('search'), () =>
+      tryById(wb, 'help.search'),
+    ),
+  );
+  made.append(element('span', {}, 'Find'), key);
+  const show = () => {
+    const name = keyNameOf(wb, 'help.search');
+    key.hidden = name === undefined;
+    setText(key, name ?? '');
+  };
+  wb.settings.subscribe(show);
+  show();
+  return made;
 }
 
 function panelButton(

@@ -34,13 +34,23 @@ export async function onDemand<T>(
 const PATIENCE_MS = 2000;
 
 /** Runs it when the page is idle; files being loaded come first, including their first frame. */
-export function whenIdle({ loading }: Uses<'loading'>, run: () => void): void {
-  const until = performance.now() + PATIENCE_MS;
-  const wait = () => {
+export function whenIdle(wb: Uses<'loading'>, run: () => void): void {
+  afterLoading(wb, run, (look) => {
     // Safari doesn't have it.
     if ('requestIdleCallback' in window) window.requestIdleCallback(look, { timeout: PATIENCE_MS });
     else setTimeout(look);
-  };
+  });
+}
+
+/** Runs it after the next frame: a page that plays is hardly ever idle. Files being loaded come first. */
+export function afterFrame(wb: Uses<'loading'>, run: () => void): void {
+  afterLoading(wb, run, (look) => requestAnimationFrame(() => setTimeout(look)));
+}
+
+/** @param later calls what it is given when there is time for it */
+function afterLoading({ loading }: Uses<'loading'>, run: () => void, later: (look: () => void) => void): void {
+  const until = performance.now() + PATIENCE_MS;
+  const wait = () => later(look);
   const look = () => {
     if (!loading.get() || performance.now() >= until) return run();
     const stop = loading.subscribe(() => {

@@ -44,7 +44,9 @@ export function displayBar(wb: Parts): HTMLElement {
   camera.classList.add('camera-menu');
   // Laid out by the room of the stage, so that the menu asks what is shown.
   const hasCamera = () => camera.checkVisibility();
+  const styles = (): MenuEntry => ({ kind: 'menu', label: style.ariaLabel ?? '', entries: () => styleEntries(wb) });
   const show = barMenu('Show', 'eye', () => [
+    ...(style.hidden || style.checkVisibility() ? [] : [styles()]),
     ...switchEntries(wb),
     ...(hasCamera()
       ? []
