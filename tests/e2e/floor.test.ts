@@ -22,10 +22,10 @@ it('a character with its origin in its middle stands on a floor below 0, and one
     await expect.poll(async () => Buffer.compare((await readPixels(page, clip)).data, before.data)).not.toBe(0);
     await expect.poll(() => told.filter({ visible: true }).count()).toBe(0);
 
-    await page.getByRole('button', { name: 'Show' }).click();
+    await page.getByRole('button', { name: 'Show', exact: true }).click();
     const floor = page.getByRole('menuitemcheckbox', { name: 'Floor at lowest point' });
     await expect.poll(() => floor.getAttribute('aria-checked')).toBe('false');
     await floor.click();
-    await page.getByRole('button', { name: 'Show' }).click();
+    await page.getByRole('button', { name: 'Show', exact: true }).click();
     await expect.poll(() => floor.getAttribute('aria-checked')).toBe('true');
   }));

@@ -23,9 +23,9 @@ it('the display bar has the styles that exist, all switches in one menu, and the
       const texts = () => bar.getByRole('button').allInnerTexts();
       await expect.poll(texts).toEqual(['Textured', 'Show', 'Camera']);
 
-      await bar.getByRole('button', { name: 'Show' }).click();
+      await bar.getByRole('button', { name: 'Show', exact: true }).click();
       await page.getByRole('menuitemcheckbox', { name: 'Grid' }).click();
-      await bar.getByRole('button', { name: 'Show' }).click();
+      await bar.getByRole('button', { name: 'Show', exact: true }).click();
       const grid = page.getByRole('menuitemcheckbox', { name: 'Grid' });
       await expect.poll(() => grid.getAttribute('aria-checked')).toBe('false');
       await expect.poll(() => grid.locator('kbd').textContent()).toBe('G');

@@ -43,7 +43,7 @@ it.each([
         await expect.poll(() => faults(page), { message: id }).toEqual([]);
       }
       // What has no room in the bar is in its menu.
-      await page.getByRole('button', { name: 'Show' }).tap();
+      await page.getByRole('button', { name: 'Show', exact: true }).tap();
       await page.getByRole('menuitem', { name: 'Camera' }).waitFor();
       const styles = page.getByRole('menuitem', { name: 'Skin: Textured' });
       await expect.poll(() => styles.count()).toBe(width < 480 ? 1 : 0);
