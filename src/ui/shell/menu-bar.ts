@@ -8,7 +8,7 @@ import { keyNameOf, setActionTooltip } from '../state/actions/tooltips.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../widgets/dom.ts';
 import { icon } from '../widgets/icons.ts';
 import { type Menu, menuButton, openMenu } from '../widgets/menu.ts';
 import { bytes, plural } from '../widgets/numbers/number-text.ts';
@@ -95,18 +95,14 @@ function allMenus(wb: Uses<'actions' | 'settings'>): HTMLElement {
 
 /** The visible door to all commands. */
 function findButton(wb: Uses<'actions' | 'settings'>): HTMLElement {
-  const key = element('kbd', { 'aria-hidden': 'true' });
   const made = keepsFocusElsewhere(
     button('Find a command', { class: 'tool text-tool find-button', tooltip: undefined }, icon('search'), () =>
       tryById(wb, 'help.search'),
     ),
   );
-  made.append(element('span', {}, 'Find'), key);
-  const show = () => {
-    const name = keyNameOf(wb, 'help.search');
-    key.hidden = name === undefined;
-    setText(key, name ?? '');
-  };
+  made.append(element('span', {}, 'Find'));
+  // Drawn by the style sheet: as text it would be missing from the button's name.
+  const show = () => setAttribute(made, 'data-key', keyNameOf(wb, 'help.search'));
   wb.settings.subscribe(show);
   show();
   return made;
