@@ -132,13 +132,13 @@ it('turns a joint by a ring while a pin below holds, as one undo step, and back 
     const rotation = () => page.evaluate(() => window.marrow.characters()[0].dofs.slice(3, 6));
     await page.getByRole('treeitem', { name: /^hip/ }).first().click();
     await drawn(page);
-    // The ring about z faces the viewer: it is where a drag to the side turns rz only.
+    // The ring about z faces the viewer: a drag along it turns rz only. Its lower half is clear of the bars.
     const { x, y } = await onPage(page, hip);
     const canvas = page.locator('canvas.joint-gizmo');
     const before = await rotation();
     let radius = 0;
-    for (let r = 92; r > 24 && radius === 0; r--) {
-      await page.mouse.move(x + 0.8 * r, y - 0.6 * r);
+    for (let r = 140; r > 24 && radius === 0; r--) {
+      await page.mouse.move(x + 0.8 * r, y + 0.6 * r);
       const text = await page.locator('.hand-readout:visible').allTextContents();
       if (text.some((one) => one.startsWith('rz'))) radius = r;
     }
@@ -146,10 +146,10 @@ it('turns a joint by a ring while a pin below holds, as one undo step, and back 
     expect(radius).toBeGreaterThan(24);
     const turn = async () => {
       await page.mouse.down();
-      await page.mouse.move(x + 0.6 * radius, y - 0.8 * radius, { steps: 6 });
+      await page.mouse.move(x + 0.6 * radius, y + 0.8 * radius, { steps: 6 });
       await drawn(page);
       const now = await rotation();
-      expect(now[2] - before[2]).toBeCloseTo(Math.atan2(0.8, 0.6) - Math.atan2(0.6, 0.8), 1);
+      expect(now[2] - before[2]).toBeCloseTo(Math.atan2(0.6, 0.8) - Math.atan2(0.8, 0.6), 1);
       expect(apart(now.slice(0, 2), before.slice(0, 2))).toBeLessThan(1e-9);
       await expect.poll(async () => apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(2e-3);
     };
@@ -164,7 +164,7 @@ it('turns a joint by a ring while a pin below holds, as one undo step, and back 
     await expect.poll(() => page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('IK');
     await page.getByRole('treeitem', { name: /^hip/ }).first().click();
     await drawn(page);
-    await page.mouse.move(x + 0.8 * radius, y - 0.6 * radius);
+    await page.mouse.move(x + 0.8 * radius, y + 0.6 * radius);
     await turn();
     await page.mouse.up();
     await expect.poll(() => undoLabel(page)).toBe('Rotate hip');

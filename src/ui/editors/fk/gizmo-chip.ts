@@ -9,6 +9,8 @@ import { element, setText } from '../../widgets/dom.ts';
 /** CSS pixels from the outermost ring, and from the viewport's edges. */
 const BESIDE = 18;
 const EDGE = 4;
+/** Below the bars along the viewport's upper edge. */
+const TOP = 84;
 
 /** The lines of the chip. */
 export interface ChipText {
@@ -32,7 +34,7 @@ export function chipPlace(
   const right = x + outer + BESIDE;
   const left = x - outer - BESIDE - width;
   const fitsRight = right + width + EDGE <= view[0];
-  const top = Math.min(Math.max(y - outer / 2 - height / 2, EDGE), Math.max(EDGE, view[1] - height - EDGE));
+  const top = Math.min(Math.max(y - outer / 2 - height / 2, TOP), Math.max(EDGE, view[1] - height - EDGE));
   return [fitsRight || left < EDGE ? right : left, top];
 }
 
