@@ -82,6 +82,8 @@ it('a select opens a menu of the page, by mouse and by keys, also in a dialog', 
     await page.evaluate(() => void window.marrow.run('save.video'));
     const dialog = page.getByRole('dialog');
     const format = dialog.getByLabel('Format');
+    // They come once it is known what the browser can write.
+    await expect.poll(() => format.locator('option').count()).toBeGreaterThan(0);
     await format.click();
     const last = page.getByRole('menuitemradio').last();
     const label = await last.innerText();

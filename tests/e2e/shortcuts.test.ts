@@ -18,7 +18,7 @@ it('shortcuts show the essentials first, and are found by name, by pressing a ke
     await page.keyboard.press('Space');
     await expect.poll(lines).toEqual(['Play or pause']);
     await page.keyboard.press('k');
-    await expect.poll(lines).toEqual(['Key changed values, else selected joints']);
+    await expect.poll(lines).toEqual(['Key changes (or the selected joints)']);
     // A second character begins a name.
     await page.keyboard.type('ey whole');
     await expect.poll(() => field.inputValue()).toBe('key whole');
