@@ -27,7 +27,7 @@ export function offline(): Plugin {
     apply: 'build',
     // Not in index.html, since the development server has no manifest.
     transformIndexHtml: () => [
-      { tag: 'link', attrs: { rel: 'manifest', href: `../${MANIFEST}`, crossorigin: 'use-credentials' } },
+      { tag: 'link', attrs: { rel: 'manifest', href: `./${MANIFEST}`, crossorigin: 'use-credentials' } },
     ],
     generateBundle() {
       this.emitFile({ type: 'asset', fileName: MANIFEST, source: JSON.stringify(webAppManifest()) });

@@ -98,7 +98,7 @@ describe('by hand', () => {
       await tree.focus();
       await page.keyboard.press('e');
       await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'elbow' }).waitFor();
-      await expect.poll(() => page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('FK');
+      await expect.poll(() => page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('Pose');
     }));
 
   testAll(BY_HAND);
