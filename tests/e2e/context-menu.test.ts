@@ -71,14 +71,14 @@ it('menus open by the right button and by keyboard, tables copy by keyboard, and
       await expect.poll(() => page.getByRole('menu').count()).toBe(isOpen === 'true' ? 1 : 0);
     }
 
-    // In the timeline each part has its menu: the scrubber, a ruler, the plot.
+    // In the timeline each part has its menu: the ruler, the plot.
     await page.getByRole('slider', { name: 'Time', exact: true }).focus();
     await page.keyboard.press('Shift+F10');
     await page.getByRole('menuitem', { name: 'Set range start here' }).waitFor();
     await page.keyboard.press('Escape');
-    const plot = await page.locator('.curve-plot').boundingBox();
-    if (!plot) throw new Error('The curves are not visible.');
-    await page.mouse.click(plot.x + plot.width / 2, plot.y + 8, { button: 'right' });
+    const ruler = await page.getByRole('slider', { name: 'Time', exact: true }).boundingBox();
+    if (!ruler) throw new Error('The ruler is not visible.');
+    await page.mouse.click(ruler.x + ruler.width / 2, ruler.y + 8, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Go here' }).waitFor();
     await page.keyboard.press('Escape');
     await page.locator('.curve-plot').focus();
