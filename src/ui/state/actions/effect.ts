@@ -17,6 +17,7 @@ function noticeable({
   dialog,
   loading,
   comparing,
+  guide,
 }: Workbench): readonly unknown[] {
   return [
     store.document,
@@ -27,6 +28,7 @@ function noticeable({
     transport.get(),
     loading.get(),
     comparing.get(),
+    guide.get(),
     settings.get(),
     timeline.view.get(),
     timeline.autoKey.get(),
