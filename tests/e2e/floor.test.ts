@@ -12,7 +12,7 @@ it('a character with its origin in its middle stands on a floor below 0, and one
     // Nothing but the floor has moved.
     const world = () => page.evaluate(() => window.marrow.worldMatrices()[0]?.slice(12, 15));
     await expect.poll(world).toEqual([0, 0, 0]);
-    expect(await page.evaluate(() => window.marrow.steps().undo)).not.toMatch(/floor/i);
+    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).not.toMatch(/floor/i);
 
     // Beside the character, at the height of its middle, there is only background; with the floor at 0 there is the grid.
     await page.evaluate(() => window.marrow.run('view.front'));
