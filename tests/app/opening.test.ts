@@ -99,7 +99,7 @@ describe('a file with errors', () => {
       await opener.open(() => parts.map((part) => (lost.includes(part) ? part.broken : part.whole)));
       const open = () => store.document.characters.map(({ skins, clips }) => [skins.length, clips.length]);
       expect(open()).toEqual({ skel: [], skin: [[0, 1]], anim: [[1, 0]] }[kind]);
-      const fate = kind === 'skel' ? /not opened\. / : /not opened; its character is, without it/;
+      const fate = kind === 'skel' ? /not opened\. / : /not opened; the character was opened without it/;
       expect(textsOf(messages).at(-1)).toMatch(fate);
       await opener.open(() => lost.map(({ whole }) => whole));
       expect(open()).toEqual([[1, 1]]);

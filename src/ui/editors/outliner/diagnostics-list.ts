@@ -59,10 +59,12 @@ function messageBlock(wb: Uses<'messages' | 'timeline' | 'settings'>, message: M
         { class: `message-title ${file ? 'is-file' : ''}`, tooltip: text },
         isOfMany ? filesText(diagnostics) : diagnostics.length ? file || 'Opening' : text,
       ),
-      counted && element('span', { class: 'message-count' }, counted),
-      ...(message.offers ?? []).map(offerButton),
       button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
     ),
+    counted && element('p', { class: 'message-count' }, counted),
+    message.offers?.length
+      ? element('div', { class: 'message-offers' }, ...message.offers.map(offerButton))
+      : undefined,
     fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),
     ...(isOfMany ? [filesBlock(wb, shown, mixed)] : shown.map((d) => diagnosticBlock(wb, d, mixed))),
     diagnostics.length > shown.length &&
