@@ -138,7 +138,8 @@ export class Opener {
         diagnostics,
         [...sourcesOf(output.files), ...sourcesOf(taken.map(({ file }) => file))].map(({ name }) => name),
         (name, found) => {
-          if (found.some(({ code }) => code === 'opened-without')) return 'not opened; the character was opened without it';
+          if (found.some(({ code }) => code === 'opened-without'))
+            return 'not opened; the character was opened without it';
           if (hasErrors(found)) return wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened';
           return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
         },
