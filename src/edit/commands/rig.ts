@@ -5,6 +5,7 @@
 
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import { AXIS_LETTERS } from '../../model/skeleton/dof-axis.ts';
 import { jointName } from '../../model/skeleton/joint-name.ts';
 import { indexIn } from '../arguments.ts';
 import type { Edit } from '../change.ts';
@@ -21,7 +22,7 @@ import { mirrored } from '../rig/mirror.ts';
 import { childName, freeName } from '../rig/names.ts';
 import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
 import { type Kept, keepPlaces } from '../rig/places.ts';
-import { AXIS_LETTERS, SKIN_MODES } from '../rig/rigging.ts';
+import { SKIN_MODES } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
 import { filledText, index, number, oneOf, optional, text } from '../schema/shape.ts';
 import { JOINT, RIGGING, vector } from '../schema/shared-shapes.ts';

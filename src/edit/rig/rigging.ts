@@ -19,8 +19,3 @@ export interface Rigging {
 export interface OfJoint extends Rigging {
   readonly joint: number;
 }
-
-/** An axis by its letter. */
-export type NamedAxis = 'x' | 'y' | 'z';
-/** The letters of the axes, in the order of their indices. */
-export const AXIS_LETTERS: readonly NamedAxis[] = ['x', 'y', 'z'];

@@ -8,8 +8,8 @@ import type { Motion, Skeleton } from './skeleton.ts';
 
 /** An axis of a joint's space, by which a DOF is coloured. */
 export type AxisLetter = 'x' | 'y' | 'z';
-
-const LETTERS = ['x', 'y', 'z'] as const;
+/** The three axes, in their order. */
+export const AXIS_LETTERS: readonly AxisLetter[] = ['x', 'y', 'z'];
 
 /** Tolerance for an axis to count as a main one; covers rounding in files. */
 const ALONG = 1e-6;
@@ -21,13 +21,13 @@ const ALONG = 1e-6;
  */
 export function dofAxis(motion: Motion | undefined, name: string): AxisLetter | undefined {
   const shear = /^h([xyz])([xyz])$/.exec(name);
-  if (shear) return LETTERS.find((letter) => letter !== shear[1] && letter !== shear[2]);
+  if (shear) return AXIS_LETTERS.find((letter) => letter !== shear[1] && letter !== shear[2]);
   const named = /^[trsq]([xyz])$/.exec(name)?.[1];
-  if (named) return LETTERS.find((letter) => letter === named);
+  if (named) return AXIS_LETTERS.find((letter) => letter === named);
   const axis = motion && axisOf(motion);
   if (!axis) return undefined;
   const length = Math.hypot(...axis);
-  return LETTERS.find((_, k) => Math.abs(axis[k]) >= length * (1 - ALONG));
+  return AXIS_LETTERS.find((_, k) => Math.abs(axis[k]) >= length * (1 - ALONG));
 }
 
 /** The axis that colours one of a character's DOFs; undefined for morph weights. */

@@ -1,6 +1,6 @@
 /** Actions that build and edit skeletons. Loaded on first use; their shortcuts work in rig mode only. */
 
-import type { NamedAxis } from '../../../edit/rig/rigging.ts';
+import { AXIS_LETTERS } from '../../../model/skeleton/dof-axis.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { needsJoint, needsSkeleton } from '../../state/actions/needs.ts';
 import { selectedJointsText } from '../../state/joints/selected-joint.ts';
@@ -83,7 +83,7 @@ export const RIG_ACTIONS: readonly Action[] = [
       wb.posing.rig.renameAsked.update((times) => times + 1);
     },
   }),
-  ...(['x', 'y', 'z'] as const).map((axis: NamedAxis) =>
+  ...AXIS_LETTERS.map((axis) =>
     ofJoint({
       id: `rigging.mirror.${axis}`,
       name: `Mirror hierarchy across ${axis}`,

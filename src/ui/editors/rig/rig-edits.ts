@@ -7,11 +7,11 @@ import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '..
 import { keysLostBy, renameJoint, setFilePose, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { snappedPoint } from '../../../edit/rig/dragged-places.ts';
-import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { boxOf } from '../../../evaluate/skin/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
+import type { AxisLetter } from '../../../model/skeleton/dof-axis.ts';
 import { isSameType, type MotionKind, motionOfKind } from '../../../model/skeleton/joint-types.ts';
 import type { Motion, Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
@@ -140,7 +140,7 @@ export function removeSelected(
 /** Mirrors the hierarchies of the selected joints. */
 export function mirrorSelected(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
-  across: NamedAxis,
+  across: AxisLetter,
 ): void {
   withJoints(wb, (character, skeleton, joints) => {
     const before = wb.store.document;
