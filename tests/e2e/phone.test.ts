@@ -53,9 +53,13 @@ it('a pinch on a character zooms in every mode, a swipe scrolls a menu, and dial
       await dropFiles(page, FILES);
       await page.locator('[role=treeitem]', { hasText: 'second' }).first().waitFor({ state: 'attached' });
       const touch = await fingers(page);
-      for (const mode of ['posing.ik', 'posing.rig', 'posing.fk']) {
+      for (const [mode, name] of [
+        ['posing.ik', 'IK'],
+        ['posing.rig', 'Rig'],
+        ['posing.fk', 'FK'],
+      ] as const) {
         await run(page, mode);
-        await page.locator('.mode-switch [aria-checked=true]').waitFor();
+        await page.getByRole('button', { name: `Mode: ${name}` }).waitFor();
         const before = await scene(page);
         const { from, to } = before;
         await touch('touchStart', [from.x, from.y]);

@@ -5,9 +5,12 @@
  *     outliner | viewport | inspector        outliner and inspector collapse, and become drawers on a narrow page
  *     transport                              neither without a take, while the timeline is collapsed
  *     timeline: the ruler, and below it curves, dope sheet and lists, which collapse and are collapsed at first
+ *
+ * On phones and upright tablets the ruler is above the transport, the panels are sheets above both, and the bar of sheets
+ * is at the foot (`sheet-bar.ts`).
  */
 
-import { isBarShown, isPanelOpen, NARROW, openPanel } from '../state/panels/panels.ts';
+import { isBarShown, isPanelOpen, NARROW, openPanel, SHEETS } from '../state/panels/panels.ts';
 import { splitter } from '../state/panels/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
 import { element } from '../widgets/dom.ts';
@@ -23,12 +26,15 @@ export interface Parts {
   readonly transport: HTMLElement;
   readonly timeline: HTMLElement;
   readonly status: HTMLElement;
+  readonly sheetBar: HTMLElement;
 }
 
+/** @param tabs of the timeline, which are in the transport, or on a sheet in the timeline itself */
 export function layout(
   wb: Uses<'store' | 'settings' | 'viewport'>,
   root: HTMLElement,
   parts: Parts,
+  tabs: HTMLElement,
   signal: AbortSignal,
 ): void {
   const veil = element('div', { class: 'drawer-veil', 'aria-hidden': 'true' });
@@ -50,9 +56,12 @@ export function layout(
   // Replaces the frame of `index.html`.
   root.className = 'page';
   parts.stage.append(parts.status);
-  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline);
+  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline, parts.sheetBar);
 
   const narrow = window.matchMedia(NARROW);
+  const sheets = window.matchMedia(SHEETS);
+  const tabsInTransport = tabs.parentElement;
+  const placeTabs = () => (sheets.matches ? parts.timeline : tabsInTransport)?.append(tabs);
   const show = () => {
     const settings = wb.settings.get();
     sizePanels(root, settings);
@@ -79,6 +88,7 @@ export function layout(
     wb.viewport.fitScreen();
   });
   narrow.addEventListener('change', show, { signal });
+  sheets.addEventListener('change', placeTabs, { signal });
   veil.addEventListener('click', closeDrawers);
   root.addEventListener(
     'keydown',
@@ -90,5 +100,6 @@ export function layout(
     },
     { signal },
   );
+  placeTabs();
   show();
 }

@@ -86,7 +86,7 @@ function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles
 /** On a page too narrow for the titles: all menus, below one button. */
 function allMenus(wb: Uses<'actions' | 'settings'>): HTMLElement {
   const made = button('Menu', { class: 'tool text-tool all-menus' }, icon('menu'), () => {});
-  made.append('Menu');
+  made.append(element('span', {}, 'Menu'));
   menuButton(made, 'Menu', () =>
     MENUS.map((label) => ({ kind: 'menu', label, entries: () => menuEntries(wb, label) })),
   );
@@ -166,9 +166,7 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
     const loading = wb.loading.get();
     bar.hidden = cancel.hidden = loading === undefined;
     if (!loading) {
-      const sentence = loadedText(wb.store.document);
-      setText(text, loadedText(wb.store.document, cutName));
-      setTooltip(text, sentence);
+      showLoaded(text, wb.store.document);
       return;
     }
     setText(text, `Reading ${loading.label}, ${bytes(loading.done)}${loading.of ? ` of ${bytes(loading.of)}` : ''}`);
@@ -183,19 +181,50 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
   return element('div', { class: 'loaded', role: 'status' }, text, bar, cancel);
 }
 
-/** `wasp · 31 joints · 1,042 vertices · wasp_walk`. Long names would hide what follows them, so `cut` may shorten them. */
-function loadedText(document: Document, cut = (name: string) => name): string {
+/** Part by part, since a phone has room for one: the take, else the name. */
+function showLoaded(text: HTMLElement, document: Document): void {
+  const { example, name, facts, take } = loadedText(document, cutName);
+  const parts = [
+    element('span', { class: 'loaded-facts' }, example),
+    element('span', { class: facts || take ? 'loaded-name' : '' }, name),
+    element('span', { class: 'loaded-facts' }, facts),
+    element('span', { class: 'loaded-take' }, take),
+  ];
+  const whole = loadedText(document);
+  // Told to screen readers, so only when it changes.
+  if (text.textContent === parts.map((part) => part.textContent).join('')) return;
+  text.replaceChildren(...parts);
+  setTooltip(text, [whole.example + whole.name + whole.facts, whole.take].filter(Boolean).join(' · '));
+}
+
+interface Loaded {
+  /** `Example: `, or empty. */
+  readonly example: string;
+  readonly name: string;
+  /** ` · 31 joints · 1,042 vertices`. */
+  readonly facts: string;
+  /** Of the only character; empty if it has none. */
+  readonly take: string;
+}
+
+/** Long names would hide what follows them, so `cut` may shorten them. */
+function loadedText(document: Document, cut = (name: string) => name): Loaded {
   const { characters, review } = document;
-  if (!characters.length) return review ? `${plural(review.length, 'take')} in review` : 'Nothing is open';
+  const one = characters.length === 1 ? characters[0] : undefined;
+  if (!characters.length) {
+    const name = review ? `${plural(review.length, 'take')} in review` : 'Nothing is open';
+    return { example: '', name, facts: '', take: '' };
+  }
   const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);
   const vertices = characters.reduce((sum, c) => sum + (shownSkinSize(c) ?? 0), 0);
-  const parts = [characters.length === 1 ? cut(characters[0].name) : plural(characters.length, 'character')];
-  if (document.isOpeningSample) parts[0] = `Example: ${parts[0]}`;
-  if (joints) parts.push(plural(joints, 'joint'));
-  if (vertices) parts.push(plural(vertices, 'vertex', 'vertices'));
-  const take = characters.length === 1 ? shownClip(characters[0])?.name : undefined;
-  if (take) parts.push(cut(take));
-  return parts.join(' · ');
+  return {
+    example: document.isOpeningSample ? 'Example: ' : '',
+    name: one ? cut(one.name) : plural(characters.length, 'character'),
+    facts:
+      (joints ? ` · ${plural(joints, 'joint')}` : '') +
+      (vertices ? ` · ${plural(vertices, 'vertex', 'vertices')}` : ''),
+    take: cut((one && shownClip(one)?.name) ?? ''),
+  };
 }
 
 function shownSkinSize(character: Document['characters'][number]): number | undefined {

@@ -26,6 +26,7 @@ import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
 import { commands, runById } from './run-by-id.ts';
+import { sheetBar } from './sheet-bar.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
 import { statusBar } from './status-bar.ts';
 import { timelinePanel } from './timeline/timeline-panel.ts';
@@ -91,6 +92,7 @@ export function mountWorkbench(
   });
   const stage = viewportPane(wb, signal);
   const timeline = timelinePanel(wb, [takeCell(wb), scrubber.element], loadTab, signal);
+  const tabSwitches = timelineSwitches(wb, timeline.goTo, signal);
   layout(
     wb,
     root,
@@ -99,10 +101,12 @@ export function mountWorkbench(
       outliner: outliner(wb),
       stage,
       inspector: inspectorPanel(wb),
-      transport: transport(wb, timelineSwitches(wb, timeline.goTo, signal)),
+      transport: transport(wb, tabSwitches),
       timeline: timeline.element,
       status: statusBar(wb, signal),
+      sheetBar: sheetBar(wb, signal),
     },
+    tabSwitches,
     signal,
   );
   startDialogs(wb, root);

@@ -1,14 +1,16 @@
 /**
  * The bar over the viewport: the mode switch, enforcing limits, and a place for the controls of the mode's tool
- * (`wb.posing.controls`).
+ * (`wb.posing.controls`). On a phone a menu has modes and limits.
  */
 
 import { currentCharacter, tryById } from '../../state/actions/action.ts';
+import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
+import { menuButton } from '../../widgets/menu.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { select: 'Select', pose: 'Pose', fk: 'FK', ik: 'IK', rig: 'Rig' };
 /** Actions whose shortcuts lead to the modes. */
@@ -36,7 +38,20 @@ export function modeBar(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): 
   };
   wb.posing.controls.subscribe(show);
   show();
-  return element('div', { class: 'mode-bar tools' }, modeSwitch(wb), limitsSwitch(wb), controls);
+  return element('div', { class: 'mode-bar tools' }, modeMenu(wb), modeSwitch(wb), limitsSwitch(wb), controls);
+}
+
+function modeMenu(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
+  const text = element('span');
+  const made = element('button', { type: 'button', class: 'tool text-tool' }, text, icon('fold'));
+  menuButton(made, 'Mode', () => sectionsOf(wb, [POSING_MODES.map((mode) => `posing.${mode}`), ['pose.holdLimits']]));
+  const show = () => {
+    setText(text, TEXT[wb.posing.mode.get()]);
+    setAttribute(made, 'aria-label', `Mode: ${text.textContent}`);
+  };
+  wb.posing.mode.subscribe(show);
+  show();
+  return element('div', { class: 'mode-menu tools' }, keepsFocusElsewhere(made));
 }
 
 function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {

@@ -1,6 +1,7 @@
 /**
  * The panels: around the viewport if there is room, and remembered so. On a narrow page, side panels are drawers over it,
- * at most one open, and the timeline a drawer below it; initially all are closed.
+ * at most one open, and the timeline a drawer below it; initially all are closed. On phones and upright tablets all three
+ * are sheets below the viewport, at most one open.
  */
 import type { Settings } from '../settings.ts';
 import type { Uses } from '../workbench.ts';
@@ -10,8 +11,11 @@ export type PanelName = 'outliner' | 'inspector' | 'timeline';
 /** Where panels are drawers. */
 export const NARROW = '(max-width: 1023px), (max-height: 479px)';
 
-function isNarrow(): boolean {
-  return globalThis.matchMedia?.(NARROW).matches ?? false;
+/** Where panels are sheets: `styles/sheets.css`. */
+export const SHEETS = '(max-width: 860px) and (min-height: 480px)';
+
+function isNarrow(query = NARROW): boolean {
+  return globalThis.matchMedia?.(query).matches ?? false;
 }
 
 export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
@@ -30,10 +34,11 @@ export function isBarShown({ store, settings }: Uses<'store' | 'settings'>): boo
 export function openPanel(wb: Uses<'settings'>, panel: PanelName, open: boolean): void {
   const now = wb.settings.get();
   if (isPanelOpen(now, panel) === open) return;
+  const alone = open && isNarrow(SHEETS);
   const change = !isNarrow()
     ? { [`${panel}Open`]: open }
     : panel === 'timeline'
-      ? { timelineDrawer: open }
-      : { drawer: open ? panel : ('none' as const) };
+      ? { timelineDrawer: open, ...(alone && { drawer: 'none' as const }) }
+      : { drawer: open ? panel : ('none' as const), ...(alone && { timelineDrawer: false }) };
   wb.settings.set({ ...now, panels: { ...now.panels, ...change } });
 }
