@@ -26,6 +26,7 @@ import { restOfPage } from './ui/shell/rest-of-page.ts';
 import type { DumpComparison } from './ui/state/dump-comparison.ts';
 import type { GuideName } from './ui/state/guide.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
+import type { AskedManual } from './ui/state/manual-link.ts';
 import { Messages } from './ui/state/messages.ts';
 import { NOT_OFFLINE, type Offline } from './ui/state/offline.ts';
 import { onDemand, whenIdle } from './ui/state/on-demand.ts';
@@ -124,6 +125,7 @@ const workbench: Workbench = {
   offline: observable<Offline>(NOT_OFFLINE),
   comparing: observable<DumpComparison | undefined>(undefined),
   guide: observable<GuideName | undefined>(undefined),
+  manual: observable<AskedManual | undefined>(undefined),
 };
 
 const faults = new Faults(workbench);

@@ -16,6 +16,7 @@ import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { DumpComparison } from '../../src/ui/state/dump-comparison.ts';
 import type { GuideName } from '../../src/ui/state/guide.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
+import type { AskedManual } from '../../src/ui/state/manual-link.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { NOT_OFFLINE, type Offline } from '../../src/ui/state/offline.ts';
 import { Posing } from '../../src/ui/state/posing.ts';
@@ -145,6 +146,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     offline: observable<Offline>(NOT_OFFLINE),
     comparing: observable<DumpComparison | undefined>(undefined),
     guide: observable<GuideName | undefined>(undefined),
+    manual: observable<AskedManual | undefined>(undefined),
     files: {
       open: () => {},
       openSample: () => {},

@@ -100,7 +100,7 @@ export function mountWorkbench(
       menuBar: menuBar(wb),
       outliner: outliner(wb),
       stage,
-      inspector: inspectorPanel(wb),
+      inspector: inspectorPanel(wb, signal),
       transport: transport(wb, tabSwitches),
       timeline: timeline.element,
       status: statusBar(wb, signal),

@@ -4,6 +4,11 @@ import { element } from '../widgets/dom.ts';
 /** An address below the manual: `guide/curves.html#clean-up`. A test looks each of them up. */
 export type ManualPage = `${string}.html` | `${string}.html#${string}`;
 
+/** A new one with each request, so that one for the page that was left is one too. */
+export interface AskedManual {
+  readonly page: ManualPage;
+}
+
 /** What the page's texts speak of, and where the manual explains it. */
 const EXPLAINED = {
   cycle: 'guide/curves.html#cycles-and-extrapolation',
@@ -60,22 +65,22 @@ export function problemPage(code: string): { readonly text: string; readonly pag
   return PROBLEMS.find(({ codes }) => codes.test(code));
 }
 
-/** The one window that the manual is shown in. */
-const MANUAL_WINDOW = 'marrow-manual';
+/** The one window that the manual is shown in, if it isn't in the page: by a link opened so, or before a dialog. */
+export const MANUAL_WINDOW = 'marrow-manual';
 
-const addressOf = (page: ManualPage) => `./manual/${page}`;
+export const addressOf = (page: ManualPage): string => `./manual/${page}`;
 
-/** A link that opens the manual beside the page. @param text a question, or the name of the concept */
+/** A link into the manual. @param text a question, or the name of the concept */
 export function manualLink(text: string, about: keyof typeof EXPLAINED): HTMLAnchorElement {
   return manualAnchor(text, EXPLAINED[about]);
 }
 
-/** A link to a page of the manual, which opens beside this one. */
+/** A link to a page of the manual, which `followManualLinks` opens in the inspector's place. */
 export function manualAnchor(text: string, page: ManualPage): HTMLAnchorElement {
   return element('a', { class: 'link', href: addressOf(page), target: MANUAL_WINDOW }, text);
 }
 
-/** Opens the manual beside the page. False if the browser doesn't allow it. */
+/** Opens the manual in its window. False if the browser doesn't allow it. */
 export function showManual(page: ManualPage): boolean {
   return window.open(addressOf(page), MANUAL_WINDOW) !== null;
 }

@@ -15,6 +15,7 @@ import type { Observable } from '../widgets/observable.ts';
 import type { DumpComparison } from './dump-comparison.ts';
 import type { GuideName } from './guide.ts';
 import type { KeptOffer } from './kept-offer.ts';
+import type { AskedManual } from './manual-link.ts';
 import type { GroupName, MenuName } from './menus.ts';
 import type { Messages } from './messages.ts';
 import type { Offline } from './offline.ts';
@@ -91,6 +92,8 @@ export interface Workbench {
   readonly comparing: Observable<DumpComparison | undefined>;
   /** The guided first steps that are shown. */
   readonly guide: Observable<GuideName | undefined>;
+  /** The page of the manual that was last asked for, while the manual is in the inspector's place. */
+  readonly manual: Observable<AskedManual | undefined>;
 }
 
 /**

@@ -1,4 +1,7 @@
-/** *Help > Manual*, and F1, which opens the page of the manual about what has the focus. */
+/**
+ * *Help > Manual*, and F1, which opens the page of the manual about what has the focus. It is in the inspector's place;
+ * while a dialog is open, in a window, since nothing behind a dialog can be read or scrolled.
+ */
 
 import { type ManualPage, showManual } from '../../state/manual-link.ts';
 import { activePanel } from '../../state/panels/active-panel.ts';
@@ -67,6 +70,7 @@ const PARTS: Readonly<Record<string, ManualPage>> = {
   outliner: 'guide/looking.html',
   inspector: 'guide/looking.html#see-the-numbers',
   transport: 'guide/looking.html#play',
+  manual: CONTENTS,
   why: 'guide/curves.html#curve-editor',
 };
 
@@ -74,11 +78,13 @@ export const MANUAL_PAGES: readonly ManualPage[] = [DIALOGS, TABS, MODES, PARTS]
   Object.values(pages),
 );
 
-type Shown = Uses<'dialog' | 'timeline' | 'posing'>;
+type Shown = Uses<'dialog' | 'timeline' | 'posing' | 'manual'>;
 
 /** @param aboutFocus the page about what has the focus, instead of the contents */
 export function openManual(wb: Shown & Uses<'messages'>, aboutFocus: boolean): void {
-  if (showManual(aboutFocus ? pageAbout(wb, document.activeElement) : CONTENTS)) return;
+  const page = aboutFocus ? pageAbout(wb, document.activeElement) : CONTENTS;
+  if (!wb.dialog.get()) wb.manual.set({ page });
+  if (!wb.dialog.get() || showManual(page)) return;
   wb.messages.note('The browser blocked the manual’s window. Allow pop-ups for this page.', 'warning');
 }
 

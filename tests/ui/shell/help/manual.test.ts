@@ -29,20 +29,29 @@ describe('the page that the manual opens at', () => {
   });
   afterEach(() => void vi.unstubAllGlobals());
 
-  it('the manual opens with its contents, with the page about the open dialog by key', () => {
+  it('the manual opens with its contents, and by key with the page about the mode, in the inspector’s place', () => {
     const { wb } = workbench();
     openManual(wb, false);
+    expect(wb.manual.get()).toEqual({ page: 'index.html' });
+    vi.stubGlobal('document', { activeElement: null, querySelectorAll: () => [{ dataset: { panel: 'viewport' } }] });
+    wb.posing.mode.set('ik');
     openManual(wb, true);
+    expect(wb.manual.get()).toEqual({ page: 'guide/posing.html#ik' });
+    expect(opened).toEqual([]);
+  });
+
+  it('before a dialog the manual opens with the page about it, in a window', () => {
+    const { wb } = workbench();
     wb.dialog.set('retarget');
     openManual(wb, true);
-    expect(opened).toEqual(
-      ['index.html', 'index.html', 'guide/capture-and-review.html#retarget'].map((p) => `./manual/${p}`),
-    );
+    expect(opened).toEqual(['./manual/guide/capture-and-review.html#retarget']);
+    expect(wb.manual.get()).toBeUndefined();
   });
 
   it('a manual that the browser blocks is told', () => {
     isBlocked = true;
     const { wb } = workbench();
+    wb.dialog.set('retarget');
     openManual(wb, false);
     expect(wb.messages.list.get().map(({ text }) => text)).toEqual([expect.stringContaining('blocked')]);
   });
