@@ -4,7 +4,7 @@
  *     after an edit     show()    rebuilds what changed; a part that is the same object needs nothing
  *     every frame       seek()    mixer → DOFs → matrices → bone texture; no allocation
  *
- *     object ─┬─ placement ── mesh, wire, normals          all placements over the same buffers and the same bones
+ *     object ─┬─ placement ── normals                      with a mesh each, that `DrawnSkins` draws
  *             ├─ placement ── …
  *             └─ root bone ── …                            in the character's own space
  *
@@ -24,11 +24,10 @@ import type { Display } from '../model/session.ts';
 import { type Skin, textureNames, vertexCount } from '../model/skin.ts';
 import { PosePlayer } from './motion/pose-track.ts';
 import { Bones } from './skeleton/bones.ts';
-import { HoveredPart } from './skin/hovered-part.ts';
+import type { DrawnSkins } from './skin/drawn-skins.ts';
 import { BUILT_AT_ONCE, type Heat, ShownSkin } from './skin/shown-skin.ts';
 import { SkinTextures } from './skin/skin-textures.ts';
-import { SKIN_THEMES } from './skin/skin-theme.ts';
-import type { MarrowSkinnedMesh } from './skin/skinning.ts';
+import type { MarrowSkinnedMesh } from './skin/skinned-mesh.ts';
 import { uploadInFrames } from './skin/upload.ts';
 import { runInSlices } from './slices.ts';
 import { STAGE_THEMES, type ThemeName, type Tint } from './theme.ts';
@@ -50,17 +49,16 @@ const placedBox = new Box3();
 const vertex = new Vector3();
 
 export class CharacterView {
-  /** Contains everything of this character; at the scene's origin. */
+  /** Contains everything of this character but its skin, which is in that of `skins`; at the scene's origin. */
   readonly object = new Group();
   /** Bounds of the posed character in its own space, for three.js's culling and sorting. */
   readonly localBox = new Box3();
-  /** Which part of the skin is highlighted. */
-  readonly hoveredPart = new HoveredPart();
   private readonly localSphere = new Sphere();
   private shown: Character | undefined;
   private display: Display | undefined;
   private heat: Heat;
   private theme: ThemeName = 'dark';
+  private isVisible = true;
   private tint: Tint | undefined;
   private timeSeconds = 0;
   /** See `freezeRootMotion`. */
@@ -77,13 +75,18 @@ export class CharacterView {
   private skinLife = new AbortController();
   private readonly textures: SkinTextures;
 
-  /** @param renderer `prepare` uploads to it; without one it only converts */
+  /**
+   * @param skins where its skin is drawn
+   * @param renderer `prepare` uploads to it; without one it only converts
+   */
   constructor(
+    private readonly skins: DrawnSkins,
     private readonly renderer?: WebGLRenderer,
     private readonly events: CharacterEvents = {},
   ) {
     this.object.matrixAutoUpdate = false;
     this.textures = new SkinTextures(
+      skins.textures,
       (textures) => {
         this.skin?.setTextures(textures);
         this.events.redraw?.();
@@ -130,10 +133,20 @@ export class CharacterView {
     return this.skin !== undefined && !this.skin.isShown;
   }
 
+  /** Whether it is drawn at all. */
+  setVisible(isVisible: boolean): void {
+    this.isVisible = isVisible;
+    this.object.visible = isVisible;
+    this.skin?.setVisible(isVisible);
+  }
+
+  /** Index in the palette of a joint's matrix; undefined if it moves no skin. */
+  paletteIndexOf(joint: number): number | undefined {
+    return this.skin?.matrixOf(joint);
+  }
+
   setTheme(theme: ThemeName): void {
     this.theme = theme;
-    this.hoveredPart.hoveredColour.value.set(STAGE_THEMES[theme].hovered);
-    this.skin?.setTheme(SKIN_THEMES[theme]);
     this.skin?.setTint(this.tint && STAGE_THEMES[theme][this.tint]);
   }
 
@@ -273,7 +286,7 @@ export class CharacterView {
     if (this.building) runToEnd(this.building);
     const mesh = this.skin?.meshes[0];
     if (!mesh) return new Float64Array(0);
-    const count = vertexCount(mesh.gpu.skin);
+    const count = vertexCount(mesh.shared.skin);
     const out = new Float64Array(3 * count);
     for (let v = 0; v < count; v++) {
       mesh.getVertexPosition(v, vertex);
@@ -350,9 +363,9 @@ export class CharacterView {
   private rebuildSkin(character: Character, model: Skin | undefined): void {
     this.dropSkin();
     if (!model) return;
-    const theme = SKIN_THEMES[this.theme];
-    const { boneSet, localSphere, localBox, hoveredPart } = this;
-    const skin = new ShownSkin(model, character.morphs, boneSet, theme, localSphere, localBox, hoveredPart);
+    const { boneSet, localSphere, localBox } = this;
+    const skin = new ShownSkin(this.skins, model, character.morphs, boneSet, localSphere, localBox);
+    skin.setVisible(this.isVisible);
     skin.setTint(this.tint && STAGE_THEMES[this.theme][this.tint]);
     skin.onLater = () => this.events.redraw?.();
     skin.setTextures(this.textures.decoded);
@@ -389,6 +402,7 @@ export class CharacterView {
       group.matrix.fromArray(matrix);
       group.matrixWorldNeedsUpdate = true;
     }
+    this.skin?.followGroups();
   }
 
   /** Compiles the surface's shader for the lights of its scene. */

@@ -74,6 +74,7 @@ export class ShownCharacters {
     const { id, skeleton } = character;
     if (this.byId.has(id) || this.prepared.has(id)) return;
     const view = this.create(id);
+    view.setVisible(false);
     view.show(character, display, undefined, timeSeconds);
     if (skeleton) for (const prepare of [nodesFor, sizesFor]) prepare(skeleton);
     this.prepared.set(id, view);
@@ -111,7 +112,7 @@ export class ShownCharacters {
       if (entry.placements.length !== 16 * character.placements.length) {
         entry.placements = new Float64Array(16 * character.placements.length);
       }
-      entry.view.object.visible = !character.isHidden;
+      entry.view.setVisible(!character.isHidden);
       const heatJoint = selection.characterId === character.id ? selection.joint : undefined;
       if (look?.characterId === character.id) {
         entry.view.show(character, { ...display, skin: look.skin }, look.heat ?? heatJoint, timeSeconds);

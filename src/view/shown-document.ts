@@ -5,7 +5,7 @@
  *     after an edit                     show()
  *     in frames in which things moved   update()
  */
-import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
+import { type Camera, Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
@@ -22,6 +22,7 @@ import type { Screen } from './screen.ts';
 import { type ShownCharacter, ShownCharacters } from './shown-characters.ts';
 import { haveSameJoints, type JointRef, type PosedSkeleton } from './skeleton/drawn-skeletons.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton/skeleton-drawing.ts';
+import { DrawnSkins } from './skin/drawn-skins.ts';
 import { VertexMarker } from './skin/vertex-marker.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
 
@@ -56,6 +57,7 @@ export class ShownDocument {
   readonly stage: Stage;
   readonly grid = new Grid();
   readonly characters: ShownCharacters;
+  readonly skins = new DrawnSkins();
   readonly skeletons = new SkeletonDrawing();
   readonly picked = new PickedCopy();
   readonly highlighted = new Highlight();
@@ -77,6 +79,8 @@ export class ShownDocument {
   ) {
     this.stage = new Stage(screen.renderer);
     const { scene, content } = this.stage;
+    content.add(this.skins.object);
+    scene.onBeforeRender = (_renderer, _scene, camera) => this.aimSkins(camera);
     this.overlays = new Overlays(this.tools);
     this.characters = new ShownCharacters(
       content,
@@ -125,7 +129,7 @@ export class ShownDocument {
   surround(surroundings = EVERYTHING): void {
     const { hasBackground, hasGrid, hasTools } = surroundings;
     this.surroundings = surroundings;
-    this.stage.setBackground(hasBackground, this.screen.renderer);
+    this.stage.setBackground(hasBackground);
     this.grid.object.visible = this.display.grid && hasGrid;
     this.tools.visible = hasTools;
     this.showSkeletons();
@@ -141,15 +145,17 @@ export class ShownDocument {
   /** Poses aren't what they were at the last update. */
   move(): void {
     this.hasMoved = true;
+    this.stage.moveCasters();
     this.events.redraw();
   }
 
   setTheme(name: ThemeName): void {
     const theme = STAGE_THEMES[name];
     this.themeName = name;
-    this.stage.setTheme(theme, this.screen.renderer);
+    this.stage.setTheme(theme);
     for (const part of [this.grid, this.vertexMarker, this.overlays]) part.setTheme(theme);
     this.annotations?.setTheme(theme);
+    this.skins.setTheme(name);
     for (const { view } of this.characters.all) view.setTheme(name);
     this.showSkeletons();
   }
@@ -193,12 +199,9 @@ export class ShownDocument {
 
   /** Highlights a joint; undefined: none. Returns whether that changed anything. */
   highlight(joint: JointRef | undefined): boolean {
-    const { skeletons, annotations, characters, highlighted } = this;
+    const { skeletons, annotations, highlighted } = this;
     if (!skeletons.hover(joint)) return false;
     annotations?.labels.show(skeletons.drawn, this.display, this.selection, joint);
-    for (const { view, character } of characters.all) {
-      view.hoveredPart.hoveredJoint.value = character.id === joint?.characterId ? joint.joint : -1;
-    }
     highlighted.set(joint);
     return true;
   }
@@ -210,7 +213,7 @@ export class ShownDocument {
   }
 
   /** The skins that are drawn, to be picked. */
-  get skins(): readonly DrawnSkin[] {
+  get pickableSkins(): readonly DrawnSkin[] {
     return this.display.skin === 'hidden' ? [] : this.characters.skins(this.look);
   }
 
@@ -241,13 +244,26 @@ export class ShownDocument {
   }
 
   dispose(): void {
-    const { characters, grid, skeletons, vertexMarker, overlays, stage } = this;
-    for (const part of [characters, grid, skeletons, vertexMarker, overlays, stage]) part.dispose();
+    const { characters, skins, grid, skeletons, vertexMarker, overlays, stage } = this;
+    for (const part of [characters, skins, grid, skeletons, vertexMarker, overlays, stage]) part.dispose();
     this.annotations?.dispose();
   }
 
+  /** Gives back what three.js keeps of everything drawn: it continues listening for its disposal after a lost context. */
+  forget(): void {
+    this.stage.forget();
+    this.skins.free();
+  }
+
+  private aimSkins(camera: Camera): void {
+    const { skins, stage, characters, highlighted } = this;
+    const { joint: hovered } = highlighted;
+    skins.hovered.show(hovered && characters.get(hovered.characterId)?.view.paletteIndexOf(hovered.joint));
+    skins.aim(camera, stage.mayCast);
+  }
+
   private createView(id: string): CharacterView {
-    const view = new CharacterView(this.screen.renderer, {
+    const view = new CharacterView(this.skins, this.screen.renderer, {
       redraw: () => this.events.redraw(),
       textureFailed: (texture, message) => this.events.textureFailed(id, texture, message),
     });

@@ -81,7 +81,7 @@ export class Viewport {
         if (this.shown.document) this.redraw.tryNow(performance.now());
       },
       shaderFailed: drawingFailed,
-      contextLost: () => this.shown.stage.forget(this.screen.renderer),
+      contextLost: () => this.shown.forget(),
       contextRestored: () => {
         // three.js recreates everything; it only has to be drawn again.
         this.redraw.retry();
@@ -297,8 +297,8 @@ export class Viewport {
 
   /** A character whose skin is drawn, as it is now, for `insideSkin`: the first picture on screen does without that. */
   withDrawnSkin(characterId: string): ShownCharacter | undefined {
-    const { characters, skins } = this.shown;
-    if (!skins.some((skin) => skin.characterId === characterId)) return undefined;
+    const { characters, pickableSkins } = this.shown;
+    if (!pickableSkins.some((skin) => skin.characterId === characterId)) return undefined;
     this.update();
     return characters.seen(characterId);
   }

@@ -24,6 +24,7 @@ import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { type ChannelClip, keysOf, SMOOTH } from '../../src/model/takes/clip.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
+import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
 
 const CHARACTERS = 100;
@@ -62,7 +63,7 @@ const LATER = 1 / 100;
 describe('100 characters of 25 joints, a frame', () => {
   const scene = new Scene();
   const views = Array.from({ length: CHARACTERS }, (_, i) => {
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     view.show({ ...hero, id: `c${i}`, timeOffsetSeconds: i * LATER }, DEFAULT_DISPLAY, undefined);
     scene.add(view.object);
     return view;

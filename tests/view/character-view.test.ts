@@ -1,4 +1,4 @@
-import { Box3, type BufferAttribute, Vector3 } from 'three';
+import { Box3, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
@@ -6,9 +6,11 @@ import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { filePose } from '../../src/model/skeleton/dofs.ts';
 import type { BvhChannel } from '../../src/model/skeleton/skeleton.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
+import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, clip, morph, skeleton, skin } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
+import { heatValuesOf } from '../helpers/heat-values.ts';
 import { referenceClip, referenceMorph, referenceSkeleton, referenceSkin } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
 
@@ -52,7 +54,7 @@ interface AnimFile {
 }
 
 function shown(what: Character, timeSeconds = 0): CharacterView {
-  const view = new CharacterView();
+  const view = new CharacterView(new DrawnSkins());
   view.show(what, DEFAULT_DISPLAY, undefined);
   view.seek(timeSeconds);
   return view;
@@ -220,7 +222,7 @@ describe('a character in the picture', () => {
 
   it('cancels horizontal root motion in place, when drawing only', () => {
     const model = character({ skins: [skin()], pose: [3, 4, 5, 0, 0, 0, 0, 0, 0] });
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     view.show(model, { ...DEFAULT_DISPLAY, inPlace: true }, undefined);
     expectClose(view.bounds(new Box3()).min.toArray(), [0, 5, 0], WITHIN.rounding);
     expect(view.vertices()[0]).toBe(3);
@@ -332,19 +334,16 @@ describe('a character in the picture', () => {
 
 describe('a heat map of values from outside', () => {
   const heated = (view: CharacterView) => {
-    const { geometry } = view.skinnedMeshes[0];
-    const { array, version } = geometry.getAttribute('influence') as BufferAttribute;
-    return { values: [...array.slice(0, 3)], version };
+    const texture = heatValuesOf(view.skinnedMeshes[0]);
+    return { values: texture && [...(texture.image.data ?? [])].slice(0, 3), version: texture?.version ?? 0 };
   };
   const four = { ...DEFAULT_DISPLAY, skin: 'four' } as const;
-  const weights = Float64Array.of(0.25, 1, 1);
-  const own = { start: Uint32Array.of(0, 1, 2, 3), joints: new Uint32Array(3), weights };
-  const attached = character({ skeleton: skeleton(1), skins: [skin('arm', 0, { attachments: own })] });
+  const attached = character({ skeleton: skeleton(1), skins: [skin('arm')] });
 
-  it('is 0 everywhere until there are values, and follows them when it is told', () => {
-    const view = new CharacterView();
+  it('is that of no joint until there are values, and follows them when it is told', () => {
+    const view = new CharacterView(new DrawnSkins());
     view.show(attached, four, undefined);
-    expect(heated(view).values).toEqual([0, 0, 0]);
+    expect(heated(view).values).toBeUndefined();
     const values = Float32Array.of(0.5, 1, 0);
     view.heatSkin(values);
     expect(heated(view).values).toEqual([0.5, 1, 0]);
@@ -359,11 +358,11 @@ describe('a heat map of values from outside', () => {
   });
 
   it('a heat map of values from outside and the one of joint weights replace each other', () => {
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     view.show(attached, four, 0);
     view.heatSkin(Float32Array.of(0.5, 1, 0));
     view.show(attached, { ...DEFAULT_DISPLAY, skin: 'heat' }, 0);
-    expect(heated(view).values).toEqual([0.25, 1, 1]);
+    expect(heated(view).values).toBeUndefined();
     view.show(attached, four, 0);
     expect(heated(view).values).toEqual([0.5, 1, 0]);
     // What is unchanged is not uploaded again.

@@ -5,8 +5,10 @@ import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { Grid } from '../../src/view/scene/grid.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
+import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, documentOf, joint, skin } from '../helpers/builders.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';
+import { heatValuesOf } from '../helpers/heat-values.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
@@ -18,7 +20,7 @@ const far = captured(skeleton, take(skeleton, [[1000, 85, 0]]), { id: 'far', spa
 function shown(...characters: (typeof near)[]): ShownCharacters {
   const all = new ShownCharacters(
     new Group(),
-    () => new CharacterView(),
+    () => new CharacterView(new DrawnSkins()),
     () => {},
   );
   all.show(documentOf(...characters), DEFAULT_DISPLAY, {}, 0, true);
@@ -124,7 +126,7 @@ describe('the characters in the picture', () => {
       character({ id, skeleton: { name: 'one', joints: [joint(-1)] }, skins: [skin(id, 0)] });
     const all = new ShownCharacters(
       new Group(),
-      () => new CharacterView(),
+      () => new CharacterView(new DrawnSkins()),
       () => {},
     );
     const both = documentOf(dressed('near'), dressed('far'));
@@ -134,13 +136,13 @@ describe('the characters in the picture', () => {
     const materialsOf = (id: string) => [meshOf(id)?.material ?? []].flat().map(({ name }) => name);
     all.show(both, DEFAULT_DISPLAY, {}, 0, true, look);
     expect(['near', 'far'].flatMap(materialsOf)).toEqual(['skin solid', 'skin heat']);
-    const values = () => meshOf('far')?.geometry.getAttribute('influence').array[0];
+    const values = () => heatValuesOf(meshOf('far'))?.image.data?.[0];
     expect(values()).toBe(0.25);
     expect(all.posedSkeletons(new Map(), look).map(({ withBones }) => withBones)).toEqual([false, true]);
 
     all.show(both, { ...DEFAULT_DISPLAY, skin: 'heat' }, {}, 0, true);
     expect(['near', 'far'].flatMap(materialsOf)).toEqual(['skin heat', 'skin heat']);
-    expect(values()).toBe(0);
+    expect(values()).toBeUndefined();
     expect(all.posedSkeletons(new Map()).some(({ withBones }) => withBones)).toBe(false);
   });
 });
@@ -171,7 +173,7 @@ describe('views of characters', () => {
     const all = new ShownCharacters(
       new Group(),
       (id) => {
-        const view = new CharacterView();
+        const view = new CharacterView(new DrawnSkins());
         const { show, dispose } = view;
         view.show = (...given) => {
           said.push(`show ${id}`);

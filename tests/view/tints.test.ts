@@ -4,6 +4,7 @@ import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
 import { SkeletonDrawing } from '../../src/view/skeleton/skeleton-drawing.ts';
+import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { STAGE_THEMES, type Tints } from '../../src/view/theme.ts';
 import { character, documentOf, skin } from '../helpers/builders.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';
@@ -16,7 +17,7 @@ const document = documentOf(captured(skeleton, motion, { id: 'a' }), captured(sk
 function painted(tints: Tints): Color[] {
   const characters = new ShownCharacters(
     new Group(),
-    () => new CharacterView(),
+    () => new CharacterView(new DrawnSkins()),
     () => {},
   );
   characters.show(document, DEFAULT_DISPLAY, {}, 0, true);
@@ -52,7 +53,7 @@ describe('two characters that are compared', () => {
   });
 
   it('two characters that are compared have their skins dyed, and as they were afterwards', () => {
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     view.setTint('comparedFirst');
     view.show(character({ skins: [skin()] }), { ...DEFAULT_DISPLAY, skin: 'solid' }, undefined);
     const colour = () => {

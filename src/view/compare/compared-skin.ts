@@ -16,9 +16,10 @@ import {
 import { type Skin, vertexCount } from '../../model/skin.ts';
 import { dots } from '../scene/dots.ts';
 import { rawColor } from '../scene/thick-lines.ts';
-import { HoveredPart } from '../skin/hovered-part.ts';
 import { SkinMaterials } from '../skin/skin-materials.ts';
 import { SKIN_THEMES } from '../skin/skin-theme.ts';
+import { PLAIN_SKIN } from '../skin/skinning.ts';
+import { ValueTexture } from '../skin/value-texture.ts';
 import { STAGE_THEMES, type StageTheme } from '../theme.ts';
 import { compareColours } from './compare-colours.ts';
 import type { ComparedSide } from './compared-skeleton.ts';
@@ -47,8 +48,10 @@ export class ComparedSkin {
   private readonly depths = new Group();
   private readonly depth = new MeshBasicMaterial({ side: DoubleSide, colorWrite: false, transparent: true });
   private readonly mark = dots(1, { size: 19, depthTest: false, hollow: true });
-  private readonly materials = new SkinMaterials({ attachmentTexture: undefined }, SKIN_THEMES.dark, new HoveredPart());
+  private readonly materials = new SkinMaterials(PLAIN_SKIN, SKIN_THEMES.dark);
+  private tint = '';
   private geometry: BufferGeometry | undefined;
+  private values: ValueTexture | undefined;
   /** That the geometry is of. */
   private skin: Skin | undefined;
   private compared: ComparedVertices | undefined;
@@ -64,7 +67,7 @@ export class ComparedSkin {
 
   setTheme(theme: StageTheme): void {
     this.materials.setTheme(SKIN_THEMES[theme === STAGE_THEMES.light ? 'light' : 'dark']);
-    this.materials.setTint(theme.comparedFirst);
+    this.tint = theme.comparedFirst;
     const { uniforms } = this.mark.material;
     uniforms.color.value.copy(rawColor(compareColours(theme).own));
     uniforms.ring.value.copy(rawColor(theme.labelHalo));
@@ -115,6 +118,7 @@ export class ComparedSkin {
 
   dispose(): void {
     this.geometry?.dispose();
+    this.values?.dispose();
     this.materials.dispose();
     this.depth.dispose();
     this.mark.geometry.dispose();
@@ -125,10 +129,13 @@ export class ComparedSkin {
   private showTheirs({ skin, theirs, errors }: ComparedVertices, side: ComparedSide): void {
     if (!theirs) return;
     const geometry = this.geometryOf(skin);
-    set(geometry, 'position', theirs);
-    set(geometry, 'influence', errors);
+    const position = geometry.getAttribute('position');
+    position.array.set(theirs);
+    position.needsUpdate = true;
     if (vertexCount(skin) <= MAX_SMOOTH) geometry.computeVertexNormals();
-    this.setMeshes(this.meshes, geometry, side === 'both' ? this.materials.xray() : this.materials.heat(), GHOST_ORDER);
+    const { materials, tint } = this;
+    const look = side === 'both' ? materials.xray(tint) : materials.heat(this.valuesOf(errors));
+    this.setMeshes(this.meshes, geometry, look, GHOST_ORDER);
     this.setMeshes(this.depths, geometry, this.depth, DEPTH_ORDER);
     const [first] = this.depths.children;
     if (first) first.onBeforeRender = (renderer) => renderer.clearDepth();
@@ -147,15 +154,22 @@ export class ComparedSkin {
     }
   }
 
+  private valuesOf(errors: Float32Array): ValueTexture['texture'] {
+    if (this.values?.count !== errors.length) {
+      this.values?.dispose();
+      this.values = new ValueTexture(errors.length);
+    }
+    this.values.set(errors);
+    return this.values.texture;
+  }
+
   private geometryOf(skin: Skin): BufferGeometry {
     if (this.geometry && this.skin === skin) return this.geometry;
     this.geometry?.dispose();
     this.skin = skin;
     this.geometry = new BufferGeometry();
-    const floats = (width: number) =>
-      new BufferAttribute(new Float32Array(width * vertexCount(skin)), width).setUsage(DynamicDrawUsage);
-    this.geometry.setAttribute('position', floats(3));
-    this.geometry.setAttribute('influence', floats(1));
+    const floats = new Float32Array(3 * vertexCount(skin));
+    this.geometry.setAttribute('position', new BufferAttribute(floats, 3).setUsage(DynamicDrawUsage));
     this.geometry.setIndex(new BufferAttribute(skin.triangles, 1));
     return this.geometry;
   }
@@ -167,10 +181,4 @@ function place({ children }: Group, placements: Float64Array): void {
     for (let i = 0; i < 16; i++) elements[i] = placements[16 * p + i];
     children[p].matrixWorldNeedsUpdate = true;
   }
-}
-
-function set(geometry: BufferGeometry, name: 'position' | 'influence', values: ArrayLike<number>): void {
-  const attribute = geometry.getAttribute(name);
-  attribute.array.set(values);
-  attribute.needsUpdate = true;
 }

@@ -31,7 +31,7 @@ export function insideSkin(
 
 /** Whether `insideSkin` takes a few milliseconds at most, for every move of the pointer. */
 export function isInsideQuick(viewport: Pick<Viewport, 'withDrawnSkin'>, characterId: string): boolean {
-  const skin = viewport.withDrawnSkin(characterId)?.view.skinnedMeshes[0]?.gpu.skin;
+  const skin = viewport.withDrawnSkin(characterId)?.view.skinnedMeshes[0]?.shared.skin;
   return !skin || skin.triangles.length <= 3 * QUICK_TRIANGLES;
 }
 

@@ -23,7 +23,9 @@ import type { Skin } from '../../model/skin.ts';
 import { ID_FRAGMENT } from '../scene/thick-lines.ts';
 import type { JointRef } from '../skeleton/drawn-skeletons.ts';
 import type { SkeletonDrawing } from '../skeleton/skeleton-drawing.ts';
-import { type MarrowSkinnedMesh, withExactSkinning } from '../skin/skinning.ts';
+import type { SkinMaterials } from '../skin/skin-materials.ts';
+import type { MarrowSkinnedMesh } from '../skin/skinned-mesh.ts';
+import { placeOne, withExactSkinning } from '../skin/skinning.ts';
 import { IdRuns, nearestId } from './pick-ids.ts';
 
 /** What was hit; indices are into the character's own lists. */
@@ -73,8 +75,8 @@ export class Picker {
   });
   private readonly pixels = new Uint8Array(4 * SIZE * SIZE);
   private readonly runs = new IdRuns<Pickable>();
-  /** One per skin with more attachments than the attributes hold, one for all others. */
-  private readonly materials = new Map<unknown, ShaderMaterial>();
+  /** One per skin with textures of its own, one for all others. */
+  private readonly materials = new Map<SkinMaterials, ShaderMaterial>();
 
   constructor(private readonly renderer: WebGLRenderer) {}
 
@@ -137,23 +139,21 @@ export class Picker {
   private drawSkin(skin: DrawnSkin, camera: Camera): void {
     const { mesh } = skin;
     const material = this.materialFor(mesh);
-    const { material: own, visible } = mesh;
+    const { material: own } = mesh;
     material.uniforms.firstId.value = this.runs.add(mesh.geometry.attributes.position.count, { kind: 'skin', skin });
-    material.uniformsNeedUpdate = true;
+    placeOne(material, mesh.skeleton);
     mesh.material = material;
-    mesh.visible = true;
     this.renderer.render(mesh, camera);
     mesh.material = own;
-    mesh.visible = visible;
   }
 
-  private materialFor(mesh: MarrowSkinnedMesh): ShaderMaterial {
-    const key = mesh.gpu.attachmentTexture ?? 'usual';
+  private materialFor({ shared }: MarrowSkinnedMesh): ShaderMaterial {
+    const key = shared.materials;
     let material = this.materials.get(key);
     if (!material) {
-      material = withExactSkinning(skinIdMaterial(), mesh.gpu);
+      material = withExactSkinning(skinIdMaterial(), shared, { placing: 'one' });
       this.materials.set(key, material);
-      mesh.gpu.attachmentTexture?.addEventListener('dispose', () => {
+      shared.geometry.addEventListener('dispose', () => {
         this.materials.get(key)?.dispose();
         this.materials.delete(key);
       });
@@ -176,7 +176,7 @@ export class Picker {
     const { characterId, placement, mesh } = run.what.skin;
     const at = new Vector3((2 * x) / scene.width - 1, 1 - (2 * y) / scene.height, 0);
     const vertex = nearestCorner(mesh, id - run.first, scene.camera, scene.width / scene.height, at);
-    const joint = heaviestJoint(mesh.gpu.skin, vertex);
+    const joint = heaviestJoint(mesh.shared.skin, vertex);
     return { characterId, placement, vertex, ...(joint === undefined ? {} : { joint }) };
   }
 }
@@ -206,7 +206,7 @@ export function trianglesEndingIn(triangles: ArrayLike<number>, vertex: number):
  * to the pointer on screen. `at` is the pointer in −1 … 1.
  */
 function nearestCorner(mesh: MarrowSkinnedMesh, last: number, camera: Camera, aspect: number, at: Vector3): number {
-  const { triangles } = mesh.gpu.skin;
+  const { triangles } = mesh.shared.skin;
   const corners = [new Vector3(), new Vector3(), new Vector3()];
   let best = last;
   let bestOutside = Infinity;

@@ -94,14 +94,14 @@ export class Pointing {
     shown.stage.scene.updateMatrixWorld();
     rig.camera.updateMatrixWorld();
     const { width, height } = screen;
-    const { skeletons, skins, display } = shown;
+    const { skeletons, pickableSkins: skins, display } = shown;
     return { camera: rig.camera, width, height, skeletons, skins, skinsAreOpaque: isOpaque(display.skin) };
   }
 
   /** Undefined if there is none, or finding it would be slow. */
   private jointAt(scene: PickScene, x: number, y: number): JointRef | undefined {
     const { picker } = this;
-    const triangles = scene.skins.reduce((sum, { mesh }) => sum + mesh.gpu.skin.triangles.length / 3, 0);
+    const triangles = scene.skins.reduce((sum, { mesh }) => sum + mesh.shared.skin.triangles.length / 3, 0);
     if (triangles > MAX_TRIANGLES) return scene.skinsAreOpaque ? undefined : picker.pickJoint(scene, x, y);
     const hit = picker.pick(scene, x, y);
     return hit?.joint === undefined ? undefined : { ...hit, joint: hit.joint };

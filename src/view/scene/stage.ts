@@ -80,11 +80,16 @@ export class Stage {
   private readonly up = new Vector3();
   private readonly centre = new Vector3();
   private readonly near = new Box3();
+  private readonly away = new Vector3();
+  /** What the shadow map was last fitted to: centre, radius and depth. */
+  private readonly fitted = new Float64Array(5);
 
-  constructor(renderer: WebGLRenderer) {
+  constructor(private readonly renderer: WebGLRenderer) {
     renderer.toneMapping = NeutralToneMapping;
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = PCFShadowMap;
+    // Drawn again when something that throws it has moved, not when only the camera has.
+    renderer.shadowMap.autoUpdate = false;
     const { key, rim, fill, sky, ground } = this;
     key.castShadow = true;
     key.shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
@@ -98,8 +103,8 @@ export class Stage {
     this.up.crossVectors(KEY, this.right);
   }
 
-  setTheme(theme: StageTheme, renderer: WebGLRenderer): void {
-    renderer.toneMappingExposure = theme.exposure;
+  setTheme(theme: StageTheme): void {
+    this.renderer.toneMappingExposure = theme.exposure;
     const { uniforms } = this.background.material;
     uniforms.top.value.copy(rawColor(theme.backgroundTop));
     uniforms.haze.value.copy(rawColor(theme.horizon));
@@ -110,14 +115,20 @@ export class Stage {
   }
 
   /** Without it pictures are transparent. */
-  setBackground(on: boolean, renderer: WebGLRenderer): void {
+  setBackground(on: boolean): void {
     this.background.visible = on;
-    renderer.setClearAlpha(on ? 1 : 0);
+    this.renderer.setClearAlpha(on ? 1 : 0);
   }
 
   setShadow(on: boolean): void {
     this.ground.visible = on;
     this.key.castShadow = on;
+    this.moveCasters();
+  }
+
+  /** What throws shadows isn't where it was, or looks different: they are drawn again with the next frame. */
+  moveCasters(): void {
+    this.renderer.shadowMap.needsUpdate = true;
   }
 
   /** Call before each frame: rim, fill and horizon go with the camera. */
@@ -163,6 +174,8 @@ export class Stage {
     key.shadow.normalBias = 2.5 * texel;
     key.shadow.bias = -texel / camera.far;
 
+    if (this.isFitNew(centre.x, centre.y, centre.z, radius, camera.far)) this.moveCasters();
+
     // Where the light through the box's centre meets the ground.
     const reach = radius / KEY.y;
     const down = (centre.y - this.floor) / KEY.y;
@@ -174,8 +187,25 @@ export class Stage {
     shader.lifted.value = (0.07 * radius) / KEY.y / camera.far;
   }
 
-  /** Gives back what three.js keeps of everything drawn: it continues listening for its disposal after a lost context. */
-  forget(renderer: WebGLRenderer): void {
+  private isFitNew(...fit: readonly number[]): boolean {
+    const { fitted } = this;
+    if (fit.every((x, i) => x === fitted[i])) return false;
+    fitted.set(fit);
+    return true;
+  }
+
+  /** Whether what is inside of a sphere may throw a shadow on the ground that is drawn. */
+  readonly mayCast = ({ center, radius }: Sphere): boolean => {
+    if (!this.ground.visible) return false;
+    const { left, right } = this.key.shadow.camera;
+    const reach = (right - left) / 2 + radius;
+    const from = this.away.subVectors(center, this.key.target.position);
+    return Math.abs(from.dot(this.right)) <= reach && Math.abs(from.dot(this.up)) <= reach;
+  };
+
+  /** See `ShownDocument.forget`. */
+  forget(): void {
+    const { renderer } = this;
     this.scene.traverse((object) => {
       if (!(object instanceof Mesh || object instanceof Line || object instanceof Points)) return;
       object.geometry.dispose();

@@ -3,44 +3,47 @@
  * skin it, so that hovering changes one uniform and no buffer.
  */
 import { Color, type Material } from 'three';
-import { forEachMore } from './skinning.ts';
+import { jointWeight, type SkinData } from './skinning.ts';
 
 /** Share of the highlight in the colour of a vertex that follows only this joint, and its glow. */
 const COLOUR_PART = 0.6;
 const GLOW = 0.15;
+/** No joint. */
+const NONE = -1;
 
-/** Uniforms, shared by the materials of a character's skin. */
+/** Uniforms of the materials of all skins. */
 export class HoveredPart {
-  /** The joint's index; -1 for none. */
-  readonly hoveredJoint = { value: -1 };
+  /** Index in the palette of the joint's matrix; -1 for none. */
+  readonly hoveredMatrix = { value: NONE };
   readonly hoveredColour = { value: new Color() };
+
+  /** @param matrix index in the palette; undefined: no joint is hovered */
+  show(matrix: number | undefined): void {
+    this.hoveredMatrix.value = matrix ?? NONE;
+  }
 }
 
 /**
  * Call before `withExactSkinning`, whose chunks it extends. The material's fragment shader has three.js's
  * `color_fragment`; with `emissivemap_fragment` the part also glows.
- *
- * @param more whether the skin has an `attachmentTexture`
  */
-export function withHoveredPart<M extends Material>(material: M, { ...uniforms }: HoveredPart, more: boolean): M {
+export function withHoveredPart<M extends Material>(material: M, { ...uniforms }: HoveredPart, skin: SkinData): M {
   const before = material.onBeforeCompile;
   const keyBefore = material.customProgramCacheKey();
-  const each = more ? forEachMore('vHovered += attachment.x == hoveredJoint ? attachment.y : 0.0;') : '';
   material.onBeforeCompile = (shader, renderer) => {
     before.call(material, shader, renderer);
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader = shader.vertexShader
       .replace(
         '#include <skinning_pars_vertex>',
-        '#include <skinning_pars_vertex>\nuniform float hoveredJoint;\nout float vHovered;',
+        '#include <skinning_pars_vertex>\nuniform float hoveredMatrix;\nout float vHovered;',
       )
       .replace(
         '#include <skinning_vertex>',
         /* glsl */ `#include <skinning_vertex>
 	vHovered = 0.0;
 #ifdef USE_SKINNING
-	vHovered = dot( skinWeight, vec4( equal( skinIndex, vec4( hoveredJoint ) ) ) );
-	${each}
+	${jointWeight('vHovered', 'hoveredMatrix - float( firstMatrix )', skin)}
 #endif`,
       );
     shader.fragmentShader = `uniform vec3 hoveredColour;\nin float vHovered;\n${shader.fragmentShader}`
@@ -55,7 +58,7 @@ export function withHoveredPart<M extends Material>(material: M, { ...uniforms }
         `#include <emissivemap_fragment>\n\ttotalEmissiveRadiance += ${GLOW} * hovered * hoveredColour;`,
       );
   };
-  const key = `hovered part${more ? ', any number of attachments' : ''}; ${keyBefore}`;
+  const key = `hovered part; ${keyBefore}`;
   material.customProgramCacheKey = () => key;
   return material;
 }

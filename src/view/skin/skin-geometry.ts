@@ -164,16 +164,6 @@ export function* edgesOf(triangles: Uint32Array, vertices: number): Steps<Uint32
   return pairs.slice(0, count);
 }
 
-/** A geometry over the same vertices, drawn as lines. Dispose of both together: they share buffers. */
-export function wireGeometry(surface: BufferGeometry, edges: Uint32Array<ArrayBuffer>): BufferGeometry {
-  const geometry = new BufferGeometry();
-  for (const [name, attribute] of Object.entries(surface.attributes)) geometry.setAttribute(name, attribute);
-  geometry.morphAttributes = surface.morphAttributes;
-  geometry.morphTargetsRelative = surface.morphTargetsRelative;
-  geometry.setIndex(new BufferAttribute(edges, 1));
-  return geometry;
-}
-
 /** A line per vertex, which is the instance: `gl_VertexID` 0 at the surface and 1 at the tip. */
 export function normalsGeometry(surface: BufferGeometry): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
@@ -181,24 +171,7 @@ export function normalsGeometry(surface: BufferGeometry): InstancedBufferGeometr
     // Its own GPU buffer, since the divisor belongs to the buffer; the array is shared.
     geometry.setAttribute(name, new InstancedBufferAttribute(attribute.array, attribute.itemSize));
   }
-  geometry.morphAttributes = surface.morphAttributes;
-  geometry.morphTargetsRelative = surface.morphTargetsRelative;
   geometry.instanceCount = surface.getAttribute('position').count;
   geometry.setDrawRange(0, 2);
   return geometry;
-}
-
-/** A joint's weight on each vertex: the sum of its attachments there. */
-export function influenceOf(skin: Skin, joint: number | undefined, out: Float32Array): void {
-  out.fill(0);
-  const { attachments } = skin;
-  if (joint === undefined) return;
-  if (!attachments) {
-    if (joint === 0) out.fill(1);
-    return;
-  }
-  const { start, joints, weights } = attachments;
-  for (let v = 0; v < out.length; v++) {
-    for (let a = start[v]; a < start[v + 1]; a++) if (joints[a] === joint) out[v] += weights[a];
-  }
 }

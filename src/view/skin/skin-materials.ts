@@ -1,9 +1,7 @@
 /**
  * Materials of skins. Each skins exactly, draws both sides, and is lit by the file's normals turned toward the viewer;
- * see `skinning.ts`.
- *
- * Each character has its own materials, for its texture, its attachments past the fourth and the length of its normals;
- * compiled programs are shared.
+ * see `skinning.ts`. Equal skins share them, in each colour; so do all that have neither morphs nor attachments past the
+ * fourth. Compiled programs are shared anyway.
  */
 import {
   Color,
@@ -11,141 +9,147 @@ import {
   LineBasicMaterial,
   type Material,
   MeshDepthMaterial,
-  MeshDistanceMaterial,
   MeshStandardMaterial,
-  ShaderChunk,
   ShaderMaterial,
   type Texture,
 } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
+import type { FloatBlocks } from './float-blocks.ts';
 import { heatRamp } from './heat.ts';
 import { type HoveredPart, withHoveredPart } from './hovered-part.ts';
 import type { SkinLook } from './skin-looks.ts';
 import type { SkinTheme } from './skin-theme.ts';
-import { type SkinGpu, withExactSkinning } from './skinning.ts';
+import { jointWeight, type SkinData, withExactSkinning } from './skinning.ts';
 
-/** The materials of one skin, created on first use. */
+/** What the materials of all skins have in common. */
+export interface SkinUniforms {
+  /** Of all instances. */
+  readonly placements: FloatBlocks;
+  readonly hovered: HoveredPart;
+}
+
+/** What a material was made for. */
+interface Made {
+  readonly material: Material;
+  readonly kind: MaterialKind;
+  readonly tint: string | undefined;
+  readonly color?: Vec3 | undefined;
+}
+
+type MaterialKind = 'solid' | 'textured' | 'heat' | 'xray' | 'wire' | 'normals' | 'depth';
+
+/** The materials of equal skins, or of all that have no textures of their own; created on first use. */
 export class SkinMaterials {
-  private readonly made = new Map<string, Material>();
-  private textures: ReadonlyMap<string, Texture> = new Map();
-  private readonly looks = new Map<Material, SkinLook>();
-  private tint: string | undefined;
+  private readonly made = new Map<string, Made>();
 
+  /** @param uniforms undefined: for meshes that aren't skinned */
   constructor(
-    private readonly skin: Pick<SkinGpu, 'attachmentTexture'>,
+    private readonly skin: SkinData,
     private theme: SkinTheme,
-    private readonly hovered: HoveredPart,
+    private readonly uniforms?: SkinUniforms,
   ) {}
 
   setTheme(theme: SkinTheme): void {
     this.theme = theme;
-    for (const [name, material] of this.made) this.paint(name, material);
+    for (const made of this.made.values()) this.paint(made);
+  }
+
+  /** @param tint a colour for the whole skin; undefined: its own */
+  solid(tint?: string): Material {
+    return this.get('solid', tint, clay);
   }
 
   /**
-   * A colour for the whole skin; undefined: its own. Heat map and normals ignore it, since their colours mean
-   * something.
+   * One material for each look, in their order; one with neither texture nor colour is that of the style solid.
+   *
+   * @param textures those that are decoded, by their names in looks
    */
-  setTint(tint: string | undefined): void {
-    this.tint = tint;
-    for (const [name, material] of this.made) this.paint(name, material);
-  }
-
-  /** Those that are decoded, by their names in looks. */
-  setTextures(textures: ReadonlyMap<string, Texture>): void {
-    this.textures = textures;
-    for (const [name, material] of this.made) this.paint(name, material);
-  }
-
-  solid(): Material {
-    return this.get('solid', clay);
-  }
-
-  /** One material for each look, in their order; one with neither texture nor colour is that of the style solid. */
-  textured(looks: readonly SkinLook[]): Material | Material[] {
-    const all = looks.map((look) => this.lookMaterial(look));
+  textured(
+    looks: readonly SkinLook[],
+    textures: ReadonlyMap<string, Texture>,
+    tint?: string,
+  ): Material | readonly Material[] {
+    const all = looks.map(({ texture, color }) => {
+      const map = texture === undefined ? undefined : textures.get(texture);
+      if (!color && !map) return this.solid(tint);
+      return this.get('textured', tint, () => Object.assign(clay(), { map: map ?? null }), map, color);
+    });
     return all.length === 1 ? all[0] : all;
   }
 
-  heat(): Material {
-    return this.get('heat', heat);
+  /** Heat map and normals have no tint, since their colours mean something. */
+  heat(values?: Texture): Material {
+    return this.get('heat', undefined, () => heat(this.skin, values), values);
   }
 
-  xray(): Material {
-    return this.get('xray', xray);
+  xray(tint?: string): Material {
+    return this.get('xray', tint, xray);
   }
 
-  wire(): Material {
-    return this.get('wire', wire);
+  wire(tint?: string): Material {
+    return this.get('wire', tint, wire);
   }
 
   normals(): ShaderMaterial {
-    // `normalLines` creates a ShaderMaterial, and a name always means the same kind of material.
-    return this.get('normals', normalLines) as ShaderMaterial;
+    // `normalLines` creates a ShaderMaterial, and a kind is always the same class of material.
+    return this.get('normals', undefined, normalLines) as ShaderMaterial;
   }
 
+  /** For shadows. */
   depth(): Material {
-    return this.get('depth', () => new MeshDepthMaterial({ side: DoubleSide }));
-  }
-
-  distance(): Material {
-    return this.get('distance', () => new MeshDistanceMaterial({ side: DoubleSide }));
+    return this.get('depth', undefined, () => new MeshDepthMaterial({ side: DoubleSide }));
   }
 
   dispose(): void {
-    for (const material of this.made.values()) material.dispose();
+    for (const { material } of this.made.values()) material.dispose();
     this.made.clear();
   }
 
-  private lookMaterial(look: SkinLook): Material {
-    const { texture, color } = look;
-    if (!color && (texture === undefined || !this.textures.has(texture))) return this.solid();
-    return this.get(`textured ${JSON.stringify(look)}`, () => {
-      const material = clay();
-      this.looks.set(material, look);
-      return material;
+  /** @param texture that it is made of: it ends with it */
+  private get(kind: MaterialKind, tint: string | undefined, make: () => Material, texture?: Texture, color?: Vec3) {
+    const name = [kind, tint, texture?.uuid, color].join(' ');
+    const known = this.made.get(name);
+    if (known) return known.material;
+    const { skin, uniforms } = this;
+    const material = make();
+    if (uniforms && LIGHTS_UP.has(kind)) withHoveredPart(material, uniforms.hovered, skin);
+    withExactSkinning(material, skin, {
+      placing: kind === 'normals' ? 'one' : 'many',
+      placements: uniforms?.placements,
+      throughWorld: kind === 'depth',
     });
-  }
-
-  private get(name: string, make: () => Material): Material {
-    let material = this.made.get(name);
-    if (!material) {
-      material = make();
-      if (LIGHTS_UP.has(name.split(' ')[0]))
-        withHoveredPart(material, this.hovered, this.skin.attachmentTexture !== undefined);
-      withExactSkinning(material, this.skin);
-      material.name = `skin ${name}`;
-      this.made.set(name, material);
-      this.paint(name, material);
-    }
+    material.name = `skin ${kind}`;
+    const made = { material, kind, tint, color };
+    this.made.set(name, made);
+    this.paint(made);
+    texture?.addEventListener('dispose', () => {
+      material.dispose();
+      this.made.delete(name);
+    });
     return material;
   }
 
-  private paint(name: string, material: Material): void {
-    const { theme, tint } = this;
-    const look = this.looks.get(material);
-    if (material instanceof MeshStandardMaterial && name === 'solid') dye(material.color.set(theme.clay), tint);
-    if (material instanceof MeshStandardMaterial && look) {
-      const had = material.map !== null;
-      material.map = (look.texture !== undefined && this.textures.get(look.texture)) || null;
-      dye(material.color.setRGB(...(look.color ?? WHITE)), tint);
-      if (had !== (material.map !== null)) material.needsUpdate = true;
+  private paint({ material, kind, tint, color }: Made): void {
+    const { theme } = this;
+    if (material instanceof MeshStandardMaterial && kind === 'solid') dye(material.color.set(theme.clay), tint);
+    if (material instanceof MeshStandardMaterial && kind === 'textured') {
+      dye(material.color.setRGB(...(color ?? WHITE)), tint);
     }
     if (material instanceof LineBasicMaterial) {
       material.color.set(tint ?? theme.wire);
       material.opacity = theme.wireOpacity;
     }
-    if (material instanceof ShaderMaterial && name === 'xray') {
+    if (material instanceof ShaderMaterial && kind === 'xray') {
       material.uniforms.colour.value.set(tint ?? theme.xray);
       material.uniforms.facing.value = theme.xrayFacing;
       material.uniforms.edge.value = theme.xrayEdge;
     }
-    if (material instanceof ShaderMaterial && name === 'normals') material.uniforms.colour.value.set(theme.normals);
+    if (material instanceof ShaderMaterial && kind === 'normals') material.uniforms.colour.value.set(theme.normals);
   }
 }
 
 /** Materials that highlight the hovered joint's part; in the others colours mean something else. */
-const LIGHTS_UP = new Set(['solid', 'textured', 'xray', 'wire']);
+const LIGHTS_UP: ReadonlySet<MaterialKind> = new Set(['solid', 'textured', 'xray', 'wire']);
 
 /** Share of the tint in a skin's colour, so that shape and texture stay visible. */
 const TINT_PART = 0.6;
@@ -162,14 +166,28 @@ function clay(): MeshStandardMaterial {
   return new MeshStandardMaterial({ side: DoubleSide, roughness: 0.72, metalness: 0 });
 }
 
-/** The weight as a colour, slightly lit, so that the shape is readable. */
-function heat(): MeshStandardMaterial {
+/**
+ * A value per vertex as a colour, slightly lit, so that the shape is readable.
+ *
+ * @param values from 0 to 1, one texel each; undefined: the weight of the joint that each instance says
+ */
+function heat(skin: SkinData, values: Texture | undefined): MeshStandardMaterial {
   const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 1, metalness: 0 });
+  const influence = values
+    ? `uint width = uint( textureSize( heatValues, 0 ).x );
+	vInfluence = texelFetch( heatValues, ivec2( gl_VertexID % int( width ), gl_VertexID / int( width ) ), 0 ).x;`
+    : jointWeight('vInfluence', 'float( placed.w )', skin);
   material.onBeforeCompile = (shader) => {
-    shader.uniforms.heatRamp = { value: heatRamp() };
+    Object.assign(shader.uniforms, {
+      heatRamp: { value: heatRamp() },
+      ...(values && { heatValues: { value: values } }),
+    });
     shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', '#include <common>\nin float influence;\nout float vInfluence;')
-      .replace('#include <begin_vertex>', '#include <begin_vertex>\n\tvInfluence = influence;');
+      .replace(
+        '#include <skinning_pars_vertex>',
+        `#include <skinning_pars_vertex>\n${values ? 'uniform highp sampler2D heatValues;\n' : ''}out float vInfluence;`,
+      )
+      .replace('#include <begin_vertex>', `#include <begin_vertex>\n\t${influence}`);
     shader.fragmentShader = shader.fragmentShader
       .replace('#include <common>', '#include <common>\nuniform sampler2D heatRamp;\nin float vInfluence;')
       .replace(
@@ -180,6 +198,8 @@ function heat(): MeshStandardMaterial {
       // Half emissive: shading would darken colours that mean something.
       .replace('#include <emissivemap_fragment>', '\ttotalEmissiveRadiance += 0.45 * diffuseColor.rgb;');
   };
+  const key = `heat of ${values ? 'values' : 'weights'}`;
+  material.customProgramCacheKey = () => key;
   return material;
 }
 
@@ -234,12 +254,8 @@ void main() {
   });
 }
 
-/**
- * A line from each vertex along its normal: see `normalsGeometry`. Morphs are indexed by the instance, which is the
- * vertex.
- */
+/** A line from each vertex, which is the instance, along its normal: see `normalsGeometry`. */
 function normalLines(): ShaderMaterial {
-  const byInstance = (text: string) => text.replaceAll('gl_VertexID', 'gl_InstanceID');
   return new ShaderMaterial({
     uniforms: { colour: { value: new Color() }, normalLength: { value: 1 } },
     vertexShader: /* glsl */ `
@@ -249,17 +265,15 @@ uniform float normalLength;
 #include <skinning_pars_vertex>
 void main() {
 	#include <beginnormal_vertex>
-	MORPH_NORMAL
+	#include <morphnormal_vertex>
 	#include <skinbase_vertex>
 	#include <skinnormal_vertex>
 	#include <begin_vertex>
-	MORPH_POSITION
+	#include <morphtarget_vertex>
 	#include <skinning_vertex>
 	if ( gl_VertexID == 1 ) transformed += normalLength * objectNormal;
 	#include <project_vertex>
-}`
-      .replace('MORPH_NORMAL', byInstance(ShaderChunk.morphnormal_vertex))
-      .replace('MORPH_POSITION', byInstance(ShaderChunk.morphtarget_vertex)),
+}`,
     fragmentShader: /* glsl */ `
 uniform vec3 colour;
 #include <common>

@@ -1,7 +1,7 @@
 /** The textures of a skin that is shown, by the names in its materials. They come one by one as they are decoded. */
 import type { Texture } from 'three';
 import { baseName, type Texture as Picture, sameName } from '../../model/files.ts';
-import { skinTexture } from './skin-texture.ts';
+import type { SharedTextures } from './shared-textures.ts';
 
 interface Shown {
   readonly picture: Picture;
@@ -17,6 +17,7 @@ export class SkinTextures {
    * @param onFailed that one can't be decoded: it stays away
    */
   constructor(
+    private readonly shared: SharedTextures,
     private readonly onChange: (textures: ReadonlyMap<string, Texture>) => void,
     private readonly onFailed: (picture: Picture, message: string) => void,
   ) {}
@@ -28,7 +29,7 @@ export class SkinTextures {
     return found;
   }
 
-  /** Decodes what is new among the pictures of these names, and disposes of the others. */
+  /** Decodes what is new among the pictures of these names, and releases the others. */
   show(names: readonly string[], pictures: readonly Picture[]): void {
     const before = this.shown;
     const next = new Map<string, Shown>();
@@ -45,11 +46,12 @@ export class SkinTextures {
       }
     }
     this.shown = next;
-    const dropped = [...before].flatMap(([name, each]) => (next.get(name) === each ? [] : (each.texture ?? [])));
-    if (dropped.length > 0) this.onChange(this.decoded);
-    for (const texture of dropped) texture.dispose();
     if (typeof createImageBitmap === 'undefined') return;
+    const dropped = [...before].flatMap(([name, each]) => (next.get(name) === each ? [] : [each]));
+    if (dropped.some(({ texture }) => texture)) this.onChange(this.decoded);
     for (const each of added) this.decode(each);
+    // After the others: an equal picture keeps its texture.
+    for (const { picture } of dropped) this.shared.release(picture);
   }
 
   dispose(): void {
@@ -58,12 +60,9 @@ export class SkinTextures {
 
   private decode(each: Shown): void {
     const isWanted = () => [...this.shown.values()].includes(each);
-    skinTexture(each.picture).then(
+    this.shared.acquire(each.picture).then(
       (texture) => {
-        if (!isWanted()) {
-          texture.dispose();
-          return;
-        }
+        if (!isWanted()) return;
         each.texture = texture;
         this.onChange(this.decoded);
       },

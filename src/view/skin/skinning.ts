@@ -6,194 +6,109 @@
  * three.js's own skinning is right only for 1 to 4 attachments and rigid Mᵢ. The differences:
  *
  * - Bone matrices Mᵢ are in the character's space: `bindMatrix` is the identity and the mesh's `matrixWorld` is the
- *   placement, so one bone texture serves every placement, and weights that don't sum to 1 scale about the character's
- *   own origin, on the GPU and in `getVertexPosition` alike.
- * - The bone texture has one matrix more than there are joints, the identity. A vertex without attachments is bound to
- *   it and doesn't move; three.js moves it to the origin.
+ *   placement, so one block of matrices serves every placement, and weights that don't sum to 1 scale about the
+ *   character's own origin, on the GPU and in `getVertexPosition` alike.
+ * - All characters' matrices are in one texture, the palette, uploaded once a frame: a block for each, followed by the
+ *   weights of its morphs.
+ * - A block has one matrix more than there are joints, the identity. A vertex without attachments is bound to it and
+ *   doesn't move; three.js moves it to the origin.
  * - The first four attachments are in the attributes `skinIndex` and `skinWeight`; further ones, any number of them,
  *   are pairs (joint, weight) in a texture, of which a vertex has the range `attachmentRange`. Only shaders of skins
  *   with such vertices read it.
  * - Normals are turned by the inverse transpose, which is the cofactor matrix over the determinant.
- * - `applyBoneTransform` computes the same in doubles.
+ * - Equal skins are drawn as instances: see `drawn-skins.ts`. Morphs are summed in the vertex shader, before skinning:
+ *   see `packed-morphs.ts`.
+ * - `getVertexPosition` computes the same in doubles.
  *
  * Rejected: two more pairs of attributes (eight attachments, but 9 occur), all attachments in the texture (another
  * dependent fetch for the usual four), and matrices relative to the root (exact far from the origin in floats too, but
  * wrong if weights don't sum to 1).
  */
 import {
-  type Bone,
-  type Box3,
-  type BufferGeometry,
-  DataTexture,
-  DetachedBindMode,
-  FloatType,
-  LineSegments,
+  type DataTexture,
+  type IUniform,
   type Material,
-  Matrix4,
   MeshNormalMaterial,
-  RGBAFormat,
   ShaderChunk,
-  Skeleton,
-  SkinnedMesh,
-  type Sphere,
-  Vector3,
-  Vector4,
+  ShaderMaterial,
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
-import { setIdentity } from '../../math/mat4.ts';
-import type { Attachments, Skin } from '../../model/skin.ts';
+import type { FloatBlocks } from './float-blocks.ts';
+import type { PackedMorphs } from './packed-morphs.ts';
+import type { PaletteSkeleton } from './palette-skeleton.ts';
 
-/** A skin on the GPU: created once, shared by all placements and materials. */
-export interface SkinGpu {
-  readonly skin: Skin;
-  readonly geometry: BufferGeometry;
-  readonly skeleton: ExactSkeleton;
-  /** Without a skeleton a skin isn't deformed, whatever its weights sum to. */
-  readonly isPosed: boolean;
+/** What of a skin is on the GPU, apart from vertices: created once for all characters with an equal one. */
+export interface SkinData {
   /** Attachments past the fourth, if any: see `skin-geometry.ts`. */
   readonly attachmentTexture: DataTexture | undefined;
+  readonly morphs: PackedMorphs | undefined;
 }
 
-/** A skeleton whose bone matrices are given, in doubles, and end with the identity. */
-export class ExactSkeleton extends Skeleton {
-  /** Mᵢ, 16 numbers per joint, column-major, in the character's space; the identity after the last joint. */
-  readonly matrices: Float64Array;
-  override boneMatrices: Float32Array;
-  override boneTexture: DataTexture;
+/** A skin that is neither: a material for it serves all such skins. */
+export const PLAIN_SKIN: SkinData = { attachmentTexture: undefined, morphs: undefined };
 
-  /**
-   * @param jointCount at least as many as the skin's attachments refer to
-   * @param inverseBindings 16 numbers per joint, for exporters; bones past its end get the identity
-   */
-  constructor(bones: Bone[], jointCount: number, inverseBindings: Float64Array) {
-    super(
-      bones,
-      bones.map((_, j) => {
-        const inverse = new Matrix4();
-        return 16 * j < inverseBindings.length ? inverse.fromArray(inverseBindings, 16 * j) : inverse;
-      }),
-    );
-    this.matrices = new Float64Array(16 * (jointCount + 1));
-    const side = Math.max(4, 4 * Math.ceil(Math.sqrt(4 * (jointCount + 1)) / 4));
-    this.boneMatrices = new Float32Array(4 * side * side);
-    this.boneTexture = new DataTexture(this.boneMatrices, side, side, RGBAFormat, FloatType);
-    for (let m = 0; m < this.matrices.length; m += 16) setIdentity(this.matrices, m);
-    this.upload();
-  }
+/** How many of a skin a material draws with one call. */
+export type Placing =
+  /** One, of a mesh with a matrix as usual; uniforms say where its block of the palette is: see `placeOne`. */
+  | 'one'
+  /** Instances: the attribute `placed` says where in the textures each one's block and matrices are. */
+  | 'many';
 
-  /** Index of the identity matrix. */
-  get identityIndex(): number {
-    return this.matrices.length / 16 - 1;
-  }
-
-  /** Uploads `matrices` with the next draw. */
-  upload(): void {
-    this.boneMatrices.set(this.matrices);
-    this.boneTexture.needsUpdate = true;
-  }
-
-  /** Called by three.js before drawing; `upload` has already done it. */
-  override update(): void {}
-
-  override computeBoneTexture(): this {
-    return this;
-  }
-
-  /** Frees the texture on the GPU. (three.js would set it to null, and then fail on that.) */
-  override dispose(): void {
-    this.boneTexture.dispose();
-  }
+/** Uniforms of a material that draws one, with others. */
+interface OneUniforms {
+  readonly firstMatrix: IUniform<number>;
+  readonly firstWeight: IUniform<number>;
 }
 
-const point = new Vector4();
-
-/** One placement of a skin. */
-export class MarrowSkinnedMesh extends SkinnedMesh<BufferGeometry, Material | Material[]> {
-  /**
-   * @param sphere around the posed character, in its own space; kept by reference and updated by its owner, so that
-   *   three.js neither iterates over the vertices nor culls by an old position
-   */
-  constructor(
-    readonly gpu: SkinGpu,
-    material: Material,
-    sphere: Sphere,
-    box: Box3,
-  ) {
-    super(gpu.geometry, material);
-    this.bindMode = DetachedBindMode;
-    this.bind(gpu.skeleton, new Matrix4());
-    this.boundingSphere = sphere;
-    this.boundingBox = box;
-    this.matrixAutoUpdate = false;
-  }
-
-  override applyBoneTransform(index: number, target: Vector3): Vector3;
-  override applyBoneTransform(index: number, target: Vector4): Vector4;
-  override applyBoneTransform(index: number, target: Vector3 | Vector4): Vector3 | Vector4 {
-    const { skin, skeleton, isPosed } = this.gpu;
-    if (!isPosed) return target;
-    const isPoint = target instanceof Vector3;
-    point.set(target.x, target.y, target.z, isPoint ? 1 : target.w);
-    transformBy(skin.attachments, index, skeleton.matrices, point);
-    if (target instanceof Vector3) return target.set(point.x, point.y, point.z);
-    return target.copy(point);
-  }
+/** For a material that draws one: whose the next draw is. */
+export function placeOne(material: ShaderMaterial, { firstMatrix, firstWeight }: PaletteSkeleton): void {
+  // `withExactSkinning` has given it these.
+  const uniforms = material.uniforms as unknown as OneUniforms;
+  uniforms.firstMatrix.value = firstMatrix;
+  uniforms.firstWeight.value = firstWeight;
+  material.uniformsNeedUpdate = true;
 }
 
-/** Σ wᵢ · Mᵢ · v in place, w kept as it is. A skin without attachments is bound to the root, joint 0. */
-function transformBy(attachments: Attachments | undefined, vertex: number, matrices: Float64Array, v: Vector4): void {
-  const { x, y, z, w } = v;
-  const first = attachments ? attachments.start[vertex] : 0;
-  const end = attachments ? attachments.start[vertex + 1] : 1;
-  if (first === end) return;
-  let sx = 0;
-  let sy = 0;
-  let sz = 0;
-  for (let a = first; a < end; a++) {
-    const m = 16 * (attachments ? attachments.joints[a] : 0);
-    const weight = attachments ? attachments.weights[a] : 1;
-    sx += weight * (matrices[m] * x + matrices[m + 4] * y + matrices[m + 8] * z + matrices[m + 12] * w);
-    sy += weight * (matrices[m + 1] * x + matrices[m + 5] * y + matrices[m + 9] * z + matrices[m + 13] * w);
-    sz += weight * (matrices[m + 2] * x + matrices[m + 6] * y + matrices[m + 10] * z + matrices[m + 14] * w);
-  }
-  v.set(sx, sy, sz, w);
+const TEXEL_OF = /* glsl */ `
+vec4 texelOf( const in highp sampler2D blocks, const in uint i ) {
+	uint width = uint( textureSize( blocks, 0 ).x );
+	return texelFetch( blocks, ivec2( int( i % width ), int( i / width ) ), 0 );
 }
 
-/** Lines that follow a skin like its surface. three.js skins anything with `isSkinnedMesh` and a skeleton. */
-export class SkinnedLines extends LineSegments<BufferGeometry, Material> {
-  readonly isSkinnedMesh = true;
-  readonly skeleton: ExactSkeleton;
-  readonly bindMatrix = new Matrix4();
-  readonly bindMatrixInverse = new Matrix4();
-  readonly boundingSphere: Sphere;
-
-  constructor(geometry: BufferGeometry, material: Material, skeleton: ExactSkeleton, sphere: Sphere) {
-    super(geometry, material);
-    this.skeleton = skeleton;
-    this.boundingSphere = sphere;
-    this.matrixAutoUpdate = false;
-  }
-
-  /** Only the surface is picked. */
-  override raycast(): void {}
+mat4 matrixOf( const in highp sampler2D blocks, const in uint i ) {
+	return mat4( texelOf( blocks, i ), texelOf( blocks, i + 1u ), texelOf( blocks, i + 2u ), texelOf( blocks, i + 3u ) );
 }
+`;
+
+const PLACED: Readonly<Record<Placing, string>> = {
+  one: /* glsl */ `
+uniform highp uint firstMatrix;
+uniform highp uint firstWeight;
+`,
+  // Texel of the placement; matrix and texel of the palette; the joint whose influence is shown.
+  many: /* glsl */ `
+in uvec4 placed;
+uniform highp sampler2D placementTexture;
+#define firstMatrix placed.y
+#define firstWeight placed.z
+
+// To the view, and to the world: on the processor, in doubles, far from the origin too.
+mat4 placementView() { return matrixOf( placementTexture, placed.x ); }
+mat4 placementWorld() { return matrixOf( placementTexture, placed.x + 4u ); }
+`,
+};
 
 const BONE_MATRIX = /* glsl */ `
 uniform highp sampler2D boneTexture;
 
 mat4 getBoneMatrix( const in float i ) {
-	int size = textureSize( boneTexture, 0 ).x;
-	int j = int( i ) * 4;
-	int x = j % size;
-	int y = j / size;
-	return mat4(
-		texelFetch( boneTexture, ivec2( x, y ), 0 ),
-		texelFetch( boneTexture, ivec2( x + 1, y ), 0 ),
-		texelFetch( boneTexture, ivec2( x + 2, y ), 0 ),
-		texelFetch( boneTexture, ivec2( x + 3, y ), 0 ) );
+	return matrixOf( boneTexture, 4u * ( firstMatrix + uint( i ) ) );
 }
 
+`;
+
+const TURN_NORMAL = /* glsl */ `
 // m⁻ᵀ · n up to a factor. A singular matrix has no inverse; its cofactors still give the right direction.
 vec3 turnNormal( const in mat4 m, const in vec3 n ) {
 	vec3 a = m[ 0 ].xyz;
@@ -212,27 +127,93 @@ in uvec2 attachmentRange;
 
 // Joint and weight of an attachment past the fourth.
 vec2 getAttachment( const in uint i ) {
-	uint size = uint( textureSize( attachmentTexture, 0 ).x );
-	return texelFetch( attachmentTexture, ivec2( int( i % size ), int( i / size ) ), 0 ).xy;
+	return texelOf( attachmentTexture, i ).xy;
 }
 `;
 
+const MORPHS = /* glsl */ `
+uniform highp sampler2D morphTexture;
+in uvec2 morphRange;
+
+float getMorphWeight( const in float m ) {
+	uint i = uint( m );
+	return texelOf( boneTexture, firstWeight + i / 4u )[ i % 4u ];
+}
+`;
+
+/** Adds what `part` says of each of the vertex's differences: see `packed-morphs.ts`. */
+const forEachDifference = (part: string) => /* glsl */ `
+	for ( uint d = morphRange.x; d < morphRange.y; d ++ ) {
+		vec4 difference = texelOf( morphTexture, 2u * d );
+		float morphWeight = getMorphWeight( difference.x );
+		if ( morphWeight != 0.0 ) ${part}
+	}
+`;
+
+/** GLSL that sets `out` to a joint's weight on the vertex: the sum of its attachments. @param joint a float */
+export function jointWeight(out: string, joint: string, { attachmentTexture }: SkinData): string {
+  return /* glsl */ `{
+		float joint = ${joint};
+		${out} = dot( skinWeight, vec4( equal( skinIndex, vec4( joint ) ) ) );
+		${attachmentTexture ? forEachMore(`${out} += attachment.x == joint ? attachment.y : 0.0;`) : ''}
+	}`;
+}
+
 /** Runs `body` for each attachment past the fourth. */
-export const forEachMore = (body: string) => /* glsl */ `
+const forEachMore = (body: string) => /* glsl */ `
 	for ( uint a = attachmentRange.x; a < attachmentRange.y; a ++ ) {
 		vec2 attachment = getAttachment( a );
 		${body}
 	}
 `;
 
-/** three.js's skinning chunks, replaced. */
-function skinningChunks(more: boolean): Readonly<Record<string, string>> {
+/** three.js's chunks of skinning, morphs and placement, replaced. */
+function skinningChunks(
+  { attachmentTexture, morphs }: SkinData,
+  placing: Placing,
+  throughWorld: boolean,
+): Readonly<Record<string, string>> {
+  const more = attachmentTexture !== undefined;
   return {
-    skinning_pars_vertex: `
+    // Before the chunk of skinning in all of three.js's materials.
+    morphtarget_pars_vertex: `
 #ifdef USE_SKINNING
-${BONE_MATRIX}${more ? MORE_ATTACHMENTS : ''}
+${TEXEL_OF}${PLACED[placing]}${TURN_NORMAL}${BONE_MATRIX}${more ? MORE_ATTACHMENTS : ''}${morphs ? MORPHS : ''}
 #endif
 `,
+    skinning_pars_vertex: '',
+    ...(morphs && {
+      morphnormal_vertex: forEachDifference('objectNormal += morphWeight * texelOf( morphTexture, 2u * d + 1u ).xyz;'),
+      morphtarget_vertex: forEachDifference('transformed += morphWeight * difference.yzw;'),
+    }),
+    ...(placing === 'many' && {
+      skinbase_vertex: `${ShaderChunk.skinbase_vertex}
+#ifdef USE_SKINNING
+	mat4 placedView = placementView();
+#endif
+`,
+      defaultnormal_vertex: edited('defaultnormal_vertex', [
+        [
+          'transformedNormal = normalMatrix * transformedNormal;',
+          ifSkinned(
+            'transformedNormal = turnNormal( placedView, transformedNormal );',
+            'transformedNormal = normalMatrix * transformedNormal;',
+          ),
+        ],
+      ]),
+      project_vertex: edited('project_vertex', [
+        [
+          'mvPosition = modelViewMatrix * mvPosition;',
+          ifSkinned(
+            // The shadow's camera isn't the one the textures are for. The batch itself is at the origin.
+            throughWorld
+              ? 'mvPosition = modelViewMatrix * ( placementWorld() * mvPosition );'
+              : 'mvPosition = placedView * mvPosition;',
+            'mvPosition = modelViewMatrix * mvPosition;',
+          ),
+        ],
+      ]),
+    }),
     skinnormal_vertex: /* glsl */ `
 #ifdef USE_SKINNING
 	vec3 skinnedNormal = skinWeight.x * turnNormal( boneMatX, objectNormal )
@@ -270,7 +251,7 @@ ${BONE_MATRIX}${more ? MORE_ATTACHMENTS : ''}
  * Rejected: deciding per pixel by the geometric normal, which tears a triangle with one bad corner; flipping every
  * normal that points away, which gives silhouettes speckles lit from the wrong side.
  */
-const LIGHTING_CHUNKS: Readonly<Record<string, string>> = {
+const lightingChunks = (placing: Placing): Readonly<Record<string, string>> => ({
   normal_pars_vertex: /* glsl */ `${ShaderChunk.normal_pars_vertex}
 // 1 if the normal disagrees with the winding of its triangles; 0 if a geometry doesn't have it.
 attribute float turned;
@@ -284,6 +265,7 @@ attribute float turned;
 #ifdef USE_SKINNING
 	// Mirroring flips windings, but not normals.
 	if ( determinant( mat3( boneMatX ) ) < 0.0 ) vNormal = - vNormal;
+	${placing === 'many' ? 'if ( determinant( mat3( placedView ) ) < 0.0 ) vNormal = - vNormal;' : ''}
 #endif`,
     ],
   ]),
@@ -305,7 +287,12 @@ vec3 turnedToViewer( const in vec3 normal, const in vec3 position, const in floa
   normal_fragment_begin: edited('normal_fragment_begin', [
     ['normal *= faceDirection;', 'normal = turnedToViewer( vNormal, vViewPosition, faceDirection );'],
   ]),
-};
+});
+
+/** GLSL for what is skinned, and for what isn't. */
+function ifSkinned(skinned: string, otherwise: string): string {
+  return `\n#ifdef USE_SKINNING\n\t${skinned}\n#else\n\t${otherwise}\n#endif\n`;
+}
 
 /** A three.js chunk with replacements. @throws Error if three.js has changed and no longer contains the text */
 function edited(chunk: keyof typeof ShaderChunk, edits: readonly (readonly [was: string, is: string])[]): string {
@@ -317,19 +304,37 @@ function edited(chunk: keyof typeof ShaderChunk, edits: readonly (readonly [was:
   return text;
 }
 
+/** How `withExactSkinning` changes a material. */
+export interface SkinningOptions {
+  readonly placing: Placing;
+  /** With `many`: the placements and views of all instances. */
+  readonly placements?: FloatBlocks | undefined;
+  /** With `many`: for cameras other than that of the placements, as a shadow's. */
+  readonly throughWorld?: boolean;
+}
+
 /**
  * Makes any material skin exactly, and shade by normals turned toward the viewer: surface, lines, shadow
  * (`customDepthMaterial`), ID render. Custom shaders include three.js's chunks for skinning and morphs. A material
- * created for a skin with an `attachmentTexture` serves that skin only; without one it serves all such skins.
+ * created for a skin with textures serves that skin only; for `PLAIN_SKIN` it serves all without.
  */
 export function withExactSkinning<M extends Material>(
   material: M,
-  skin?: { readonly attachmentTexture: DataTexture | undefined },
+  skin: SkinData,
+  { placing, placements, throughWorld = false }: SkinningOptions,
 ): M {
-  const texture = skin?.attachmentTexture;
+  const { attachmentTexture, morphs } = skin;
   const before = material.onBeforeCompile;
   const keyBefore = material.customProgramCacheKey();
-  const chunks = { ...skinningChunks(texture !== undefined), ...LIGHTING_CHUNKS };
+  const chunks = { ...skinningChunks(skin, placing, throughWorld), ...lightingChunks(placing) };
+  const uniforms: Record<string, IUniform> = {
+    ...(attachmentTexture && { attachmentTexture: { value: attachmentTexture } }),
+    ...(morphs && { morphTexture: { value: morphs.texture } }),
+    ...(placements && { placementTexture: { value: placements.texture } }),
+  };
+  if (placing === 'one' && material instanceof ShaderMaterial) {
+    Object.assign(material.uniforms, { firstMatrix: { value: 0 }, firstWeight: { value: 0 } });
+  }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     before.call(material, shader, renderer);
     for (const [name, text] of Object.entries(chunks)) {
@@ -339,9 +344,10 @@ export function withExactSkinning<M extends Material>(
       shader.vertexShader = shader.vertexShader.replaceAll(include, text);
       shader.fragmentShader = shader.fragmentShader.replaceAll(include, text);
     }
-    if (texture) shader.uniforms.attachmentTexture = { value: texture };
+    Object.assign(shader.uniforms, uniforms);
   };
-  const key = `exact skinning${texture ? ', any number of attachments' : ''}; ${keyBefore}`;
+  const kinds = [placing, throughWorld && 'world', attachmentTexture && 'any attachments', morphs && 'morphs'];
+  const key = `exact skinning: ${kinds.filter(Boolean).join(', ')}; ${keyBefore}`;
   material.customProgramCacheKey = () => key;
   return material;
 }

@@ -14,6 +14,7 @@ import {
   Matrix4,
   Mesh,
   MeshStandardMaterial,
+  type Object3D,
   OrthographicCamera,
   PlaneGeometry,
   Points,
@@ -32,7 +33,9 @@ import { type Character, DEFAULT_PLACEMENT } from '../../../src/model/document.t
 import type { Morph } from '../../../src/model/morph.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
-import { type MarrowSkinnedMesh, withExactSkinning } from '../../../src/view/skin/skinning.ts';
+import { DrawnSkins } from '../../../src/view/skin/drawn-skins.ts';
+import type { MarrowSkinnedMesh } from '../../../src/view/skin/skinned-mesh.ts';
+import { PLAIN_SKIN, placeOne, withExactSkinning } from '../../../src/view/skin/skinning.ts';
 
 /** Files as text, with what to do with them. */
 export interface Case {
@@ -64,6 +67,7 @@ export interface Picture {
 
 const SIZE = 160;
 const renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
+const skins = new DrawnSkins();
 renderer.setSize(SIZE, SIZE, false);
 renderer.shadowMap.enabled = true;
 document.body.append(renderer.domElement);
@@ -117,12 +121,9 @@ class SkinnedPoints extends Points {
   constructor(mesh: MarrowSkinnedMesh, material: ShaderMaterial) {
     const geometry = new BufferGeometry();
     for (const [name, attribute] of Object.entries(mesh.geometry.attributes)) geometry.setAttribute(name, attribute);
-    geometry.morphAttributes = mesh.geometry.morphAttributes;
-    geometry.morphTargetsRelative = mesh.geometry.morphTargetsRelative;
     super(geometry, material);
     this.skeleton = mesh.skeleton;
     this.frustumCulled = false;
-    if (mesh.morphTargetInfluences) this.morphTargetInfluences = mesh.morphTargetInfluences;
   }
 }
 
@@ -154,8 +155,10 @@ function readBack(mesh: MarrowSkinnedMesh, what: string): number[] {
       vertexShader: READ_BACK(what),
       fragmentShader: 'flat in vec3 vValue;\nout vec4 pixel;\nvoid main() { pixel = vec4( vValue, 1.0 ); }',
     }),
-    mesh.gpu,
+    mesh.shared,
+    { placing: 'one' },
   );
+  placeOne(material, mesh.skeleton);
   const target = new WebGLRenderTarget(64, 64, { type: FloatType, format: RGBAFormat });
   const scene = new Scene();
   scene.add(new SkinnedPoints(mesh, material));
@@ -173,7 +176,7 @@ function readBack(mesh: MarrowSkinnedMesh, what: string): number[] {
 }
 
 function vertices(what: Case): Vertices {
-  const view = new CharacterView(renderer);
+  const view = new CharacterView(skins, renderer);
   view.show(characterOf(what), DEFAULT_DISPLAY, undefined);
   const [mesh] = view.skinnedMeshes;
   const out = {
@@ -218,6 +221,7 @@ function stage(centre: Vector3, radius: number): Scene {
 }
 
 function picture(scene: Scene, camera: Camera): Picture {
+  scene.onBeforeRender = (_renderer, _scene, seenBy) => skins.aim(seenBy, () => true);
   renderer.setClearColor(0x000000, 0);
   renderer.render(scene, camera);
   const gl = renderer.getContext();
@@ -231,7 +235,7 @@ function picture(scene: Scene, camera: Camera): Picture {
 /** The character as the page draws it, and its vertices deformed by the core and drawn as a rigid mesh. */
 function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Picture } {
   const character = characterOf(what);
-  const view = new CharacterView(renderer);
+  const view = new CharacterView(skins, renderer);
   view.show(character, { ...DEFAULT_DISPLAY, skin: 'solid' }, undefined);
   const [mesh] = view.skinnedMeshes;
   const [skin] = character.skins;
@@ -246,20 +250,20 @@ function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Pict
   geometry.setIndex(mesh.geometry.getIndex());
   geometry.setAttribute('turned', mesh.geometry.getAttribute('turned'));
   const material = [mesh.material].flat()[0].clone();
-  const rigid = new Mesh(geometry, withExactSkinning(material));
+  const rigid = new Mesh(geometry, withExactSkinning(material, PLAIN_SKIN, { placing: 'many' }));
   rigid.castShadow = true;
   // The rigid mesh's own sphere is exact; the character's is around its joints.
   geometry.computeBoundingSphere();
   const centre = geometry.boundingSphere?.center ?? new Vector3();
   const radius = geometry.boundingSphere?.radius ?? 1;
-  const take = (object: CharacterView['object'] | Mesh) => {
+  const take = (...objects: Object3D[]) => {
     const scene = stage(centre, radius);
-    scene.add(object);
+    scene.add(...objects);
     const taken = picture(scene, cameraFor(centre, 1.4 * radius));
-    scene.remove(object);
+    scene.remove(...objects);
     return taken;
   };
-  const both = { skinned: take(view.object), rigid: take(rigid) };
+  const both = { skinned: take(view.object, skins.object), rigid: take(rigid) };
   view.dispose();
   return both;
 }
@@ -270,14 +274,14 @@ async function styled(what: Case, display: Partial<Display>, heatJoint?: number)
   const textured = new Promise<void>((resolve) => {
     came = resolve;
   });
-  const view = new CharacterView(renderer, {
+  const view = new CharacterView(skins, renderer, {
     redraw: () => came?.(),
     textureFailed: () => came?.(),
   });
   view.show(characterOf(what), { ...DEFAULT_DISPLAY, ...display }, heatJoint);
   if (what.texture) await textured;
   const scene = new Scene();
-  scene.add(new AmbientLight(0xffffff, 3), view.object);
+  scene.add(new AmbientLight(0xffffff, 3), view.object, skins.object);
   const camera = cameraFor(view.localBox.getCenter(new Vector3()), view.localBox.getSize(new Vector3()).length() / 2);
   const taken = picture(scene, camera);
   view.dispose();
@@ -286,7 +290,7 @@ async function styled(what: Case, display: Partial<Display>, heatJoint?: number)
 
 /** Shading normals in view space as colours: 0.5 + 0.5 n. `plain`: as oriented by three.js, by the file's winding. */
 function turned(what: Case, plain: boolean): Picture {
-  const view = new CharacterView(renderer);
+  const view = new CharacterView(skins, renderer);
   view.show(characterOf(what), DEFAULT_DISPLAY, undefined);
   const [mesh] = view.skinnedMeshes;
   const material = new ShaderMaterial({
@@ -319,10 +323,12 @@ void main() {
 	gl_FragColor = vec4( 0.5 + 0.5 * normal, 1.0 );
 }`,
   });
-  mesh.material = plain ? material : withExactSkinning(material, mesh.gpu);
-  if (plain) mesh.geometry.setIndex(new BufferAttribute(mesh.gpu.skin.triangles, 1));
+  if (plain) mesh.geometry.setIndex(new BufferAttribute(mesh.shared.skin.triangles, 1));
+  else withExactSkinning(material, mesh.shared, { placing: 'one' });
+  mesh.material = material;
+  if (!plain) placeOne(material, mesh.skeleton);
   const scene = new Scene();
-  scene.add(view.object);
+  scene.add(mesh);
   const camera = cameraFor(view.localBox.getCenter(new Vector3()), view.localBox.getSize(new Vector3()).length() / 2);
   const taken = picture(scene, camera);
   view.dispose();

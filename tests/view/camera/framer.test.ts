@@ -8,6 +8,7 @@ import { Framer } from '../../../src/view/camera/framer.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
 import { PickedCopy } from '../../../src/view/picked-copy.ts';
 import { ShownCharacters } from '../../../src/view/shown-characters.ts';
+import { DrawnSkins } from '../../../src/view/skin/drawn-skins.ts';
 import * as people from '../../evaluate/retarget/people.ts';
 import { character, documentOf, skeleton } from '../../helpers/builders.ts';
 
@@ -20,7 +21,7 @@ function framing(change: Partial<Character> = {}) {
   const shown = character({ skeleton: skeleton(3), placements: [DEFAULT_PLACEMENT, second], ...change });
   const characters = new ShownCharacters(
     new Group(),
-    () => new CharacterView(),
+    () => new CharacterView(new DrawnSkins()),
     () => {},
   );
   characters.show(documentOf(shown), DEFAULT_DISPLAY, {}, 0, true);

@@ -6,6 +6,7 @@ import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import type { Ray } from '../../../src/view/camera/eye.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
 import { insideSkin } from '../../../src/view/picking/inside-skin.ts';
+import { DrawnSkins } from '../../../src/view/skin/drawn-skins.ts';
 import { character, morph, skeleton } from '../../helpers/builders.ts';
 import { limbSkin } from '../../helpers/limb.ts';
 
@@ -19,7 +20,7 @@ const pose = (...values: number[]) => {
 
 /** What is found in the skin of a character from z 50 along −z. */
 function found(what: Character, x: number, y: number) {
-  const view = new CharacterView();
+  const view = new CharacterView(new DrawnSkins());
   view.show(what, DEFAULT_DISPLAY, undefined);
   const placements = new Float64Array(16);
   placementMatrix(what.placements[0], what.space, new Float64Array(3), placements, 0);

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
-import { edgesOf, influenceOf, normalsGeometry, packSkin } from '../../../src/view/skin/skin-geometry.ts';
+import { edgesOf, normalsGeometry, packSkin } from '../../../src/view/skin/skin-geometry.ts';
 import { skin } from '../../helpers/builders.ts';
 
 const many = (counts: readonly number[]) =>
@@ -97,27 +97,5 @@ describe('the wire of a skin', () => {
         expect(sorted(runToEnd(edgesOf(all, 10)))).toEqual([...sidesOf(all)].sort());
       }),
     );
-  });
-});
-
-describe('the influence of a joint', () => {
-  it('the influence of a joint is the sum of its weights, vertex by vertex', () => {
-    const model = many([0, 1, 4]);
-    const out = new Float32Array(3);
-    influenceOf(model, 0, out);
-    expect([...out]).toEqual([0, 0.125, 0.125]);
-    influenceOf(model, 3, out);
-    expect([...out]).toEqual([0, 0, 0.5]);
-    influenceOf(model, undefined, out);
-    expect([...out]).toEqual([0, 0, 0]);
-  });
-
-  it('the influence of a joint is all of a skin without weights for the root, and none for others', () => {
-    const { attachments: _, ...bare } = skin();
-    const out = new Float32Array(3);
-    influenceOf(bare, 0, out);
-    expect([...out]).toEqual([1, 1, 1]);
-    influenceOf(bare, 1, out);
-    expect([...out]).toEqual([0, 0, 0]);
   });
 });

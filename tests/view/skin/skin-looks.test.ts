@@ -2,10 +2,11 @@ import { Color, MeshStandardMaterial, Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_DISPLAY, type SkinStyle } from '../../../src/model/session.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
-import { HoveredPart } from '../../../src/view/skin/hovered-part.ts';
+import { DrawnSkins } from '../../../src/view/skin/drawn-skins.ts';
 import { looksOf } from '../../../src/view/skin/skin-looks.ts';
 import { SkinMaterials } from '../../../src/view/skin/skin-materials.ts';
 import { SKIN_THEMES } from '../../../src/view/skin/skin-theme.ts';
+import { PLAIN_SKIN } from '../../../src/view/skin/skinning.ts';
 import { character, paintedSkin, skin } from '../../helpers/builders.ts';
 
 const RED = { name: 'red', color: [1, 0, 0] } as const;
@@ -14,7 +15,7 @@ const FUR = { name: 'fur', texture: 'fur.png' } as const;
 const texcoords = new Float64Array(6);
 
 const shown = (style: SkinStyle, ...materials: Parameters<typeof paintedSkin>[1][]) => {
-  const view = new CharacterView();
+  const view = new CharacterView(new DrawnSkins());
   view.show(character({ skins: [paintedSkin('hero', ...materials)] }), { ...DEFAULT_DISPLAY, skin: style }, undefined);
   return view;
 };
@@ -72,23 +73,18 @@ describe('surfaces of a skin', () => {
   });
 
   it('textures of surfaces show as they come, multiplied by the colour', () => {
-    const materials = new SkinMaterials({ attachmentTexture: undefined }, SKIN_THEMES.dark, new HoveredPart());
+    const materials = new SkinMaterials(PLAIN_SKIN, SKIN_THEMES.dark);
     const looks = [{ texture: 'fur.png' }, { texture: 'eye.png', color: [0.5, 1, 1] }, {}] as const;
-    const maps = () =>
-      [materials.textured(looks)].flat().map((m) => (m instanceof MeshStandardMaterial ? m.map : undefined));
-    expect(maps()).toEqual([null, null, null]);
-    expect([materials.textured(looks)].flat()[0]).toBe(materials.solid());
+    const made = (...textures: [string, Texture][]) => [materials.textured(looks, new Map(textures))].flat();
+    const mapOf = (m: unknown) => (m instanceof MeshStandardMaterial ? m.map : undefined);
+    expect(made().map(mapOf)).toEqual([null, null, null]);
+    expect(made()[0]).toBe(materials.solid());
     const [fur, eye] = [new Texture(), new Texture()];
-    materials.setTextures(new Map([['eye.png', eye]]));
-    expect(maps()).toEqual([null, eye, null]);
-    materials.setTextures(
-      new Map([
-        ['eye.png', eye],
-        ['fur.png', fur],
-      ]),
-    );
-    expect(maps()).toEqual([fur, eye, null]);
-    const [first, second] = [materials.textured(looks)].flat();
+    expect(made(['eye.png', eye]).map(mapOf)).toEqual([null, eye, null]);
+    const both = made(['eye.png', eye], ['fur.png', fur]);
+    expect(both.map(mapOf)).toEqual([fur, eye, null]);
+    expect(made(['eye.png', eye], ['fur.png', fur])).toEqual(both);
+    const [first, second] = both;
     expect(first instanceof MeshStandardMaterial && first.color.getHex()).toBe(0xffffff);
     expect(second instanceof MeshStandardMaterial && second.color.r).toBe(0.5);
   });

@@ -5,7 +5,8 @@ import { compileSkin, deform } from '../../../src/evaluate/skin/deform.ts';
 import { DEFAULT_DISPLAY } from '../../../src/model/session.ts';
 import { oneSurface, type Skin } from '../../../src/model/skin.ts';
 import { CharacterView } from '../../../src/view/character-view.ts';
-import { withExactSkinning } from '../../../src/view/skin/skinning.ts';
+import { DrawnSkins } from '../../../src/view/skin/drawn-skins.ts';
+import { PLAIN_SKIN, withExactSkinning } from '../../../src/view/skin/skinning.ts';
 import { character, joint, skin } from '../../helpers/builders.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
 
@@ -48,7 +49,7 @@ describe('skinning on the CPU, as three.js asks for it', () => {
         (lists, bindings, angles, isFarAway) => {
           const pose = isFarAway ? angles.map((x, d) => (d < 3 ? 1e5 * x : x)) : angles;
           const model = attached(lists, bindings);
-          const view = new CharacterView();
+          const view = new CharacterView(new DrawnSkins());
           view.show(character({ skeleton: chain(joints), skins: [model], pose }), DEFAULT_DISPLAY, undefined);
           const compiled = compileSkin(model);
           const positions = model.positions.slice();
@@ -62,7 +63,7 @@ describe('skinning on the CPU, as three.js asks for it', () => {
 
   it('leaves a vertex without attachments where it is, and scales one whose weights do not sum to 1', () => {
     const identity = new Matrix4();
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     const model = attached([[], [[0, 0.5]], [[0, 0]]], [identity]);
     const pose = [1000, 0, 0, 0, 0, 0];
     view.show(character({ skeleton: chain(1), skins: [model], pose }), DEFAULT_DISPLAY, undefined);
@@ -70,7 +71,7 @@ describe('skinning on the CPU, as three.js asks for it', () => {
   });
 
   it('skinning on the CPU, as three.js asks for it turns directions too, and keeps what kind of vector it was given', () => {
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     const model = attached([[[0, 1]]], [new Matrix4()]);
     const pose = [7, 0, 0, 0, 0, Math.PI / 2];
     view.show(character({ skeleton: chain(1), skins: [model], pose }), DEFAULT_DISPLAY, undefined);
@@ -83,17 +84,18 @@ describe('skinning on the CPU, as three.js asks for it', () => {
   });
 
   it('gives the GPU the same matrices, and the identity after them', () => {
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     const model = attached([[[1, 1]]], [new Matrix4(), new Matrix4().makeScale(2, 2, 2)]);
     view.show(character({ skeleton: chain(2), skins: [model] }), DEFAULT_DISPLAY, undefined);
     const [mesh] = view.skinnedMeshes;
-    const { boneMatrices, boneTexture } = mesh.gpu.skeleton;
+    const { boneTexture, firstMatrix } = mesh.skeleton;
     const before = boneTexture.version;
     view.seek(1);
     expect(boneTexture.version).toBeGreaterThan(before);
     mesh.skeleton.update();
-    expect([...boneMatrices.subarray(16, 32)]).toEqual([0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 2, 0, 1]);
-    expect([...boneMatrices.subarray(32, 48)]).toEqual(new Matrix4().elements);
+    const matrix = (m: number) => [...(boneTexture.image.data ?? [])].slice(16 * (firstMatrix + m)).slice(0, 16);
+    expect(matrix(1)).toEqual([0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 2, 0, 1]);
+    expect(matrix(2)).toEqual(new Matrix4().elements);
     // For exporters: three.js's own inverse bindings.
     expect(mesh.skeleton.boneInverses[1].elements[0]).toBe(0.5);
   });
@@ -108,7 +110,7 @@ describe('a material with exact skinning', () => {
   };
 
   it('leaves none of the chunks that it replaces, and names itself for the program cache', () => {
-    const material = withExactSkinning(new MeshStandardMaterial());
+    const material = withExactSkinning(new MeshStandardMaterial(), PLAIN_SKIN, { placing: 'many' });
     const { vertexShader, fragmentShader } = compiled(material, ShaderLib.standard);
     expect(vertexShader).not.toMatch(/#include <(skinning_pars_vertex|skinnormal_vertex|skinning_vertex)>/);
     expect(vertexShader).not.toContain('attachmentTexture');
@@ -131,9 +133,9 @@ describe('a material with exact skinning', () => {
     material.onBeforeCompile = (shader) => {
       shader.fragmentShader += '// mine';
     };
-    const shader = compiled(withExactSkinning(material), ShaderLib.standard);
+    const shader = compiled(withExactSkinning(material, PLAIN_SKIN, { placing: 'many' }), ShaderLib.standard);
     expect(shader.fragmentShader).toContain('// mine');
-    const other = withExactSkinning(new MeshBasicMaterial());
+    const other = withExactSkinning(new MeshBasicMaterial(), PLAIN_SKIN, { placing: 'many' });
     expect(material.customProgramCacheKey()).not.toBe(other.customProgramCacheKey());
   });
 });

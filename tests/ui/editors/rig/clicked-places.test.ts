@@ -5,6 +5,7 @@ import { DEFAULT_DISPLAY } from '../../../../src/model/session.ts';
 import type { Skin } from '../../../../src/model/skin.ts';
 import { rigTool } from '../../../../src/ui/editors/rig/rig-tool.ts';
 import { CharacterView } from '../../../../src/view/character-view.ts';
+import { DrawnSkins } from '../../../../src/view/skin/drawn-skins.ts';
 import { limbSkin } from '../../../helpers/limb.ts';
 import { character, documentOf, skeleton } from '../../builders.ts';
 import { ikPage, PIXELS_PER_UNIT } from '../ik/ik-page.ts';
@@ -37,7 +38,7 @@ function adding(what: Partial<Character>) {
     const shown = findCharacter(wb.store.document, id);
     const placements = wb.viewport.placementOf(id, 0);
     if (!shown || !placements) return undefined;
-    const view = new CharacterView();
+    const view = new CharacterView(new DrawnSkins());
     view.show(shown, DEFAULT_DISPLAY, undefined);
     return { view, character: shown, placements, placedFor: shown };
   };
