@@ -42,6 +42,8 @@ export interface BesideDofs {
   at(values: readonly DofValue[]): readonly DofValue[];
   /** Call when the document has the last result of `at`. */
   shown(): void;
+  /** Call at the end of a drag: what is drawn as held meanwhile is no longer. */
+  over(): void;
 }
 
 /** A pose by joint names, so that it can be pasted on other characters. */
@@ -61,8 +63,12 @@ export class Posing {
   readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
   /** A DOF that is pointed at elsewhere than in its row, which lights up. */
   readonly litDof: Observable<LitDof | undefined> = observable<LitDof | undefined>(undefined);
-  /** While pins hold: how they adapt to a change of DOFs of one joint; undefined if they aren't affected. */
-  beside: ((characterId: string, dofs: readonly number[]) => BesideDofs | undefined) | undefined;
+  /**
+   * While pins hold: how they adapt to a change of DOFs of one joint; undefined if they aren't affected.
+   *
+   * @param joint the one whose handle is dragged: if it carries the body, feet that stand hold too
+   */
+  beside: ((characterId: string, dofs: readonly number[], joint?: number) => BesideDofs | undefined) | undefined;
   /** Characters as they came in, by id: what differs from it was set by hand. */
   readonly opened = new Map<string, Character>();
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');

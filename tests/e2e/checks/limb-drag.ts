@@ -75,3 +75,25 @@ export async function limbFrom(page: Page, name: string): Promise<readonly numbe
     return [...found];
   }, name);
 }
+
+/**
+ * Moves the mouse from the middle of a gizmo outwards, until the chip names a handle.
+ *
+ * @param toward on the page; x to the right, y down
+ * @param is of the chip's text, such as `ty 0.9`
+ */
+export async function ontoHandle(
+  page: Page,
+  middle: { readonly x: number; readonly y: number },
+  toward: readonly [x: number, y: number],
+  is: RegExp,
+): Promise<{ readonly x: number; readonly y: number }> {
+  const chip = page.locator('.gizmo-chip .hand-readout:visible');
+  const length = Math.hypot(...toward);
+  for (let radius = 20; radius < 220; radius += 3) {
+    const at = { x: middle.x + (radius * toward[0]) / length, y: middle.y + (radius * toward[1]) / length };
+    await page.mouse.move(at.x, at.y);
+    if ((await chip.allTextContents()).some((text) => is.test(text))) return at;
+  }
+  throw new Error(`No handle there is named ${is}.`);
+}

@@ -1,4 +1,5 @@
 import type { Character } from '../../../model/document.ts';
+import type { Pin } from '../../../model/ik.ts';
 import type { DofValue } from '../../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
@@ -7,6 +8,7 @@ import { ikOf, ikPinsOf, type PinTarget } from '../set-up.ts';
 import { solve } from '../solve.ts';
 import type { IkProblem } from '../state.ts';
 import { changedValues } from './changed-values.ts';
+import { holding } from './drag-reach.ts';
 import { handStiffness, IS_THERE } from './hand-problem.ts';
 import type { Hindrance } from './hindrance.ts';
 
@@ -19,27 +21,33 @@ export class BesidePins {
   private readonly home: Float64Array;
   private readonly dofs: Float64Array;
   private readonly stiffness: Float64Array;
+  private readonly character: Character;
   private problem: IkProblem | undefined;
 
   /**
    * @param changed indices into the character's DOFs, all of one joint or the root
    * @param shown the character's DOFs at the start of the change; copied
-   * @param held targets of its pins, by id
+   * @param held targets of its pins and of the feet that stand, by id
+   * @param standing feet that hold without a pin: then nothing bends but what is below the changed joint
    */
   constructor(
-    private readonly character: Character,
+    character: Character,
     private readonly skeleton: Skeleton,
     private readonly changed: readonly number[],
     shown: Float64Array,
     private readonly held: ReadonlyMap<number, PinTarget>,
+    standing: readonly Pin[] = [],
   ) {
+    this.character = holding(character, standing);
     const { firstDof, jointCount } = compileSkeleton(skeleton);
     this.home = shown.slice(0, firstDof[jointCount]);
     this.dofs = this.home.slice();
     // Root translation comes before the first joint's DOFs and belongs to the root.
-    const joint = firstDof.findLastIndex((first) => first <= changed[0]);
-    this.stiffness = handStiffness(character, skeleton, Math.max(0, joint));
+    const joint = Math.max(0, firstDof.findLastIndex((first) => first <= changed[0]));
+    this.stiffness = handStiffness(character, skeleton, joint);
     for (const dof of changed) this.stiffness[dof] = Infinity;
+    // The body goes where its handle is dragged, and nowhere else.
+    if (standing.length > 0) this.stiffness.fill(Infinity, 0, firstDof[joint + 1]);
   }
 
   /** The changed DOFs at their values, with those that adapt to them. */

@@ -48,6 +48,13 @@ export function dragReach(
   return { bending, standing };
 }
 
+/** The character with those pins besides its own. */
+export function holding(character: Character, standing: readonly Pin[]): Character {
+  if (standing.length === 0) return character;
+  const ik = ikOf(character);
+  return { ...character, ik: { ...ik, pins: [...ik.pins, ...standing] } };
+}
+
 /** Pinned limbs below what bends bend too, so that their pins hold: hands on a table while the chest is dragged. */
 function withPinned(character: Character, skeleton: Skeleton, bending: Bending): Bending {
   if (bending === 'body' || bending.length === 0) return bending;

@@ -13,7 +13,7 @@ import { compileSkeleton } from '../../kinematics.ts';
 import { type DragTarget, ikOf, type PinTarget, pinTargets, pointAt } from '../set-up.ts';
 import { Blend } from './blend.ts';
 import { changedValues } from './changed-values.ts';
-import { type DragReach, WHOLE } from './drag-reach.ts';
+import { type DragReach, holding, WHOLE } from './drag-reach.ts';
 import { HandProblem, IS_THERE } from './hand-problem.ts';
 import { gapCause, type Hindrance } from './hindrance.ts';
 import { Lead } from './lead.ts';
@@ -96,8 +96,7 @@ export class Pull {
     const before = pin === undefined ? undefined : held.get(pin);
     if (before && pin !== undefined) targets.set(pin, { ...before, position: own });
     const dragged: DragTarget = pin === undefined ? { joint, point, target: own } : { pin };
-    const holding = standing.length > 0 ? { ...character, ik: { ...ik, pins: [...ik.pins, ...standing] } } : character;
-    this.of = new HandProblem(holding, skeleton, dofs, targets, dragged, bending);
+    this.of = new HandProblem(holding(character, standing), skeleton, dofs, targets, dragged, bending);
     this.lead = new Lead(this.of);
     this.blend = new Blend(this.of);
     this.locks = new LockTrial(this.of);

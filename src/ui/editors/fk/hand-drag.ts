@@ -63,7 +63,7 @@ export function handDrag(
       }
       if (!mover || edit.cancelled) return;
       const moved = mover(at);
-      beside ??= wb.posing.beside?.(characterId, constrainedDofs(wb, { characterId, joint }, moved));
+      beside ??= wb.posing.beside?.(characterId, constrainedDofs(wb, { characterId, joint }, moved), joint);
       const own = [...moved.dofs, ...moved.others];
       const dofs = beside?.at(own) ?? own;
       const { timeSeconds } = wb.transport.get();
@@ -84,11 +84,13 @@ export function handDrag(
     },
     end(at) {
       edit.commit();
+      beside?.over();
       rest();
       events.ended(at, !hasBegun);
     },
     cancel() {
       edit.cancel();
+      beside?.over();
       rest();
       events.ended(undefined, false);
     },

@@ -16,6 +16,7 @@ import { shown } from '../../widgets/numbers/number-text.ts';
 import { gapText } from './gap-text.ts';
 import type { PullState } from './hand-pull.ts';
 import type { Label } from './ik-labels.ts';
+import type { Standing } from './pins-beside.ts';
 import {
   hasPins,
   inWorld,
@@ -47,6 +48,8 @@ export interface HandNow {
   readonly pull: PullState | undefined;
   readonly hoveredPin: SeenPin | undefined;
   readonly hoveredPoint: SeenPoint | undefined;
+  /** Feet that hold while a handle moves the body. */
+  readonly standing: Standing | undefined;
   /** Whether a click pins the hovered point. */
   readonly pins: boolean;
 }
@@ -58,11 +61,12 @@ export function paintPins(
   hand: HandNow,
 ): Label[] {
   const labels: Label[] = [];
-  const { pull, hoveredPoint } = hand;
+  const { pull, hoveredPoint, standing } = hand;
   const isOf = ({ id, ik }: Character) =>
     (ik !== undefined && (ik.pins.length > 0 || ik.stiff.length > 0)) ||
     hoveredPoint?.characterId === id ||
-    pull?.grip.characterId === id;
+    pull?.grip.characterId === id ||
+    standing?.characterId === id;
   for (const seen of seenSkeletons(wb, isOf)) {
     const { character, placement } = seen;
     paintStiff(painter, seen);
@@ -70,6 +74,8 @@ export function paintPins(
     const points = hoveredPoint?.characterId === character.id && hoveredPoint.placement === placement;
     if (hoveredPoint && points && !pull) labels.push(...paintPoints(wb, painter, seen, hoveredPoint, hand.pins));
     for (const pin of character.ik?.pins ?? []) labels.push(...paintPin(wb, painter, seen, pin, hand));
+    if (standing?.characterId === character.id && standing.placement === placement)
+      paintStanding(painter, seen, standing.feet);
     if (isPulled && pull) labels.push(...paintPull(wb, painter, seen, pull));
     else if (!pull) labels.push(...paintLeft(wb, painter, seen));
   }

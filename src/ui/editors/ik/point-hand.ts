@@ -13,7 +13,7 @@ import { IkLabels } from './ik-labels.ts';
 import { PinDrag } from './pin-drag.ts';
 import { selectPin } from './pin-edits.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
-import { besidePins } from './pins-beside.ts';
+import { besidePins, type Standing } from './pins-beside.ts';
 import { pinsInPicture, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
 import { deselectLostPin } from './selected-pin.ts';
 
@@ -38,6 +38,7 @@ export class PointHand {
   /** Pointer position to be looked up in the next frame. */
   private looking: CanvasPointer | undefined;
   private frame = 0;
+  private standing: Standing | undefined;
   private readonly labels: IkLabels;
   private readout: Readout | undefined;
   private stops: (() => void)[] = [];
@@ -56,13 +57,17 @@ export class PointHand {
       labels.show(shown, shown.length ? pinsInPicture(wb).places : []);
     });
     const { selected, pointedAt, targets } = wb.posing.ik;
+    const redraw = () => wb.viewport.requestRender();
     labels.enter();
     this.readout = new Readout(wb.viewportElement);
-    wb.posing.beside = (id, dofs) => besidePins(wb, id, dofs);
+    wb.posing.beside = (id, dofs, joint) =>
+      besidePins(wb, id, dofs, joint, (standing) => {
+        this.standing = standing;
+        redraw();
+      });
     wb.posing.ik.whatMoves = this.options.whatMoves;
     // Another joint may have been selected in another mode.
     deselectLostPin(wb, true);
-    const redraw = () => wb.viewport.requestRender();
     this.stops = [
       wb.viewport.addOverlay(overlay),
       selected.subscribe(redraw),
@@ -85,7 +90,7 @@ export class PointHand {
     labels.leave();
     this.readout?.remove();
     this.readout = undefined;
-    wb.posing.beside = undefined;
+    wb.posing.beside = this.standing = undefined;
     wb.posing.ik.whatMoves = undefined;
   }
 
@@ -173,8 +178,8 @@ export class PointHand {
   }
 
   private get now(): HandNow {
-    const { hoveredPin, hoveredPoint } = this;
+    const { hoveredPin, hoveredPoint, standing } = this;
     const pull = this.drag?.state ?? this.options.pull?.();
-    return { pull, hoveredPin, hoveredPoint, pins: this.options.pins };
+    return { pull, hoveredPin, hoveredPoint, standing, pins: this.options.pins };
   }
 }
