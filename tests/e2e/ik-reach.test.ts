@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
-import { apart, drawn, intoIk } from './checks/ik.ts';
+import { apart, drawn, intoIk, onPage } from './checks/ik.ts';
 import { dragUp, expectArmOnly, type Hold, limbFrom, place, shown } from './checks/limb-drag.ts';
 
 it('moves nothing but the arm when the walker’s hand is dragged up, and its feet hold under Full body', () =>
@@ -31,6 +31,25 @@ it('moves nothing but the arm when the walker’s hand is dragged up, and its fe
       });
       await page.evaluate(() => window.marrow.undo());
       await expect.poll(text).toEqual(files);
+
+      // A root that is fixed keeps position and turn, wherever the hand goes.
+      await page.getByRole('button', { name: 'Root moves', pressed: true }).click();
+      await page.getByRole('button', { name: 'Root moves', pressed: false }).waitFor();
+      const root = names.indexOf('root');
+      await dragUp(page, hand, async () => {
+        const now = await shown(page);
+        expect(now.worlds[root]).toEqual(before.worlds[root]);
+        expect(apart(now.worlds[names.indexOf('chest')], before.worlds[names.indexOf('chest')])).toBeGreaterThan(1e-4);
+      });
+      await page.evaluate(() => window.marrow.undo());
+      const from = await onPage(page, place(before, root));
+      await page.getByRole('treeitem', { name: /^root/ }).first().click();
+      await page.mouse.move(from.x, from.y);
+      await page.mouse.down();
+      await page.mouse.move(from.x, from.y - 30, { steps: 9 });
+      await drawn(page);
+      await expect.poll(() => shown(page)).toEqual(before);
+      await page.mouse.up();
     },
     { walking: true },
   ));

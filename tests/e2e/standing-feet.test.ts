@@ -18,8 +18,15 @@ interface Handle {
 }
 
 /** Drags a handle of the body, and has `there` look while the mouse is down. Undo restores every number. */
-async function dragBody(page: Page, { body, toward, text, by: [dx, dy] }: Handle, there: () => Promise<void>): Promise<void> {
-  await page.getByRole('treeitem', { name: new RegExp(`^${body}`) }).first().click();
+async function dragBody(
+  page: Page,
+  { body, toward, text, by: [dx, dy] }: Handle,
+  there: () => Promise<void>,
+): Promise<void> {
+  await page
+    .getByRole('treeitem', { name: new RegExp(`^${body}`) })
+    .first()
+    .click();
   await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
   await standing(page);
   const before = await shown(page);
@@ -71,7 +78,10 @@ it('the walker’s foot that stands holds while its root is moved by an arrow an
       });
 
       // High above the floor nothing stands.
-      await page.evaluate((ty) => window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: ty + 0.5 }] }), dofs[1]);
+      await page.evaluate(
+        (ty) => window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: ty + 0.5 }] }),
+        dofs[1],
+      );
       await page.evaluate(() => window.marrow.run('view.frameAll'));
       await standing(page);
       const high = await lowerFoot(page, ['toe_l', 'toe_r']);

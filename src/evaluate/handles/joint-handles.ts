@@ -23,12 +23,12 @@ import { type DofAxis, dofAxes } from './dof-axes.ts';
 import { type FreeTurn, freeTurn, turnsOnlyFreely } from './free-turn.ts';
 
 /**
- * A DOF by index; `own`: free rotation about the joint's own x, y or z; `view`: about the line of sight; `ball`: like a
- * trackball.
+ * A DOF by index; `own`: free rotation about the x, y or z of the gizmo; `along`: motion along one of them; `across`: in
+ * the plane of the other two; `view`: rotation about the line of sight; `ball`: like a trackball.
  */
 export type HandleId =
   | { readonly kind: 'dof'; readonly dof: number }
-  | { readonly kind: 'own'; readonly axis: 0 | 1 | 2 }
+  | { readonly kind: 'own' | 'along' | 'across'; readonly axis: 0 | 1 | 2 }
   | { readonly kind: 'view' }
   | { readonly kind: 'ball' };
 
@@ -39,12 +39,23 @@ export interface HandleRange {
   readonly max: number;
 }
 
-/** A gizmo's handle for one DOF. */
-export interface Handle extends DofAxis {
+/** A gizmo's handle for one DOF, or one axis. */
+export interface Handle extends Omit<DofAxis, 'dof'> {
   readonly id: HandleId;
   /** For a turn: direction of the bone, perpendicular to the axis. */
   readonly mark: Vec3;
   readonly range: HandleRange;
+}
+
+/** A handle that moves in a plane. */
+export interface PlaneHandle {
+  readonly id: HandleId;
+  /** Position in the world. */
+  readonly centre: Vec3;
+  /** The two axes of the plane, normalised, in the world. */
+  readonly axes: readonly [Vec3, Vec3];
+  /** Colour: that of the axis across. */
+  readonly hue: 0 | 1 | 2;
 }
 
 /** All handles of a joint in the current pose; positions and lengths are in the world. */
@@ -54,6 +65,7 @@ export interface JointHandles {
   /** Length of the joint's longest bone, or of its box, in the world; 0 if it has neither. */
   readonly size: number;
   readonly handles: readonly Handle[];
+  readonly planes?: readonly PlaneHandle[];
   readonly freeTurn: FreeTurn | undefined;
 }
 
@@ -61,7 +73,7 @@ export interface JointHandles {
 export function sameHandle(a: HandleId | undefined, b: HandleId | undefined): boolean {
   if (!a || !b) return a === b;
   if (a.kind === 'dof') return b.kind === 'dof' && a.dof === b.dof;
-  if (a.kind === 'own') return b.kind === 'own' && a.axis === b.axis;
+  if ('axis' in a) return a.kind === b.kind && 'axis' in b && a.axis === b.axis;
   return a.kind === b.kind;
 }
 
@@ -90,12 +102,12 @@ export function jointHandles(
       return { ...axis, id: { kind: 'dof', dof: axis.dof }, mark: markOf(axis.axis, bone, still), range };
     });
   const turn = freeTurn(skeleton, joint);
-  if (turn && turnsOnlyFreely(skeleton.joints[joint])) handles.push(...ownRings(joint, turn, world, placement, pivot));
+  if (turn && turnsOnlyFreely(skeleton.joints[joint])) handles.push(...ownRings(joint, world, placement, pivot));
   return { pivot, size: sizeOf(skeleton, joint, world, placement), handles, freeTurn: turn };
 }
 
 /** Rings about the joint's own axes, if no DOF turns about an axis of its own. */
-function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement: Float64Array, pivot: Vec3): Handle[] {
+function ownRings(joint: number, world: Float64Array, placement: Float64Array, pivot: Vec3): Handle[] {
   return ([0, 1, 2] as const).flatMap((k) => {
     const axis = unit(
       transformVector(placement, [
@@ -105,11 +117,15 @@ function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement:
       ]),
     );
     if (!axis) return [];
-    const range = { value: 0, min: -Infinity, max: Infinity };
-    const id = { kind: 'own', axis: k } as const;
-    const common = { dof: turn.dofs[k], name: 'xyz'[k], kind: 'turn', reach: 1, hue: k } as const;
-    return [{ ...common, id, axis, centre: pivot, mark: acrossOf(axis), range }];
+    return [ownRing(k, axis, pivot)];
   });
+}
+
+/** A ring of free rotation about an axis. */
+export function ownRing(k: 0 | 1 | 2, axis: Vec3, centre: Vec3): Handle {
+  const range = { value: 0, min: -Infinity, max: Infinity };
+  const id = { kind: 'own', axis: k } as const;
+  return { id, name: 'xyz'[k], kind: 'turn', axis, centre, reach: 1, hue: k, mark: acrossOf(axis), range };
 }
 
 /**

@@ -14,6 +14,7 @@
  */
 import { writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import type { Turn } from './pins.ts';
 
 /** Numbers per frame: x y z as columns, then |W_x|, W_y·x and |n|, which are 0 if the axes span no frame. */
@@ -113,4 +114,16 @@ export function orientationAt(world: Float64Array, joint: number): Turn {
   writeFrame(world, 16 * joint, frame, 0);
   quaternionOfRotation(frame, 0, turn);
   return [turn[0], turn[1], turn[2], turn[3]];
+}
+
+/** An orientation that is turned further, by radians about an axis of unit length. */
+export function turnedAbout([ax, ay, az]: Vec3, angle: number, [x, y, z, w]: Turn): Turn {
+  const s = Math.sin(angle / 2);
+  const [i, j, k, r] = [s * ax, s * ay, s * az, Math.cos(angle / 2)];
+  return [
+    r * x + i * w + j * z - k * y,
+    r * y - i * z + j * w + k * x,
+    r * z + i * y - j * x + k * w,
+    r * w - i * x - j * y - k * z,
+  ];
 }

@@ -5,6 +5,7 @@
  *     movePin(problem, 0, x, y, z);
  *     solve(problem, dofs, 'drag');        whenever the hand moves, from the current pose
  *     solve(problem, dofs, 'rest');        where it stays: as exactly as possible, near the current pose
+ *     solve(problem, dofs, 'exact');       once it is there: to the last digits
  *     solve(problem, dofs, 'settle');      on click or release: as exactly as possible, with restarts
  */
 import { applyConstraints } from '../kinematics.ts';
@@ -16,8 +17,8 @@ import { aimPins } from './reach.ts';
 import { isStraight, restart, shake } from './restarts.ts';
 import type { IkProblem, IkResult } from './state.ts';
 
-/** How thoroughly a problem is solved: while the hand moves, where it stays, or once with restarts. */
-export type IkMode = 'drag' | 'rest' | 'settle';
+/** How thoroughly a problem is solved: while the hand moves, where it stays, to the last digits, or once with restarts. */
+export type IkMode = 'drag' | 'rest' | 'exact' | 'settle';
 
 interface ModeOptions extends DescentOptions {
   readonly restarts: number;
@@ -33,6 +34,8 @@ const MODES: Readonly<Record<IkMode, ModeOptions>> = {
   // The next step continues where this one stops.
   drag: { aim: NEAR_ENOUGH, iterations: 24, leastGain: 1e-3, restarts: 0 },
   rest: { aim: NEAR_ENOUGH / 10, iterations: 60, leastGain: 1e-6, restarts: 0 },
+  // What is nearly there takes a few steps more. A point that is dragged along an axis leaves it by less than one sees.
+  exact: { aim: NEAR_ENOUGH / 1e5, iterations: 12, leastGain: 1e-1, restarts: 0 },
   settle: { aim: NEAR_ENOUGH / 10, iterations: 150, leastGain: 1e-5, restarts: 32 },
 };
 

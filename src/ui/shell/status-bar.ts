@@ -106,6 +106,7 @@ function placeAt(
     area,
     cursor,
     mode: posing.mode.get(),
+    isPin: posing.ik.isOverPin,
     isAdding: posing.rig.adding.get(),
     snapsToFrames: timeline.view.get().snapsToFrames,
     ...(hovered && skeleton && { joint: jointName(skeleton, hovered.joint) }),

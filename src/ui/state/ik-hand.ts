@@ -2,6 +2,7 @@
  * IK state outside the document: the selected pin, and where pins hold. Shared by the viewport's tool and the
  * inspector, which are separate scripts.
  */
+import type { PinAxes } from '../../evaluate/handles/pin-handles.ts';
 import { HeldTargets } from '../../evaluate/ik/drag/held-targets.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 
@@ -22,9 +23,13 @@ export class IkHand {
   readonly selected: Observable<PinRef | undefined> = observable<PinRef | undefined>(undefined);
   /** Highlighted by a row of the inspector. */
   readonly pointedAt: Observable<PinRef | undefined> = observable<PinRef | undefined>(undefined);
+  /** The axes of the selected pin's handles. */
+  readonly axes: Observable<PinAxes> = observable<PinAxes>('world');
   readonly targets = new HeldTargets();
   /** The joint that was selected when *Chain* was chosen; undefined: chains end at the root. */
   chainTop: ChainTop | undefined;
+  /** Whether the pointer is on a pin in the viewport. */
+  isOverPin = false;
   /** What a drag of a joint would move, for the status bar: `Bend upper_arm_l to hand_l`. Given by IK's tool. */
   whatMoves: ((characterId: string, joint: number) => string | undefined) | undefined;
   /** Whether anything was dragged yet: until then a hint is shown. */

@@ -31,7 +31,8 @@ export function lookOf({ id, form, hue }: Shape, { active, hovered, dragged }: G
   const isDragged = sameHandle(id, dragged?.id);
   const isLit = isDragged || sameHandle(id, hovered);
   const isActive = sameHandle(id, active);
-  const ofAxis = form === 'arrow' ? [theme.moveX, theme.moveY, theme.moveZ] : [theme.axisX, theme.axisY, theme.axisZ];
+  const moves = form === 'arrow' || form === 'square';
+  const ofAxis = moves ? [theme.moveX, theme.moveY, theme.moveZ] : [theme.axisX, theme.axisY, theme.axisZ];
   const own = hue === undefined ? theme.label : hue === 'other' ? theme.vertex : ofAxis[hue];
   return { isActive, isDragged, isLit, color: isLit || isActive ? theme.selected : own };
 }
@@ -60,6 +61,9 @@ export const LINE_IN_USE = 3.5;
 export const EDGE = 2.5;
 /** Opacity of that edge. */
 export const EDGE_OPACITY = 0.55;
+
+/** Opacity of what points at the viewer. */
+export const AWAY = 0.2;
 
 /** Half length of a tick: CSS pixels. */
 export const TICK = 7;

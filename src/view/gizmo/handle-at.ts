@@ -3,7 +3,7 @@
  * it were solid, are not.
  */
 import { type HandleId, sameHandle } from '../../evaluate/handles/joint-handles.ts';
-import { BALL_PART, hasArc, isAllowed, type Layout, type Shape } from './shapes.ts';
+import { BALL_PART, hasArc, isAllowed, isInSquare, type Layout, type Shape } from './shapes.ts';
 
 /** Hit tolerance, CSS pixels. */
 const REACH = 7;
@@ -75,14 +75,19 @@ function isBeyondLimits({ form, range, step }: Shape, i: number): boolean {
   return form === 'ring' && hasArc(range) && !isAllowed(range, (i + 0.5) * step);
 }
 
-function toPiece({ form, points, depths }: Shape, i: number, x: number, y: number, out: Nearest): void {
+function toPiece(shape: Shape, i: number, x: number, y: number, out: Nearest): void {
+  const { form, points, depths } = shape;
   const o = 2 * i;
   const [ax, ay, bx, by] = [points[o], points[o + 1], points[o + 2], points[o + 3]];
   const square = (bx - ax) ** 2 + (by - ay) ** 2;
   const t = square > 0 ? Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square)) : 0;
   out.distance = Math.hypot(x - ax - t * (bx - ax), y - ay - t * (by - ay));
   out.depth = depths[i] + t * (depths[i + 1] - depths[i]);
-  if (form === 'ring') return;
+  if (form === 'square' && isInSquare(shape, x, y)) {
+    out.distance = 0;
+    out.depth = (depths[0] + depths[2]) / 2;
+  }
+  if (form === 'ring' || form === 'square') return;
   const toHead = Math.hypot(x - bx, y - by) - HEAD;
   if (Math.hypot(x - ax, y - ay) < MIDDLE) out.distance = Infinity;
   else if (toHead < out.distance) {

@@ -63,12 +63,16 @@ export class JointGizmo implements Overlay {
   private isDragged = false;
   covers: readonly ScreenBox[] = [];
 
-  /** @param container the element that contains the viewport */
+  /**
+   * @param container the element that contains the viewport
+   * @param className of its canvas
+   */
   constructor(
     private readonly container: HTMLElement,
     private readonly source: GizmoSource,
+    className = 'joint-gizmo',
   ) {
-    this.canvas.className = 'joint-gizmo';
+    this.canvas.className = className;
     this.canvas.setAttribute('aria-hidden', 'true');
     this.canvas.style.cssText = `position:absolute;left:0;top:0;pointer-events:none`;
     this.canvas.hidden = true;

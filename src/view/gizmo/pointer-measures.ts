@@ -2,7 +2,7 @@
  * Converts pointer positions of a drag to radians about an axis or lengths along one. Each measure returns the change
  * since the last position, counting whole turns, so that a drag can be slowed down or snapped.
  */
-import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
+import { acrossOf, add, cross, dot, scaled, subtract, unit, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Eye } from '../camera/eye.ts';
 
 /** The camera functions needed. */
@@ -94,6 +94,24 @@ export function slideMeasure(sight: Sight, axis: Vec3, centre: Vec3, x: number, 
     const by = next === undefined || last === undefined ? 0 : next - last;
     last = next ?? last;
     return by;
+  };
+}
+
+/** World length along two axes: where the pointer's ray meets their plane. */
+export function planeMeasure(
+  sight: Sight,
+  [u, v]: readonly [Vec3, Vec3],
+  centre: Vec3,
+  x: number,
+  y: number,
+): (x: number, y: number) => readonly [alongU: number, alongV: number] {
+  const normal = unit(cross(u, v)) ?? acrossOf(u);
+  let last = inPlane(sight, normal, centre, x, y);
+  return (nextX, nextY) => {
+    const next = inPlane(sight, normal, centre, nextX, nextY);
+    const by = next && last ? subtract(next, last) : ZERO;
+    last = next ?? last;
+    return [dot(by, u), dot(by, v)];
   };
 }
 

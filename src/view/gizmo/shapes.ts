@@ -3,9 +3,10 @@
  *
  *     ring         64 pieces, the first at the mark (where the bone points), by the right-hand rule
  *     arrow, box   from the middle outwards along the axis
+ *     square       its four edges, beside the middle
  */
 import type { Hue } from '../../evaluate/handles/dof-axes.ts';
-import type { Handle, HandleId, HandleRange, JointHandles } from '../../evaluate/handles/joint-handles.ts';
+import type { Handle, HandleId, HandleRange, JointHandles, PlaneHandle } from '../../evaluate/handles/joint-handles.ts';
 import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
 
 /**
@@ -26,6 +27,10 @@ const VIEW_RING_PART = 1.2;
 /** The ball inside the rings; the gap between is empty, so that the rings are easy to hit. */
 export const BALL_PART = 0.86;
 const PIECES = 64;
+/** From where to where a square is along either axis, as parts of the radius. */
+const SQUARE = [0.36, 0.7] as const;
+/** A plane seen closer to its edge than this can't be dragged in: the cosine to the line of sight. */
+const EDGE_ON = 0.17;
 /** An axis shorter than this on screen points at the viewer and can't be dragged along. */
 const SHORTEST_PIXELS = 14;
 
@@ -44,7 +49,7 @@ export interface Projection {
 
 export interface Shape {
   readonly id: HandleId;
-  readonly form: 'ring' | 'arrow' | 'box' | 'diamond' | 'disc';
+  readonly form: 'ring' | 'arrow' | 'box' | 'diamond' | 'square' | 'disc';
   /** x y each. */
   readonly points: Float64Array;
   /** World length of each point in front of the pivot; negative behind it. */
@@ -92,6 +97,10 @@ export function layOut(joint: JointHandles, view: Projection, radius: number): L
   for (const handle of joint.handles) {
     const shape =
       handle.kind === 'turn' ? ring(handle, view, radius, depthOf) : straight(handle, view, radius, hasRings, depthOf);
+    if (shape) shapes.push(shape);
+  }
+  for (const plane of joint.planes ?? []) {
+    const shape = square(plane, view, radius, depthOf);
     if (shape) shapes.push(shape);
   }
   if (joint.freeTurn) {
@@ -171,6 +180,27 @@ function straight(
   return { id, form, points, depths, isBehind: [false], hue, range, isAway: across < SHORTEST_PIXELS, step };
 }
 
+function square(
+  { id, centre, axes: [u, v], hue }: PlaneHandle,
+  view: Projection,
+  pixels: number,
+  depthOf: DepthOf,
+): Shape | undefined {
+  const size = pixels * view.unitsPerPixel(centre);
+  const [near, far] = SQUARE;
+  const corners = [near, near, far, near, far, far, near, far, near, near];
+  const points = new Float64Array(10);
+  const depths = new Float64Array(5);
+  for (let i = 0; i < 5; i++) {
+    const point = add(add(centre, u, corners[2 * i] * size), v, corners[2 * i + 1] * size);
+    if (!view.project(point, points, 2 * i)) return undefined;
+    depths[i] = depthOf(point);
+  }
+  const isAway = Math.abs(dot(cross(u, v), view.towardsViewer(centre))) < EDGE_ON;
+  const isBehind = [false, false, false, false];
+  return { id, form: 'square', points, depths, isBehind, hue, range: FREE, isAway, step: size };
+}
+
 /**
  * Distance of a shear's handle along its arm, as a part of a ring's radius. Two share an arm, so they are kept apart.
  */
@@ -204,6 +234,14 @@ function circle(id: HandleId, form: 'ring' | 'disc', at: Float64Array, radius: n
     isAway: false,
     step: (2 * Math.PI) / PIECES,
   };
+}
+
+/** Whether a point of the viewport is in a square. */
+export function isInSquare({ points }: Shape, x: number, y: number): boolean {
+  const sides = [0, 2, 4, 6].map((o) => {
+    return (points[o + 2] - points[o]) * (y - points[o + 1]) - (points[o + 3] - points[o + 1]) * (x - points[o]);
+  });
+  return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
 }
 
 /** Whether a ring has limits to show: a range of less than a full turn. */

@@ -1,6 +1,7 @@
 /** Draws arrows and boxes, with the limits of their range. */
 import type { StageTheme } from '../theme.ts';
 import {
+  AWAY,
   type DraggedHandle,
   EDGE,
   EDGE_OPACITY,
@@ -12,7 +13,6 @@ import {
 } from './gizmo-look.ts';
 import { RINGS_END, type Shape } from './shapes.ts';
 
-const AWAY = 0.2;
 /** CSS pixels. */
 const HEAD = 6;
 

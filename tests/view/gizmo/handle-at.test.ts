@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { handleAt as hitAt } from '../../../src/view/gizmo/handle-at.ts';
-import { BALL_PART } from '../../../src/view/gizmo/shapes.ts';
-import { facing, handle, laid, onEdge } from './on-screen.ts';
+import { BALL_PART, layOut } from '../../../src/view/gizmo/shapes.ts';
+import { facing, handle, joint, laid, onEdge, view } from './on-screen.ts';
 
 const handleAt = (...args: Parameters<typeof hitAt>) => hitAt(...args)?.id;
 
@@ -113,5 +113,20 @@ describe('a handle of a gizmo under the pointer', () => {
     expect(hitAt(layout, 430, 300)).toMatchObject({ id: { kind: 'ball' }, yields: true });
     expect(hitAt(layout, 292, 300)).toMatchObject({ id: { kind: 'view' }, yields: true });
     expect(hitAt(layout, 494, 300)).toMatchObject({ id: { kind: 'dof', dof: 1 }, yields: true });
+  });
+
+  it('a square is hit within it and by its edges, and not where it is seen from its edge', () => {
+    const id = { kind: 'across', axis: 2 } as const;
+    const square = (v: Vec3) => ({ id, centre: [0, 0, 0], axes: [[1, 0, 0], v], hue: 2 }) as const;
+    const facing = layOut({ ...joint([]), planes: [square([0, 1, 0])] }, view, 90);
+    const onEdge = layOut({ ...joint([]), planes: [square([0, 0.1, Math.sqrt(0.99)])] }, view, 90);
+    if (!facing || !onEdge) throw new Error('Both are in front.');
+    const [inside, beside] = [0.53 * 90, 0.7 * 90 + 5];
+    expect(handleAt(facing, 400 + inside, 300 - inside)).toEqual(id);
+    expect(handleAt(facing, 400 + beside, 300 - inside)).toEqual(id);
+    expect(handleAt(facing, 400 + beside + 5, 300 - inside)).toBeUndefined();
+    expect(handleAt(facing, 400 - inside, 300 - inside)).toBeUndefined();
+    expect(onEdge.shapes[0].isAway).toBe(true);
+    expect(handleAt(onEdge, 400 + inside, 300 - 0.1 * inside)).toBeUndefined();
   });
 });

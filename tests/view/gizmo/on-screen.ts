@@ -19,7 +19,7 @@ export const FREE = { value: 0, min: -Infinity, max: Infinity };
 
 export function handle(dof: number, kind: Handle['kind'], axis: Vec3, mark: Vec3, more: Partial<Handle> = {}): Handle {
   const id = { kind: 'dof', dof } as const;
-  return { id, dof, name: 'rx', kind, axis, centre: [0, 0, 0], reach: 1, hue: 0, mark, range: FREE, ...more };
+  return { id, name: 'rx', kind, axis, centre: [0, 0, 0], reach: 1, hue: 0, mark, range: FREE, ...more };
 }
 
 export function joint(handles: readonly Handle[], free = false, size = 1): JointHandles {

@@ -43,7 +43,10 @@ export class BesidePins {
     this.home = shown.slice(0, firstDof[jointCount]);
     this.dofs = this.home.slice();
     // Root translation comes before the first joint's DOFs and belongs to the root.
-    const joint = Math.max(0, firstDof.findLastIndex((first) => first <= changed[0]));
+    const joint = Math.max(
+      0,
+      firstDof.findLastIndex((first) => first <= changed[0]),
+    );
     this.stiffness = handStiffness(character, skeleton, joint);
     for (const dof of changed) this.stiffness[dof] = Infinity;
     // The body goes where its handle is dragged, and nowhere else.

@@ -75,6 +75,8 @@ export class Blend {
     const { between } = this;
     between.dofs.set(shown);
     between.moveHand(of.hand[0], of.hand[1], of.hand[2]);
+    between.turnAxis = of.turnAxis;
+    between.turnHand(of.turned);
     between.forget();
     between.look();
     // In between, the pins are slightly off.

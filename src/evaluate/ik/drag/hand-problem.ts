@@ -7,6 +7,7 @@
  * (a hundred times when squared), which would not be enough against a hand three metres away: feet would be pulled off
  * the ground. So the pins hold, and the point still comes as near as they allow.
  */
+import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { IkSetup } from '../../../model/ik.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
@@ -14,7 +15,9 @@ import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
 import { evaluatePose } from '../forward.ts';
 import { type Bending, bendsWith } from '../limb.ts';
-import { ikProblem, movePin } from '../problem.ts';
+import { turnedAbout } from '../orientation.ts';
+import type { Turn } from '../pins.ts';
+import { ikProblem, movePin, turnPin } from '../problem.ts';
 import { type DragTarget, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
 import { type IkMode, solve } from '../solve.ts';
 import type { IkProblem } from '../state.ts';
@@ -30,6 +33,10 @@ const BARELY = 1e-3;
 const HOLDS_BACK = 0.25;
 /** A point that no DOF moves further than this, per radian or reach, can't move. */
 const DOES_NOT_MOVE = 1e-6;
+/** A radian that the hand turns is as far as this fraction of the reach. */
+export const TURN_WAY = 0.3;
+/** Weight of the turn while the hand turns a pin: its place gives way last. */
+const TURN_GIVES = 0.1;
 /** Maximum number of solves per hand position until weaker pulls have settled. */
 const MAX_ROUNDS = 5;
 
@@ -45,6 +52,10 @@ export class HandProblem {
   readonly holds: boolean;
   /** Position of the hand. */
   readonly hand = new Float64Array(3);
+  /** What a hand that turns turns about, in the space of the world matrices. */
+  turnAxis: Vec3 | undefined;
+  /** How far it has turned, in radians. */
+  turned = 0;
   /** Iterations left; negative if the last solve exceeded the budget. */
   left = Infinity;
   private readonly ownWeight: number;
@@ -89,6 +100,21 @@ export class HandProblem {
     this.hand[1] = y;
     this.hand[2] = z;
     movePin(this.problem, this.index, x, y, z);
+  }
+
+  /** Turns the hand about its axis from how the dragged pin was held at the start, without solving. */
+  turnHand(angle: number): void {
+    const { problem, index, turnAxis } = this;
+    this.turned = angle;
+    const turn = turnAxis && this.orientationOfHand;
+    if (turn) turnPin(problem, index, turn);
+  }
+
+  /** How the dragged pin is to be turned now; undefined if it holds no orientation. */
+  get orientationOfHand(): Turn | undefined {
+    const { targets, dragged, turnAxis, turned } = this;
+    const start = 'pin' in dragged ? targets.get(dragged.pin)?.orientation : undefined;
+    return start && turnAxis ? turnedAbout(turnAxis, turned, start) : start;
   }
 
   /**
@@ -200,7 +226,7 @@ export class HandProblem {
   private run(mode: IkMode, pull: number): void {
     const { problem, index } = this;
     problem.pins.weights[index] = this.ownWeight * pull;
-    problem.pins.turnWeights[index] = this.ownTurnWeight * pull;
+    problem.pins.turnWeights[index] = this.ownTurnWeight * pull * (this.turnAxis ? TURN_GIVES : 1);
     this.left -= solve(problem, this.dofs, mode).iterations;
   }
 }

@@ -4,7 +4,7 @@
  * that satisfies hand and pins and is nearest to the start is taken (`Homing`). So the hand's way back restores the
  * pose, and a hand that is still has nothing left to wait for.
  */
-import { type HandProblem, IS_THERE } from './hand-problem.ts';
+import { type HandProblem, IS_THERE, TURN_WAY } from './hand-problem.ts';
 import { Homing } from './homing.ts';
 import { Shaking } from './shaking.ts';
 
@@ -37,21 +37,23 @@ export class Lead {
     this.shaking = new Shaking(of);
   }
 
-  /** Writes the pose to the problem's `dofs`. */
-  to(x: number, y: number, z: number): void {
+  /** Writes the pose to the problem's `dofs`. @param angle that the hand has turned by */
+  to(x: number, y: number, z: number, angle: number): void {
     const { of, from, homing, shaking } = this;
     const { reach } = of;
     of.dofs.set(this.startPose);
     of.moveHand(from[0], from[1], from[2]);
+    of.turnHand(0);
     of.forget();
     of.look();
-    const way = Math.hypot(x - from[0], y - from[1], z - from[2]);
+    const way = Math.hypot(x - from[0], y - from[1], z - from[2]) + TURN_WAY * reach * Math.abs(angle);
     const step = Math.max(STEP * reach, way / MAX_STEPS);
     let isOut = false;
     let isShaken = false;
     for (let gone = step; gone < way * (1 - 1e-9); gone += isOut ? STRIDE * step : step) {
       const part = gone / way;
       of.moveHand(from[0] + part * (x - from[0]), from[1] + part * (y - from[1]), from[2] + part * (z - from[2]));
+      of.turnHand(part * angle);
       of.solve('drag');
       // Once: what did not help a step ago will not help now.
       if (!isShaken && shaking.isDue) this.shake();
@@ -60,10 +62,13 @@ export class Lead {
       if (!isOut) homing.come(HOMING_ON_WAY);
     }
     of.moveHand(x, y, z);
+    of.turnHand(angle);
     of.solve('drag');
     if (shaking.isDue) this.shake();
     this.solveExactly();
-    if (of.missing <= IS_THERE * reach) homing.come(HOMING);
+    if (of.missing > IS_THERE * reach) return;
+    homing.come(HOMING);
+    of.solve('exact');
   }
 
   private shake(): void {

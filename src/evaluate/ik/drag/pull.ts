@@ -3,8 +3,8 @@
  * pose at its start; not the pointer, the document and its undo step (`ui/editors/ik/hand-pull.ts`), the pose for a
  * position (`Lead`), what is shown of it (`Blend`), nor the solver (`HandProblem`). Independent of the page.
  */
-import { invertAffine, setIdentity } from '../../../math/mat4.ts';
-import { subtract, type Vec3 } from '../../../math/vec3.ts';
+import { determinant3, invertAffine, setIdentity } from '../../../math/mat4.ts';
+import { subtract, transformVector, unit, type Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
 import type { DofValue } from '../../../model/skeleton/dofs.ts';
@@ -14,7 +14,7 @@ import { type DragTarget, ikOf, type PinTarget, pinTargets, pointAt } from '../s
 import { Blend } from './blend.ts';
 import { changedValues } from './changed-values.ts';
 import { type DragReach, holding, WHOLE } from './drag-reach.ts';
-import { HandProblem, IS_THERE } from './hand-problem.ts';
+import { HandProblem, IS_THERE, TURN_WAY } from './hand-problem.ts';
 import { gapCause, type Hindrance } from './hindrance.ts';
 import { Lead } from './lead.ts';
 import { LockTrial } from './lock-trial.ts';
@@ -132,16 +132,32 @@ export class Pull {
 
   /** Moves the hand, in the world; `dofs` follow. Ignores positions that are not finite. */
   to(hand: Vec3): void {
+    this.aim(hand, this.of.turned);
+  }
+
+  /**
+   * Turns a pin that holds its orientation, from how it was at the start of the drag; `dofs` follow.
+   * @param axis of unit length, in the world; the same in all calls
+   * @param angle radians
+   */
+  turn(axis: Vec3, angle: number): void {
+    const { of, toOwn } = this;
+    of.turnAxis ??= unit(transformVector(toOwn, axis));
+    if (Number.isFinite(angle)) this.aim(this.place, determinant3(toOwn) < 0 ? -angle : angle);
+  }
+
+  private aim(hand: Vec3, angle: number): void {
     const { of } = this;
     const [x, y, z] = pointAt(this.toOwn, 0, hand);
     if (!Number.isFinite(x + y + z)) return;
     this.place = hand;
-    const way = Math.hypot(x - of.hand[0], y - of.hand[1], z - of.hand[2]);
+    const moved = Math.hypot(x - of.hand[0], y - of.hand[1], z - of.hand[2]);
+    const way = moved + TURN_WAY * of.reach * Math.abs(angle - of.turned);
     if (way === 0) {
       this.goOn();
       return;
     }
-    this.lead.to(x, y, z);
+    this.lead.to(x, y, z, angle);
     this.blend.follow(CALM + FOLLOWS * (way / of.reach));
   }
 
@@ -190,7 +206,8 @@ export class Pull {
     const { targets, dragged, hand } = this.of;
     const own = 'pin' in dragged ? targets.get(dragged.pin) : undefined;
     if (!own || !('pin' in dragged)) return targets;
-    return new Map(targets).set(dragged.pin, { ...own, position: at(hand, 0) });
+    const orientation = this.of.orientationOfHand;
+    return new Map(targets).set(dragged.pin, { position: at(hand, 0), ...(orientation && { orientation }) });
   }
 
   /** A distance in the world, in the character's own unit. */

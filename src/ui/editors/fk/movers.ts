@@ -84,7 +84,7 @@ const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
 export function handleMover(id: HandleId, grip: FkGrip): Mover | undefined {
   const joint = handlesOf(grip);
   const handle = joint.handles.find((h) => sameHandle(h.id, id));
-  if (id.kind === 'dof') return handle && dofMover(handle, grip, handleMeasure(handle, grip), true);
+  if (id.kind === 'dof') return handle && dofMover(handle, id.dof, grip, handleMeasure(handle, grip), true);
   if (!joint.freeTurn) return undefined;
   if (id.kind === 'ball') return rollMover(joint, grip);
   const { sight, at } = grip;
@@ -100,7 +100,7 @@ export function boneMover(dof: number | undefined, grip: FkGrip): Mover | undefi
   const joint = handlesOf(grip);
   if (dof === undefined) return joint.freeTurn && rollMover(joint, grip);
   const handle = joint.handles.find(({ id }) => id.kind === 'dof' && id.dof === dof);
-  return handle && dofMover(handle, grip, boneMeasure(handle, grip), false);
+  return handle && dofMover(handle, dof, grip, boneMeasure(handle, grip), false);
 }
 
 /** The handles in the pose of the grip. */
@@ -156,9 +156,14 @@ function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: FkGr
   return (x, y) => perPixel * up(x, y);
 }
 
-function dofMover(handle: Handle, { selected, others, dofs }: FkGrip, measure: Measure, sticks: boolean): Mover {
+function dofMover(
+  { range, id, kind }: Handle,
+  dof: number,
+  { selected, others, dofs }: FkGrip,
+  measure: Measure,
+  sticks: boolean,
+): Mover {
   const { character, skeleton } = selected;
-  const { dof, range, id, kind } = handle;
   const verb = VERBS[kind];
   const from = dofs[dof];
   const step = snapStep(characterDofs(skeleton, [])[dof], skeleton);

@@ -16,13 +16,13 @@ import { KnownHandles } from './known-handles.ts';
 import { type DragResult, type FkGrip, handleMover, handlesOf, type Mover } from './movers.ts';
 
 /** Extra hit tolerance for touch; CSS pixels. */
-const FINGER = 10;
+export const FINGER = 10;
 /** On a handle a drag starts sooner than elsewhere, where a click may be meant to pick. */
 const HANDLE_THRESHOLD = 2;
 
 export interface GizmoOptions {
-  /** Which of the joint's handles it has; the same object for the same handles. Default: all. */
-  readonly only?: (handles: JointHandles) => JointHandles;
+  /** Which of the joint's handles it has, if any; the same object for the same handles. Default: all. */
+  readonly only?: (handles: JointHandles) => JointHandles | undefined;
   /** The handle drawn as active. */
   readonly active?: () => HandleId | undefined;
 }

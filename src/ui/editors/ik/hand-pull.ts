@@ -79,6 +79,13 @@ export class HandPull {
     this.show();
   }
 
+  /** Turns a pin that holds its orientation, from how it was at the start, about an axis of the world; radians. */
+  turn(axis: Vec3, angle: number): void {
+    if (this.edit.cancelled) return;
+    this.pull.turn(axis, angle);
+    this.show();
+  }
+
   /** The displacement in the character's own unit. */
   inOwnUnit(from: Vec3, to: Vec3): number {
     return this.pull.inOwnUnit(from, to);

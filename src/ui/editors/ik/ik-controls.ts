@@ -3,6 +3,7 @@
  * mode has the reach, and the others once they matter.
  */
 
+import { PIN_AXES, type PinAxes } from '../../../evaluate/handles/pin-handles.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { defaultIk } from '../../../model/ik.ts';
 import { currentCharacter, findAction, tryById } from '../../state/actions/action.ts';
@@ -17,6 +18,7 @@ import { setTooltip } from '../../widgets/tooltip.ts';
 import { touchWords } from '../../widgets/touch-words.ts';
 import { whileShown } from '../posing/while-shown.ts';
 import { REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
+import { selectedPin } from './selected-pin.ts';
 
 /** Created once; up to date while shown. */
 export function ikControls(
@@ -38,6 +40,11 @@ export function ikControls(
   );
   setTooltip(reach, () => `Reach: ${REACH_MEANINGS[reachShown(wb, currentCharacter(wb))]}`);
   menuButton(reach, 'Reach of IK', () => reachEntries(wb));
+  const axes = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool text-tool ik-axes' }, element('span', {}), icon('fold')),
+  );
+  setTooltip(axes, 'Axes that the handles of the selected pin move it along');
+  menuButton(axes, 'Axes of the pin', () => axesEntries(wb));
   const all = keepsFocusElsewhere(
     button('Unpin all', { class: 'tool' }, 'Unpin all', () => tryById(wb, 'ik.letAllGo')),
   );
@@ -47,7 +54,7 @@ export function ikControls(
   );
   setActionTooltip(wb, hold, 'ik.holdPins', 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
-  const tools = element('div', { class: 'ik-tools tools' }, reach, root, all, ...(mode === 'ik' ? [hold] : []));
+  const tools = element('div', { class: 'ik-tools tools' }, reach, axes, root, all, ...(mode === 'ik' ? [hold] : []));
   const { hasDragged, wantsRoot } = wb.posing.ik;
   const show = () => {
     const character = currentCharacter(wb);
@@ -56,6 +63,10 @@ export function ikControls(
     const reachName = REACH_NAMES[reachShown(wb, character)];
     if (reach.firstElementChild) setText(reach.firstElementChild, `Reach: ${reachName}`);
     setAttribute(reach, 'aria-label', `Reach: ${reachName}`);
+    axes.hidden = selectedPin(wb) === undefined;
+    const axesName = `Axes: ${AXES_NAMES[wb.posing.ik.axes.get()]}`;
+    if (axes.firstElementChild) setText(axes.firstElementChild, axesName);
+    setAttribute(axes, 'aria-label', axesName);
     all.disabled = hold.disabled = !setup?.pins.length;
     if (mode === 'pose') {
       // What has been set in IK acts here too, and can be undone where one meets it.
@@ -78,10 +89,26 @@ export function ikControls(
       }),
       hasDragged.subscribe(show),
       wb.settings.subscribe(showSoon),
+      wb.posing.ik.selected.subscribe(showSoon),
+      wb.posing.ik.axes.subscribe(showSoon),
       wantsRoot.subscribe(showSoon),
     ];
   });
   return controls;
+}
+
+const AXES_NAMES: Readonly<Record<PinAxes, string>> = { world: 'World', local: 'Joint', parent: 'Parent' };
+
+function axesEntries({ posing }: Uses<'posing'>): readonly MenuEntry[] {
+  const { axes } = posing.ik;
+  return PIN_AXES.map((one) => ({
+    kind: 'item',
+    label: AXES_NAMES[one],
+    checked: axes.get() === one,
+    radio: true,
+    enabled: true,
+    run: () => axes.set(one),
+  }));
 }
 
 function reachEntries(wb: Uses<'store' | 'actions' | 'settings'>): readonly MenuEntry[] {

@@ -8,6 +8,7 @@
  *     Alt, right     in depth; the right button only on a pin, as it pans elsewhere
  *     long press     on touch: as Shift+click; a second finger drags in depth
  *     a ring         of the selected joint: rotates it while the pins hold
+ *     a handle       of the selected pin, in place of the rings: moves it along an axis or in a plane, or turns it
  */
 import type { HandleId, JointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
@@ -23,10 +24,12 @@ import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { ikControls } from './ik-controls.ts';
 import { pinAt, selectPin, unpinByHand } from './pin-edits.ts';
+import { PinGizmo } from './pin-gizmo.ts';
 import { PinNudge } from './pin-nudge.ts';
 import { pinUnder, pointUnder, type SeenPoint } from './pins-on-screen.ts';
 import { PointHand } from './point-hand.ts';
 import { whatMoves } from './reach.ts';
+import { selectedPin } from './selected-pin.ts';
 
 export function ikTool(wb: Workbench): ModeTool {
   return new IkTool(wb);
@@ -36,24 +39,27 @@ class IkTool implements ModeTool {
   private readonly nudge: PinNudge;
   private readonly rings: SelectedGizmo;
   private readonly hand: PointHand;
+  private readonly axes: PinGizmo;
   private controls: HTMLElement | undefined;
   private listening: AbortController | undefined;
 
   constructor(private readonly wb: Workbench) {
     this.nudge = new PinNudge(wb);
-    this.rings = new SelectedGizmo(wb, { only: ringsOnly });
+    this.rings = new SelectedGizmo(wb, { only: (handles) => (selectedPin(wb) ? undefined : ringsOnly(handles)) });
     this.hand = new PointHand(wb, {
       pointAt: (at) => pointUnder(wb, at),
       pins: true,
       whatMoves: (id, joint) => whatMoves(wb, id, joint),
       pull: () => this.nudge.state,
     });
+    this.axes = new PinGizmo(wb, this.hand);
   }
 
   enter(): void {
     const { wb } = this;
     this.rings.enter();
     this.hand.enter();
+    this.axes.enter();
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
     this.listening = new AbortController();
@@ -67,6 +73,7 @@ class IkTool implements ModeTool {
     this.nudge.finish();
     this.hover(undefined);
     this.listening?.abort();
+    this.axes.leave();
     this.hand.leave();
     this.rings.leave();
     this.wb.posing.controls.set(undefined);
@@ -74,6 +81,8 @@ class IkTool implements ModeTool {
 
   press(at: CanvasPointer): CanvasDrag | undefined {
     this.nudge.finish();
+    const axis = this.axes.press(at);
+    if (axis) return axis;
     const { viewport } = this.wb;
     const ring = this.ringUnder(at, () => viewport.pick(at.clientX, at.clientY)?.joint !== undefined);
     const selected = selectedJoint(this.wb);
@@ -120,6 +129,10 @@ class IkTool implements ModeTool {
   hover(at: CanvasPointer | undefined): string | undefined {
     const { hand } = this;
     const { point } = hand;
+    if (this.axes.hover(at)) {
+      hand.show(undefined, undefined);
+      return 'grab';
+    }
     const pin = at && pinUnder(this.wb, at);
     const ring = at && this.ringUnder(at, () => this.wb.viewport.hovered?.joint !== undefined);
     this.rings.light(ring?.id, at);

@@ -36,9 +36,18 @@ export interface PinDragEvents {
   over(): void;
 }
 
+/** A drag that the pointer doesn't lead freely, such as along an axis. */
+export interface Steering {
+  /** The drag has begun: what moves the hand for each position of the pointer. */
+  begin(hand: HandPull): (at: CanvasPointer) => void;
+  /** The press has ended, either way. */
+  over(): void;
+}
+
 export class PinDrag implements CanvasDrag {
   readonly ownsLongPress = true;
   private hand: HandPull | undefined;
+  private steer: ((at: CanvasPointer) => void) | undefined;
   private refused = false;
   /** Positions of the point and the pointer when the drag began or switched to or from depth. */
   private from: Vec3 | undefined;
@@ -63,6 +72,7 @@ export class PinDrag implements CanvasDrag {
     private readonly grip: IkGrip,
     private readonly press: CanvasPointer,
     private readonly events: PinDragEvents,
+    private readonly steering?: Steering,
     later = byTimer,
   ) {
     this.fromY = press.clientY;
@@ -107,13 +117,18 @@ export class PinDrag implements CanvasDrag {
       }
       this.release();
     }
-    this.events.over();
+    this.over();
   }
 
   cancel(): void {
     this.stopWaiting();
     cancelAnimationFrame(this.frame);
     this.hand?.cancel();
+    this.over();
+  }
+
+  private over(): void {
+    this.steering?.over();
     this.events.over();
   }
 
@@ -164,6 +179,10 @@ export class PinDrag implements CanvasDrag {
     this.stepped = at;
     const { hand } = this;
     if (!hand || !this.from) return;
+    if (this.steer) {
+      this.steer(at);
+      return;
+    }
     const { eye } = wb.viewport;
     if (this.isInDepth(at) !== this.inDepth) this.change(at);
     if (this.inDepth) {
@@ -182,6 +201,7 @@ export class PinDrag implements CanvasDrag {
     if (!this.hand) return false;
     wb.posing.ik.hasDragged.set(true);
     this.from = this.hand.hand;
+    this.steer = this.steering?.begin(this.hand);
     this.standBeside(press);
     this.events.began();
     return true;

@@ -125,7 +125,8 @@ function paintPin(
     size: PIN_SIZE + (isLit || isPulled ? 2 : 0) + (weight > 1 ? Math.min(4, Math.log2(weight)) : 0),
     fill: Math.min(1, weight),
   });
-  if (!isLit && !isPulled) return [];
+  // The selected pin is named beside its handles.
+  if (is(selected.get()) || (!isLit && !isPulled)) return [];
   const { x, y, depth } = wb.viewport.eye.toScreen(at);
   const text = pinText(character, pin);
   return depth > 0 ? [{ kind: 'name', text, x, y, of: pinKey(seen, pin.id), side: sideOf(wb, seen, x) }] : [];

@@ -10,7 +10,7 @@ import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { depthText } from './depth-text.ts';
 import type { IkGrip, PullState } from './hand-pull.ts';
 import { IkLabels } from './ik-labels.ts';
-import { PinDrag } from './pin-drag.ts';
+import { PinDrag, type PinDragEvents, type Steering } from './pin-drag.ts';
 import { selectPin } from './pin-edits.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
 import { besidePins, type Standing } from './pins-beside.ts';
@@ -109,6 +109,7 @@ export class PointHand {
     )
       return;
     this.hoveredPin = pin;
+    this.wb.posing.ik.isOverPin = pin !== undefined;
     this.hoveredPoint = point;
     this.wb.viewport.requestRender();
   }
@@ -128,9 +129,9 @@ export class PointHand {
   }
 
   /** @param click the press was one, without motion */
-  begin(grip: IkGrip, at: CanvasPointer, click: () => void): PinDrag {
+  begin(grip: IkGrip, at: CanvasPointer, click: () => void, steering?: Steering): PinDrag {
     this.show(undefined, undefined);
-    const drag = new PinDrag(this.wb, grip, at, {
+    const events: PinDragEvents = {
       click,
       longPress: () => {
         const { characterId, placement, joint, pin } = grip;
@@ -148,7 +149,8 @@ export class PointHand {
         this.wb.viewport.canvas.style.cursor = 'grabbing';
       },
       moved: (depth, now) => this.showDepth(grip.characterId, depth, now),
-    });
+    };
+    const drag = new PinDrag(this.wb, grip, at, events, steering);
     this.drag = drag;
     return drag;
   }

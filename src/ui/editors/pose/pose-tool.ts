@@ -3,7 +3,7 @@
  *
  *     the dot of the rings         the selected joint, dragged at its pivot
  *     a ring or an arrow           of the selected joint: its DOF
- *     a pin                        moves it
+ *     a pin                        moves it; a handle of the selected one, along an axis or in a plane
  *     a hand, a foot, a head, or   its limb, with the reach of IK; pins hold, and feet that stand if the whole body
  *     the end of another limb      moves. Alt: in depth; touch: a second finger
  *     anything else                the camera
@@ -20,8 +20,10 @@ import type { Workbench } from '../../state/workbench.ts';
 import { SelectedGizmo } from '../fk/selected-gizmo.ts';
 import { ikControls } from '../ik/ik-controls.ts';
 import { selectPin } from '../ik/pin-edits.ts';
+import { PinGizmo } from '../ik/pin-gizmo.ts';
 import { pinUnder, type SeenPoint } from '../ik/pins-on-screen.ts';
 import { PointHand } from '../ik/point-hand.ts';
+import { selectedPin } from '../ik/selected-pin.ts';
 import { activeDof, chooseDof } from '../posing/active-dof.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
@@ -34,6 +36,7 @@ export function poseTool(wb: Workbench): ModeTool {
 class PoseTool implements ModeTool {
   private readonly gizmo: SelectedGizmo;
   private readonly hand: PointHand;
+  private readonly axes: PinGizmo;
   private controls: HTMLElement | undefined;
   private stop = () => {};
 
@@ -42,18 +45,23 @@ class PoseTool implements ModeTool {
       const dof = activeDof(wb);
       return dof === undefined ? undefined : { kind: 'dof', dof };
     };
-    this.gizmo = new SelectedGizmo(wb, { only: withoutBall, active });
+    this.gizmo = new SelectedGizmo(wb, {
+      only: (handles) => (selectedPin(wb) ? undefined : withoutBall(handles)),
+      active,
+    });
     this.hand = new PointHand(wb, {
       pointAt: (at) => endUnder(wb, at),
       pins: false,
       whatMoves: (id, joint) => whatEndMoves(wb, id, joint),
     });
+    this.axes = new PinGizmo(wb, this.hand);
   }
 
   enter(): void {
     const { wb } = this;
     this.gizmo.enter();
     this.hand.enter();
+    this.axes.enter();
     this.controls ??= ikControls(wb, 'pose');
     wb.posing.controls.set(this.controls);
     this.stop = wb.posing.chosenDof.subscribe(() => wb.viewport.requestRender());
@@ -62,6 +70,7 @@ class PoseTool implements ModeTool {
   leave(): void {
     this.hover(undefined);
     this.stop();
+    this.axes.leave();
     this.hand.leave();
     this.gizmo.leave();
     this.wb.posing.controls.set(undefined);
@@ -70,6 +79,8 @@ class PoseTool implements ModeTool {
   press(at: CanvasPointer): CanvasDrag | undefined {
     const { wb, gizmo, hand } = this;
     if (at.button !== 0) return undefined;
+    const axis = this.axes.press(at);
+    if (axis) return axis;
     const selected = selectedJoint(wb);
     if (selected && gizmo.isOnPivot(at)) {
       return this.pull(pivotOf(wb, selected), at);
@@ -89,6 +100,11 @@ class PoseTool implements ModeTool {
     return handle && selected ? this.turn(handle, selected, at) : undefined;
   }
 
+  click(): boolean {
+    this.wb.posing.ik.selected.set(undefined);
+    return false;
+  }
+
   menu(at: CanvasPointer): boolean {
     const pin = pinUnder(this.wb, at);
     if (pin) selectPin(this.wb, { characterId: pin.character.id, pin: pin.pin.id }, pin.pin.joint, pin.placement);
@@ -98,6 +114,10 @@ class PoseTool implements ModeTool {
   hover(at: CanvasPointer | undefined): string | undefined {
     const { wb, gizmo, hand } = this;
     const { point } = hand;
+    if (this.axes.hover(at)) {
+      hand.show(undefined, undefined);
+      return 'grab';
+    }
     const isOnPivot = at !== undefined && gizmo.isOnPivot(at);
     const handle = at && !isOnPivot ? gizmo.at(at) : undefined;
     const selected = isOnPivot ? selectedJoint(wb) : undefined;
@@ -122,9 +142,10 @@ class PoseTool implements ModeTool {
   private pull({ characterId, placement, joint, natural, point }: SeenPoint, at: CanvasPointer): CanvasDrag {
     const { wb } = this;
     this.gizmo.light(undefined, undefined);
-    return this.hand.begin({ characterId, placement, joint, point: natural?.point ?? point }, at, () =>
-      selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at)),
-    );
+    return this.hand.begin({ characterId, placement, joint, point: natural?.point ?? point }, at, () => {
+      wb.posing.ik.selected.set(undefined);
+      selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at));
+    });
   }
 
   private turn({ id }: HandleHit, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {

@@ -14,6 +14,8 @@ export interface MousePlace {
   readonly joint?: string;
   /** Pose and IK modes: what a drag of that joint moves. */
   readonly moves?: string;
+  /** Pose and IK modes: the pointer is on a pin. */
+  readonly isPin?: boolean;
   /** Rig mode: clicks add joints. */
   readonly isAdding?: boolean;
   /** *Snap to frames* is on. */
@@ -102,6 +104,13 @@ const ON_HANDLE: readonly MouseHint[] = [
 ];
 
 function inPose(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
+  if (place.isPin) {
+    return [
+      ['Move the pin', 'drag'],
+      ['In depth', 'Alt+drag'],
+      ['Select it', 'click'],
+    ];
+  }
   if (isHandle) return ON_HANDLE;
   const { joint, moves } = place;
   if (joint === undefined || moves === undefined) return inSelect(place);
@@ -125,15 +134,19 @@ function inFk(place: MousePlace, isHandle: boolean): readonly MouseHint[] {
   ];
 }
 
-function inIk({ joint, moves = 'Move it while pins hold' }: MousePlace, isHandle: boolean): readonly MouseHint[] {
-  if (isHandle) {
+function inIk(
+  { joint, moves = 'Move it while pins hold', isPin }: MousePlace,
+  isHandle: boolean,
+): readonly MouseHint[] {
+  if (isPin) {
     return [
-      ['Move the pin or turn the ring', 'drag'],
-      ['Pin in depth', 'Alt+drag'],
-      ['Remove the pin', 'click'],
+      ['Move the pin', 'drag'],
+      ['In depth', 'Alt+drag'],
+      ['Remove it', 'click'],
       ['Select it', 'Shift+click'],
     ];
   }
+  if (isHandle) return ON_HANDLE;
   if (joint !== undefined) {
     return [
       [`Pin ${joint}`, 'click'],

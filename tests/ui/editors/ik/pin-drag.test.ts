@@ -37,7 +37,7 @@ function dragBody(press: CanvasPointer = at(0, 0)) {
     moved: (depth: number | undefined) => void told.push(depth),
     over: () => {},
   };
-  const drag = new PinDrag(page.wb, grip, press, events, (run, ms) => {
+  const drag = new PinDrag(page.wb, grip, press, events, undefined, (run, ms) => {
     Object.assign(wait, { run, ms });
     return () => {
       wait.run = undefined;

@@ -22,7 +22,13 @@ it('over a joint a click does what the mode does', () => {
 it('the ball within the rings and the margin of a ring are handles too', () => {
   const at = { area: 'viewport', cursor: 'move' } as const;
   expect(whats({ ...at, mode: 'fk' })).toContain('Rotate or move');
-  expect(whats({ ...at, mode: 'ik' })).toContain('Move the pin or turn the ring');
+  expect(whats({ ...at, mode: 'ik' })).toContain('Rotate or move');
+});
+
+it('a pin is moved by a drag, and a click selects it in Pose mode and removes it in IK mode', () => {
+  const at = { area: 'viewport', cursor: 'grab', isPin: true } as const;
+  expect(whats({ ...at, mode: 'pose' })).toEqual(['Move the pin', 'In depth', 'Select it']);
+  expect(whats({ ...at, mode: 'ik' })).toEqual(['Move the pin', 'In depth', 'Remove it', 'Select it']);
 });
 
 it('a handle of the tool comes before the joint behind it', () => {

@@ -1,0 +1,95 @@
+/** Drags a handle of a pin: what each position of the pointer makes of it, and in words. */
+import { DraggedValue, type HandWants } from '../../../evaluate/handles/dragged-value.ts';
+import type { Handle, HandleId, JointHandles, PlaneHandle } from '../../../evaluate/handles/joint-handles.ts';
+import { sameHandle } from '../../../evaluate/handles/joint-handles.ts';
+import { add, type Vec3 } from '../../../math/vec3.ts';
+import { planeMeasure, type Sight, slideMeasure, turnMeasure } from '../../../view/gizmo/pointer-measures.ts';
+import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+import type { HandPull } from './hand-pull.ts';
+
+/** How far a pin has been moved along an axis, in the world's unit, or turned about it, in radians. */
+export interface PinMove {
+  readonly axis: 0 | 1 | 2;
+  readonly by: number;
+}
+
+/** Moves the pin for a position of the pointer, and says by what. */
+export type PinWay = (at: CanvasPointer) => readonly PinMove[];
+
+/** What values snap to with Ctrl: lengths in the world's unit, and radians. */
+export interface PinSnaps {
+  readonly length: number;
+  readonly angle: number;
+}
+
+const FREE = { min: 1, max: 0, hold: false };
+const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
+  fine: shiftKey,
+  snap: ctrlKey || metaKey,
+});
+
+/**
+ * Undefined if there is no such handle.
+ * @param at where the press was
+ * @param size of the rings in the world
+ */
+export function pinWay(
+  id: HandleId,
+  { handles, planes = [] }: JointHandles,
+  hand: HandPull,
+  sight: Sight,
+  at: CanvasPointer,
+  size: number,
+  snaps: PinSnaps,
+): PinWay | undefined {
+  const plane = planes.find((one) => sameHandle(one.id, id));
+  if (plane) return planeWay(plane, hand, sight, at, snaps);
+  const handle = handles.find((one) => sameHandle(one.id, id));
+  return handle && axisWay(handle, hand, sight, at, size, snaps);
+}
+
+function axisWay(
+  { id, axis, centre, kind }: Handle,
+  hand: HandPull,
+  sight: Sight,
+  { clientX, clientY }: CanvasPointer,
+  size: number,
+  snaps: PinSnaps,
+): PinWay | undefined {
+  if (!('axis' in id)) return undefined;
+  const isTurn = kind === 'turn';
+  const from = hand.hand;
+  const measure = isTurn
+    ? turnMeasure(sight, axis, centre, size, clientX, clientY)
+    : slideMeasure(sight, axis, centre, clientX, clientY);
+  const value = new DraggedValue(0, FREE, isTurn ? snaps.angle : snaps.length, true);
+  return (now) => {
+    const by = value.by(measure(now.clientX, now.clientY), wantsOf(now)).value;
+    if (isTurn) hand.turn(axis, by);
+    else hand.to(add(from, axis, by));
+    return [{ axis: id.axis, by }];
+  };
+}
+
+function planeWay(
+  { id, axes, centre }: PlaneHandle,
+  hand: HandPull,
+  sight: Sight,
+  { clientX, clientY }: CanvasPointer,
+  { length }: PinSnaps,
+): PinWay | undefined {
+  if (!('axis' in id)) return undefined;
+  const from: Vec3 = hand.hand;
+  const measure = planeMeasure(sight, axes, centre, clientX, clientY);
+  const values = axes.map(() => new DraggedValue(0, FREE, length, true));
+  const [u, v] = [1, 2].map((k) => [0, 1, 2][(id.axis + k) % 3]);
+  return (now) => {
+    const by = measure(now.clientX, now.clientY);
+    const [a, b] = values.map((value, i) => value.by(by[i], wantsOf(now)).value);
+    hand.to(add(add(from, axes[0], a), axes[1], b));
+    return [
+      { axis: u as 0 | 1 | 2, by: a },
+      { axis: v as 0 | 1 | 2, by: b },
+    ];
+  };
+}
