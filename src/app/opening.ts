@@ -104,6 +104,9 @@ export class Opener {
       abort.signal.throwIfAborted();
       if (files.length === 0) return [];
       for (const listener of this.givenListeners) listener(files);
+      // Fetched while the files are read: what is opened is told before it is drawn, which may take longest.
+      const isNoticed = options.reloads === undefined && !options.asOpeningSample;
+      const noticing = isNoticed ? import('../files/open/unseen-changes.ts').catch(() => undefined) : undefined;
       const output = await worker.run(
         'parse',
         // The worker doesn't need the handles.
@@ -149,9 +152,8 @@ export class Opener {
       const known = fresh.flatMap((id) => findCharacter(store.document, id) ?? []).filter((c) => c.space?.known);
       if (known.length > 0) this.parts.offerSpaces?.(known);
       // Errors stay in the line instead: they say themselves what became of their files. The first character is seen.
-      if (reloads === undefined && !options.asOpeningSample && !hasErrors(diagnostics)) {
-        const module = await import('../files/open/unseen-changes.ts').catch(() => undefined);
-        const unseen = module?.unseenChanges(before, result.document, output.files, output.diagnostics);
+      if (!hasErrors(diagnostics)) {
+        const unseen = (await noticing)?.unseenChanges(before, result.document, output.files, output.diagnostics);
         if (unseen !== undefined) messages.note(unseen);
       }
       return diagnostics;

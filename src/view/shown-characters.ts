@@ -29,7 +29,7 @@ const MOMENTS = 160;
 const ALL_MOMENTS = 640;
 const FEWEST_MOMENTS = 16;
 /** Joints that are posed for it, over all moments; beside them each pose of a character costs as much as these. */
-const ALL_JOINTS = 600_000;
+const ALL_JOINTS = 150_000;
 const PER_POSE = 20;
 /** Motion enlarges the framed box to at most this multiple of its current size: farther away, no one sees it. */
 const MAX_ROOM = 50;

@@ -5,7 +5,7 @@
 
 import { sentenceOf } from '../model/failure.ts';
 import { UserError } from '../model/user-error.ts';
-import type { FromWorker, JobName, Jobs, Progress, ToWorker } from './protocol.ts';
+import type { FromWorker, JobName, Jobs, ParsedPart, ParseOutput, Progress, ToWorker } from './protocol.ts';
 
 /** The part of `Worker` that the client uses; tests pass one without a thread. */
 export interface WorkerLike {
@@ -41,6 +41,7 @@ export class WorkerError extends UserError {
 
 interface Pending {
   readonly onProgress: ((progress: Progress) => void) | undefined;
+  readonly parts: ParsedPart[];
   readonly resolve: (output: never) => void;
   readonly reject: (error: Error) => void;
 }
@@ -80,6 +81,7 @@ export class WorkerClient {
       signal?.addEventListener('abort', cancel, { once: true });
       this.pending.set(id, {
         onProgress,
+        parts: [],
         // `done` has the output of the requested job: the worker's side is typed by the same table.
         resolve: (output) => {
           settled();
@@ -129,11 +131,16 @@ export class WorkerClient {
         this.pending.delete(message.id);
         pending.reject(new WorkerError(message.message));
         return;
-      case 'done':
-        this.pending.delete(message.id);
-        // See `run`: the pending entry was made for this job.
-        pending.resolve(message.output as never);
+      case 'part':
+        pending.parts.push(message.part);
         return;
+      case 'done': {
+        this.pending.delete(message.id);
+        const output = message.job === 'parse' ? whole(message.output, pending.parts) : message.output;
+        // See `run`: the pending entry was made for this job.
+        pending.resolve(output as never);
+        return;
+      }
     }
   }
 
@@ -145,4 +152,11 @@ export class WorkerClient {
     this.pending.clear();
     for (const { reject } of failed) reject(new WorkerError(reason));
   }
+}
+
+function whole(output: ParseOutput, parts: readonly ParsedPart[]): ParseOutput {
+  if (parts.length === 0) return output;
+  const files = [...output.files];
+  for (const part of parts) for (const [file, index] of part.files) files[index] = file;
+  return { ...output, files, facts: parts.flatMap(({ facts }) => facts) };
 }

@@ -4,9 +4,10 @@ import { sentenceOf } from '../model/failure.ts';
 import { testKit } from '../teaching/kit/kit.ts';
 import { compareDumps } from './compare-program.ts';
 import { parse } from './parse.ts';
+import { partsOf } from './parts.ts';
+import { passageOf } from './passage.ts';
 import type { FromWorker, Progress, ToWorker } from './protocol.ts';
 import { mapSourceOf } from './source.ts';
-import { transferables } from './transferables.ts';
 
 /** The part of a dedicated worker's global scope that is used; the project's types are those of a page. */
 interface WorkerScope {
@@ -20,8 +21,11 @@ scope.onmessage = async ({ data }) => {
   const { id } = data;
   try {
     const onProgress = (progress: Progress) => scope.postMessage({ id, kind: 'progress', progress });
-    if (data.job === 'parse') done({ id, kind: 'done', job: data.job, output: await parse(data.input, onProgress) });
-    else if (data.job === 'source')
+    if (data.job === 'parse') {
+      const output = await parse(data.input, onProgress);
+      for (const { part, transfer } of partsOf(output)) scope.postMessage({ id, kind: 'part', part }, transfer);
+      done({ id, kind: 'done', job: data.job, output: { ...output, files: [], facts: [] } });
+    } else if (data.job === 'source')
       done({ id, kind: 'done', job: data.job, output: await mapSourceOf(data.input, onProgress) });
     else if (data.job === 'changes') {
       const { changesOf } = await changes();
@@ -57,5 +61,5 @@ void locks?.request(lock, () => {
 const changes = () => import('./changes.ts');
 
 function done(message: Extract<FromWorker, { readonly kind: 'done' }>): void {
-  scope.postMessage(message, transferables(message.output));
+  scope.postMessage(message, passageOf(message.output).transfer);
 }

@@ -9,8 +9,8 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, baseName, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
+import { passageOf } from './passage.ts';
 import type { GivenBlob } from './protocol.ts';
-import { transferables } from './transferables.ts';
 
 export interface ImportedBlob {
   readonly files: readonly ParsedFile[];
@@ -111,7 +111,7 @@ async function importOne(
       },
     });
     const { value, diagnostics = [], beside = [] } = read ?? {};
-    const tooLarge = value && tooLargeToPost(source, transferables(value));
+    const tooLarge = value && tooLargeToPost(source, passageOf(value).transfer);
     const told = tooLarge ? [...diagnostics, tooLarge] : diagnostics;
     if (!value || tooLarge) return { ...broken, parts, diagnostics: told };
     return { files: [{ ...value, source, beside }], broken: [], parts, diagnostics: told };

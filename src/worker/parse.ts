@@ -7,6 +7,7 @@ import { checkMorph } from '../evaluate/skin/binding.ts';
 import { skinFacts } from '../evaluate/skin/bounds.ts';
 import { otherContent, readableList, unreadMessage } from '../files/foreign.ts';
 import { isBuffer } from '../files/kinds.ts';
+import { bodiesIn } from '../files/open/bodies.ts';
 import { type Format, formatOf } from '../files/readers.ts';
 import { isZip, MAX_FILES, tooManyFiles, zipContent } from '../files/zip-content.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
@@ -14,16 +15,17 @@ import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { ZipRefusal } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
-import { type BrokenFile, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
-import type { Morph } from '../model/morph.ts';
-import type { Skin } from '../model/skin.ts';
+import { type BrokenFile, baseName, type ParsedFile, type SourceFile } from '../model/files.ts';
 import { importedFrom, waitingBuffer } from './parse-imports.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
+import { passageOf } from './passage.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
-import { transferables } from './transferables.ts';
+import { ReadAhead } from './read-ahead.ts';
 
 /** Interval of progress messages: enough for a smooth bar, at negligible cost. */
 const PROGRESS_STEP_BYTES = 1 << 20;
+/** Text of fewer bytes never holds too many numbers for the page: each takes two of them at least. */
+const LARGE_BYTES = 1 << 27;
 /** Files of unknown kinds in a zip that are told one by one; more are counted. */
 const MAX_TOLD = 100;
 
@@ -59,6 +61,9 @@ export async function parse(
   const { imported, keeps } = await importedFrom(given, before, diagnostics, count);
   for (const { path } of before) files.push(...(imported.get(path)?.files ?? []));
 
+  const bytes = new ReadAhead(
+    given.flatMap(({ path, blob }) => (imported.has(path) || !formatOf(baseName(path)) ? [] : [blob])),
+  );
   for (const { path, blob } of given) {
     const source = sourceOf(path, blob.size);
     const whole = imported.get(path);
@@ -71,7 +76,7 @@ export async function parse(
     if (format) {
       const reader = format.reader(source.name, source.bytes);
       try {
-        await feed(blob, (chunk) => {
+        await bytes.read(blob, (chunk) => {
           reader.feed(chunk);
           count(source.name, chunk.byteLength);
         });
@@ -82,7 +87,8 @@ export async function parse(
       }
       const result = reader.end();
       diagnostics.push(...(await located(format, source.name, blob, result.diagnostics)));
-      const tooLarge = result.value && tooLargeToPost(source, transferables(result.value));
+      const isLarge = source.bytes > LARGE_BYTES;
+      const tooLarge = isLarge && result.value && tooLargeToPost(source, passageOf(result.value).transfer);
       if (tooLarge) {
         diagnostics.push(tooLarge);
         broken.push({ kind: format.kind, source });
@@ -102,32 +108,14 @@ export async function parse(
   }
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
-  return { files, broken, diagnostics, facts: factsOf(files), keeps };
+  return { files, broken, diagnostics, facts: factsOf(files, broken), keeps };
 }
 
-/**
- * Of each skin, with the morphs given with it: whether they belong to it is not known yet, so some may be superfluous.
- */
-function factsOf(files: readonly ParsedFile[]): ParseOutput['facts'] {
-  return files.flatMap((file) => {
-    if (file.kind === 'character') {
-      return file.characters.flatMap(({ skins, morphs }) =>
-        skins.map((skin) => {
-          const own = morphs.filter((morph) => fits(morph, skin));
-          return { skin, morphs: own, facts: skinFacts(skin, own) };
-        }),
-      );
-    }
-    if (file.kind !== 'skin') return [];
-    const { skin, source } = file;
-    const beside = files.filter((f) => f.kind === 'morph' && folderOf(f.source) === folderOf(source));
-    const morphs = beside.flatMap((f) => (f.kind === 'morph' && fits(f.morph, skin) ? [f.morph] : []));
-    return [{ skin, morphs, facts: skinFacts(skin, morphs) }];
+function factsOf(files: readonly ParsedFile[], broken: readonly BrokenFile[]): ParseOutput['facts'] {
+  return bodiesIn(files, broken).map(({ skin, morphs }) => {
+    const fitting = morphs.filter((morph) => checkMorph(morph, skin, '').length === 0);
+    return { skin, morphs: fitting, facts: skinFacts(skin, fitting) };
   });
-}
-
-function fits(morph: Morph, skin: Skin): boolean {
-  return checkMorph(morph, skin, '').length === 0;
 }
 
 function isReadable(name: string): boolean {
@@ -184,11 +172,6 @@ async function located(
     if (error instanceof DOMException) return foldUnreadable(told);
     throw error;
   }
-}
-
-async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void> {
-  const reader = blob.stream().getReader();
-  for (let next = await reader.read(); !next.done; next = await reader.read()) take(next.value);
 }
 
 function skipped({ name }: SourceFile, message: string, severity: 'info' | 'warning'): Diagnostic {

@@ -56,6 +56,14 @@ export interface ParseOutput {
   readonly keeps: readonly string[];
 }
 
+/** Some of the files of an output. */
+export interface ParsedPart {
+  /** Each with its index among all. */
+  readonly files: readonly (readonly [file: ParsedFile, index: number])[];
+  /** Skins and morphs are those in `files`, by identity. */
+  readonly facts: readonly KnownSkin[];
+}
+
 /** A zip whose takes are reviewed if there are more than `most`. */
 export interface UnpackInput {
   readonly zip: GivenBlob;
@@ -168,6 +176,8 @@ export type ToWorker = Each<{
 export type FromWorker =
   | { readonly id: number; readonly kind: 'progress'; readonly progress: Progress }
   | { readonly id: number; readonly kind: 'failed'; readonly message: string }
+  /** Of the output of `parse`, which has no files itself then. */
+  | { readonly id: number; readonly kind: 'part'; readonly part: ParsedPart }
   /** Sent once: the worker holds this Web Lock for as long as it lives. */
   | { readonly kind: 'alive'; readonly lock: string }
   | Each<{

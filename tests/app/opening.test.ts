@@ -9,6 +9,7 @@ import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
 import { character, clip, skeleton, skin } from '../helpers/builders.ts';
+import { walkerFiles } from '../helpers/hero.ts';
 import { GltfMaker } from '../import/make-gltf.ts';
 import { InThisThread } from './in-this-thread.ts';
 
@@ -53,6 +54,17 @@ describe('the opening sample', () => {
     await opening;
     expect(shown(store)).toEqual({ names: ['character'], isOpeningSample: false });
   });
+});
+
+it.each([1, 30])('opening %i characters at once is one change and one step', async (count) => {
+  const store = new Store();
+  let told = 0;
+  store.subscribe(() => told++);
+  await openerOf(store).open(() => walkerFiles(count));
+  expect(store.document.characters).toHaveLength(count);
+  expect(told).toBe(1);
+  store.undo();
+  expect(store.document.characters).toEqual([]);
 });
 
 it('opening selects a new character, keeps the selection for a part of the selected one, and undo restores it', async () => {

@@ -4,6 +4,7 @@ import { openFiles } from '../../src/files/open/open-files.ts';
 import type { Character } from '../../src/model/document.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { parse } from '../../src/worker/parse.ts';
+import type { GivenBlob } from '../../src/worker/protocol.ts';
 import { glbOf, withJson } from './glb.ts';
 
 const SAMPLES = new URL('../../public/samples/', import.meta.url);
@@ -42,6 +43,19 @@ const NAMES: readonly (readonly [own: string, mixamo: string, vrm: string])[] = 
   ...sides('r', 'Right'),
 ];
 const MIXAMO = new Map(NAMES.map(([own, mixamo]) => [own, `mixamorig:${mixamo}`]));
+
+/** The walker's files, again and again under names of their own. */
+export function walkerFiles(count: number): GivenBlob[] {
+  const decoder = new TextDecoder();
+  return Array.from({ length: count }, (_, i) => `w${i}`).flatMap((name) =>
+    WALKER_FILES.filter((file) => name === 'w0' || !file.name.endsWith('.png')).map((file) => {
+      const isRig = file.name.endsWith('.rig');
+      const content = isRig ? decoder.decode(file.bytes).replaceAll(/walker(?!\.png)/g, name) : file.bytes;
+      const path = file.name.endsWith('.png') ? file.name : file.name.replace('walker', name);
+      return { path, blob: new Blob([content]) };
+    }),
+  );
+}
 
 /** The walker with its skin, morphs, texture and the first stride of its walk; its joints have Mixamo's names. */
 export async function hero(): Promise<Character> {

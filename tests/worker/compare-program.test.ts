@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { Evaluator } from '../../src/teaching/program/evaluator.ts';
 import { RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import { compareDumps } from '../../src/worker/compare-program.ts';
+import { passageOf } from '../../src/worker/passage.ts';
 import type { Progress } from '../../src/worker/protocol.ts';
-import { transferables } from '../../src/worker/transferables.ts';
 import { characterOf, OWN } from '../teaching/lesson-files.ts';
 
 const character = characterOf(...OWN.crawler);
@@ -27,7 +27,7 @@ describe('the compare job', () => {
     expect(output.comparison?.causes.map(({ code }) => code)).toContain('no-parent');
     expect(seen.length).toBeGreaterThan(10);
     expect(seen.map(({ done }) => done)).toEqual(seen.map(({ done }) => done).sort((a, b) => a - b));
-    expect(() => structuredClone(output, { transfer: transferables(output) })).not.toThrow();
+    expect(() => structuredClone(output, { transfer: passageOf(output).transfer })).not.toThrow();
   });
 
   it('tells what would fit instead', () => {

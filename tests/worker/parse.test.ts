@@ -1,9 +1,10 @@
 import { strToU8, zipSync } from 'fflate';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { parse } from '../../src/worker/parse.ts';
 import { tooLargeToPost } from '../../src/worker/parsed-blob.ts';
+import { passageOf } from '../../src/worker/passage.ts';
 import type { Progress } from '../../src/worker/protocol.ts';
-import { transferables } from '../../src/worker/transferables.ts';
+import { walkerFiles } from '../helpers/hero.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 const given = (path: string, content: string | Uint8Array<ArrayBuffer>) => ({ path, blob: new Blob([content]) });
@@ -112,9 +113,7 @@ describe('the parse job', () => {
 
   it('says so when a file can’t be read any more', async () => {
     const gone = new Blob([skel]);
-    gone.stream = () => {
-      throw new Error('the file was moved');
-    };
+    gone.arrayBuffer = () => Promise.reject(new Error('the file was moved'));
     const { broken, diagnostics } = await parse({ files: [{ path: 'a.skel', blob: gone }] }, ignore);
     expect(broken).toHaveLength(1);
     expect(diagnostics[0].message).toContain('the file was moved');
@@ -128,10 +127,45 @@ describe('the parse job', () => {
 
   it('tells what it noticed if a file can’t be read a second time', async () => {
     const changed = new Blob(['balljoint a {\noffset 0 0\npose 0 0 0\n}\n']);
-    changed.arrayBuffer = () => Promise.reject(new DOMException('changed', 'NotReadableError'));
+    const bytes = await changed.arrayBuffer();
+    changed.arrayBuffer = vi
+      .fn<() => Promise<ArrayBuffer>>(() => Promise.reject(new DOMException('changed', 'NotReadableError')))
+      .mockReturnValueOnce(Promise.resolve(bytes));
     const { diagnostics } = await parse({ files: [{ path: 'a.skel', blob: changed }] }, ignore);
     expect(diagnostics).toMatchObject([{ code: 'number-expected', line: 3 }]);
   });
+
+  it('reads small files eight at a time, in their order, and a large one in pieces', async () => {
+    let reading = 0;
+    const most: number[] = [];
+    const files = Array.from({ length: 20 }, (_, i) => given(`a${i}.skel`, i === 9 ? skel + ' '.repeat(2e6) : skel));
+    for (const { blob } of files) {
+      const bytes = await blob.arrayBuffer();
+      blob.arrayBuffer = async () => {
+        most.push(++reading);
+        await new Promise((resolve) => setTimeout(resolve));
+        reading--;
+        return bytes;
+      };
+    }
+    const output = await parse({ files }, ignore);
+    expect(output.files.map(({ source }) => source.path)).toEqual(files.map(({ path }) => path));
+    expect(most).toHaveLength(19);
+    expect(Math.max(...most)).toBe(8);
+  });
+
+  it.each([2, 20])(
+    'measures the morphs of %i characters once each, on the skins that they belong to',
+    async (count) => {
+      const { facts } = await parse({ files: walkerFiles(count) }, ignore);
+      expect(facts).toHaveLength(count);
+      for (const { skin, morphs } of facts) {
+        expect(morphs.map(({ name }) => name)).toEqual(
+          ['blink', 'smile', 'breathe'].map((end) => `${skin.name}_${end}`),
+        );
+      }
+    },
+  );
 
   it('the parse job tells how far it is', async () => {
     const seen: Progress[] = [];
@@ -171,7 +205,7 @@ describe('the parse job on motion capture', () => {
     const [file] = output.files;
     const values = file.kind === 'bvh' ? file.figures[0].clip?.samples?.values : undefined;
     expect(values).toHaveLength(600000);
-    expect(transferables(output)).toContain(values?.buffer);
+    expect(passageOf(output).transfer).toContain(values?.buffer);
     expect(values?.buffer.byteLength).toBeLessThan(1.15 * 8 * 600000);
   });
 });

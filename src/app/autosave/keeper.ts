@@ -116,9 +116,10 @@ export class Keeper {
     this.isStored = false;
   }
 
-  private encode(state: SessionState, draft: ChunkDraft): Steps<EncodedSession> {
+  private *encode(state: SessionState, draft: ChunkDraft): Steps<EncodedSession> {
+    yield* this.origins.look();
     const kept: KeptState = { ...state, knownSkins: knownSkins(state.document, this.origins) };
-    return new Encoder(this.origins, this.indices, draft).encode(kept);
+    return yield* new Encoder(this.origins, this.indices, draft).encode(kept);
   }
 
   private async write(state: SessionState, savedAtMs: number, atOnce: boolean): Promise<void> {

@@ -4,6 +4,7 @@
  *
  * Parts of a file are known at every depth: after one joint's limits are edited, all other joints are still the file's.
  */
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import type { KeptFile } from '../../io/session-store.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import type { GivenBlob } from '../../worker/protocol.ts';
@@ -27,6 +28,13 @@ interface Origin {
 
 export type PathKey = string | number;
 
+interface Learned {
+  readonly givenAt: (path: string) => Given | undefined;
+  readonly files: readonly ParsedFile[];
+  /** Index of the file that is looked through next. */
+  next: number;
+}
+
 export class Origins {
   /** Weak: doesn't keep unused parts of files alive. */
   private readonly known = new WeakMap<object, Origin>();
@@ -35,8 +43,8 @@ export class Origins {
   /** What an opened file can't be read without, such as the buffers of a `.gltf`. */
   private readonly beside = new WeakMap<Given, ReadonlySet<Given>>();
 
-  /** Learned, and not looked through yet. */
-  private readonly learned: { readonly given: readonly Given[]; readonly files: readonly ParsedFile[] }[] = [];
+  /** Learned, and looked through up to some file. */
+  private readonly learned: Learned[] = [];
 
   /** @param nextId first id for opened files: above the ids of all that may be adopted */
   constructor(private nextId = 1) {}
@@ -46,25 +54,36 @@ export class Origins {
     const opening = this.nextId;
     // The path on disk and the like aren't needed to read the file again.
     const all = given.map(({ path, blob }): Given => ({ id: this.nextId++, opening, given: { path, blob } }));
-    this.learned.push({ given: all, files });
-  }
-
-  private settle(): void {
-    // Asked for each value that is stored.
-    if (this.learned.length === 0) return;
-    for (const { given, files } of this.learned.splice(0)) this.adopt(given, files);
+    this.adopt(all, files);
   }
 
   /** Registers files that were kept and have ids already. */
   adopt(given: readonly Given[], files: readonly ParsedFile[]): void {
-    this.settle();
-    for (const file of files) {
-      const found = givenOf(file, given);
-      if (!found) continue;
-      const others = (file.beside ?? []).flatMap(({ path }) => givenAt(path, given) ?? []);
-      if (others.length > 0) this.beside.set(found, new Set([...this.besideOf(found), ...others]));
-      this.walk(file, { file: { given: found, path: file.source.path }, up: undefined, key: '' });
+    this.learned.push({ givenAt: givenIn(given), files, next: 0 });
+  }
+
+  /** Looks through what was learned, a file a step; whoever asks for a value doesn't wait for the steps. */
+  *look(): Steps<void> {
+    for (let [first] = this.learned; first; [first] = this.learned) {
+      while (first.next < first.files.length) {
+        this.register(first.files[first.next++], first.givenAt);
+        yield 0;
+      }
+      if (this.learned[0] === first) this.learned.shift();
     }
+  }
+
+  private settle(): void {
+    // Asked for each value that is stored.
+    if (this.learned.length > 0) runToEnd(this.look());
+  }
+
+  private register(file: ParsedFile, givenAt: Learned['givenAt']): void {
+    const found = givenAt(file.source.path);
+    if (!found) return;
+    const others = (file.beside ?? []).flatMap(({ path }) => givenAt(path) ?? []);
+    if (others.length > 0) this.beside.set(found, new Set([...(this.beside.get(found) ?? []), ...others]));
+    this.walk(file, { file: { given: found, path: file.source.path }, up: undefined, key: '' });
   }
 
   setKeepable(given: Given, keepable: boolean): void {
@@ -107,12 +126,17 @@ export class Origins {
   }
 }
 
-/** The opened file that a file was read from; undefined if that is ambiguous. */
-export function givenOf({ source }: ParsedFile, given: readonly Given[]): Given | undefined {
-  return givenAt(source.path, given);
-}
-
-function givenAt(path: string, given: readonly Given[]): Given | undefined {
-  const fitting = given.filter((g) => g.given.path === path || path.startsWith(`${g.given.path}/`));
-  return fitting.length === 1 ? fitting[0] : undefined;
+/** Finds the opened file that the file of a path was read from, itself or a zip; undefined if that is ambiguous. */
+export function givenIn(given: readonly Given[]): (path: string) => Given | undefined {
+  const byPath = new Map<string, Given | 'several'>();
+  for (const one of given) byPath.set(one.given.path, byPath.has(one.given.path) ? 'several' : one);
+  return (path) => {
+    let found: Given | undefined;
+    for (let end = path.length; end > 0; end = path.lastIndexOf('/', end - 1)) {
+      const one = byPath.get(path.slice(0, end));
+      if (one === 'several' || (one && found)) return undefined;
+      found ??= one;
+    }
+    return found;
+  };
 }

@@ -10,7 +10,7 @@ import type { Progress } from '../../worker/protocol.ts';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from './decode.ts';
 import type { Encoded, StorableNumbers, StoredNumbers } from './encoded.ts';
 import { Keeper, type SessionHead } from './keeper.ts';
-import { givenOf, type Origins } from './origins.ts';
+import { givenIn, type Origins } from './origins.ts';
 import { fill, piecesOf } from './pieces.ts';
 import type { KeptState, SessionState } from './session-state.ts';
 
@@ -44,14 +44,12 @@ export async function readSession(
   // Written by `Keeper`, in the version that its card names.
   const head = content.head as SessionHead;
   const openings = await readOpenings(head, content.files, worker, options);
+  const read = filesRead(openings);
   const files = head.files.map((file) => {
     if (!file) return undefined;
-    const { given, path } = file;
-    for (const opening of openings) {
-      const file = opening.files.find((f) => f.source.path === path && givenOf(f, opening.given)?.id === given);
-      if (file) return file;
-    }
-    throw new RestoreError(`${path} can no longer be read.`);
+    const found = read.get(file.given)?.get(file.path);
+    if (!found) throw new RestoreError(`${file.path} can no longer be read.`);
+    return found;
   });
   const chunks = await readChunks(id, store, content.chunks);
   const arrays = await readArrays(id, store, [head.tree, ...[...chunks.values()].flat()]);
@@ -75,6 +73,20 @@ export async function readSession(
   };
 }
 
+/** By the id of the stored file, and by path in it. */
+function filesRead(openings: readonly Opening[]): ReadonlyMap<number, ReadonlyMap<string, ParsedFile>> {
+  const read = new Map<number, Map<string, ParsedFile>>();
+  for (const { given, files } of openings) {
+    const givenAt = givenIn(given);
+    for (const { id } of given) read.set(id, new Map());
+    for (const file of files) {
+      const own = givenAt(file.source.path);
+      if (own) read.get(own.id)?.set(file.source.path, file);
+    }
+  }
+  return read;
+}
+
 async function readOpenings(
   head: SessionHead,
   kept: readonly KeptFile[],
@@ -84,7 +96,10 @@ async function readOpenings(
   const needed = new Set([...head.files.flatMap((file) => file?.given ?? []), ...(head.beside ?? [])]);
   const together = new Map<number, KeptFile[]>();
   for (const file of kept) {
-    if (needed.has(file.id)) together.set(file.opening, [...(together.get(file.opening) ?? []), file]);
+    if (!needed.has(file.id)) continue;
+    const others = together.get(file.opening);
+    if (others) others.push(file);
+    else together.set(file.opening, [file]);
   }
   const openings: Opening[] = [];
   for (const given of together.values()) {

@@ -154,7 +154,7 @@ export class ByStem<T> {
   private readonly items = new Map<string, T>();
   /** Stems of several. */
   private readonly shared = new Set<string>();
-  private first: T | undefined;
+  private earliest: T | undefined;
   private count = 0;
 
   /**
@@ -163,7 +163,7 @@ export class ByStem<T> {
    */
   add(item: T, source: SourceFile): void {
     const stem = stemOf(source).toLowerCase();
-    this.first ??= item;
+    this.earliest ??= item;
     this.count++;
     if (this.items.has(stem)) this.shared.add(stem);
     else this.items.set(stem, item);
@@ -190,9 +190,14 @@ export class ByStem<T> {
     return undefined;
   }
 
+  /** The entry that was added first. */
+  get first(): T | undefined {
+    return this.earliest;
+  }
+
   /** The only entry; undefined if there are none or several. */
   get only(): T | undefined {
-    return this.count === 1 ? this.first : undefined;
+    return this.count === 1 ? this.earliest : undefined;
   }
 }
 
