@@ -1,5 +1,5 @@
 /** The handles of a pin: an arrow along each axis, a square across each, and rings if it holds an orientation. */
-import { scaled, transformVector, unit, type Vec3 } from '../../math/vec3.ts';
+import { transformVector, unit, type Vec3 } from '../../math/vec3.ts';
 import { FRAME_SIZE, writeFrame } from '../ik/orientation.ts';
 import { type Handle, type JointHandles, ownRing } from './joint-handles.ts';
 
@@ -49,16 +49,11 @@ export function pinHandles(
   const [x, y, z] = axes.map((axis) => unit(transformVector(placement, axis)) ?? axis);
   const all = [x, y, z];
   const each = [0, 1, 2] as const;
-  const arrows = each.map((k): Handle => {
-    const range = { value: 0, min: -Infinity, max: Infinity };
-    const axis = all[k];
-    const common = { name: 'xyz'[k], kind: 'slide', axis, centre: pivot, reach: 1, hue: k } as const;
-    return { ...common, id: { kind: 'along', axis: k }, mark: scaled(axis, 1), range };
-  });
-  const rings = turns ? each.map((k) => ownRing(k, all[k], pivot)) : [];
+  const rings = each.map((k) => ownRing(k, all[k], pivot));
+  const arrows = each.map((k): Handle => ({ ...rings[k], id: { kind: 'along', axis: k }, kind: 'slide' }));
   const planes = each.map((k) => {
     const plane = [all[(k + 1) % 3], all[(k + 2) % 3]] as const;
     return { id: { kind: 'across', axis: k }, centre: pivot, axes: plane, hue: k } as const;
   });
-  return { pivot, size, handles: [...rings, ...arrows], planes, freeTurn: undefined };
+  return { pivot, size, handles: [...(turns ? rings : []), ...arrows], planes, freeTurn: undefined };
 }

@@ -75,7 +75,8 @@ const VERBS: Readonly<Record<Handle['kind'], DragResult['verb']>> = {
   shear: 'Shear',
 };
 
-const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
+/** What the keys held with the pointer ask for. */
+export const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
   fine: shiftKey,
   snap: ctrlKey || metaKey,
 });

@@ -1,15 +1,17 @@
 /** Drags a handle of a pin: what each position of the pointer makes of it, and in words. */
-import { DraggedValue, type HandWants } from '../../../evaluate/handles/dragged-value.ts';
+import { DraggedValue } from '../../../evaluate/handles/dragged-value.ts';
 import type { Handle, HandleId, JointHandles, PlaneHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { sameHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { add, type Vec3 } from '../../../math/vec3.ts';
 import { planeMeasure, type Sight, slideMeasure, turnMeasure } from '../../../view/gizmo/pointer-measures.ts';
+import { wantsOf } from '../fk/movers.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { HandPull } from './hand-pull.ts';
 
 /** How far a pin has been moved along an axis, in the world's unit, or turned about it, in radians. */
 export interface PinMove {
-  readonly axis: 0 | 1 | 2;
+  /** 0, 1 or 2. */
+  readonly axis: number;
   readonly by: number;
 }
 
@@ -23,10 +25,6 @@ export interface PinSnaps {
 }
 
 const FREE = { min: 1, max: 0, hold: false };
-const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
-  fine: shiftKey,
-  snap: ctrlKey || metaKey,
-});
 
 /**
  * Undefined if there is no such handle.
@@ -82,14 +80,13 @@ function planeWay(
   const from: Vec3 = hand.hand;
   const measure = planeMeasure(sight, axes, centre, clientX, clientY);
   const values = axes.map(() => new DraggedValue(0, FREE, length, true));
-  const [u, v] = [1, 2].map((k) => [0, 1, 2][(id.axis + k) % 3]);
   return (now) => {
     const by = measure(now.clientX, now.clientY);
     const [a, b] = values.map((value, i) => value.by(by[i], wantsOf(now)).value);
     hand.to(add(add(from, axes[0], a), axes[1], b));
     return [
-      { axis: u as 0 | 1 | 2, by: a },
-      { axis: v as 0 | 1 | 2, by: b },
+      { axis: (id.axis + 1) % 3, by: a },
+      { axis: (id.axis + 2) % 3, by: b },
     ];
   };
 }
