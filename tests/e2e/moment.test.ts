@@ -50,6 +50,7 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       await standing(page);
       const away = [0, 0.4, 1.3, 2.1, 2.4, 2.5, 3.2, 3.6, 4.7, 6.4];
       const before = await dofsAt(page, away, 2.9);
+      const walked = (await shown(page)).dofs;
       await drag(page, 'hand_l', [0.07, 0, 0], [30, -90]);
       const posed = (await shown(page)).dofs;
       await page.keyboard.press('k');
@@ -72,7 +73,7 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
         Array.from({ length: 31 }, (_, i) => 2.4 + i / 30),
         2.9,
       );
-      const arm = posed.findIndex((value, dof) => Math.abs(value - before[4][dof]) > 0.5);
+      const arm = posed.findIndex((value, dof) => Math.abs(value - walked[dof]) > 0.5);
       const most = Math.max(...frames.map((dofs) => Math.abs(dofs[arm] - frames[0][arm])));
       frames.forEach((dofs, i) => {
         if (i > 0) expect(Math.abs(dofs[arm] - frames[i - 1][arm])).toBeLessThan(0.35 * most);
@@ -81,6 +82,46 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       // What the page did, a script does: the same text.
       const save = () => page.evaluate(() => window.marrow.save('walker_walk.anim'));
       const saved = await save();
+
+      // Its ends are on the ruler: dragged, the moment is eased over another time, in the same step.
+      const end = page.getByRole('slider', { name: 'Ease in' });
+      const eased = () => end.getAttribute('aria-valuenow').then(Number);
+      await expect.poll(eased).toBeCloseTo(0.4, 9);
+      const box = await end.boundingBox();
+      const ruler = await page.getByRole('slider', { name: 'Time', exact: true }).boundingBox();
+      if (!box || !ruler) throw new Error('The ruler is not shown.');
+      const grip = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+      const pull = async (by: number) => {
+        await page.mouse.move(grip.x, grip.y);
+        await page.mouse.down();
+        await page.mouse.move(grip.x + by, grip.y, { steps: 6 });
+        await drawn(page);
+      };
+      await pull(-60);
+      await expect.poll(eased).toBeGreaterThan(0.6);
+      await page.keyboard.press('Escape');
+      await page.mouse.up();
+      await expect.poll(save).toEqual(saved);
+      await expect.poll(eased).toBeCloseTo(0.4, 9);
+      await pull(-60);
+      await page.mouse.up();
+      const longer = await eased();
+      expect(longer * 30).toBeCloseTo(Math.round(longer * 30), 9);
+      expect((await dofsAt(page, [2.4], 2.9))[0][arm]).not.toBeCloseTo(before[4][arm], 3);
+      expectSame((await shown(page)).dofs, posed, 12);
+      await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
+      // By keyboard, a frame a press.
+      await end.press('ArrowRight');
+      await expect.poll(eased).toBeCloseTo(longer - 1 / 30, 9);
+      await end.press('ArrowLeft');
+      const again = await save();
+      await page.evaluate(() => window.marrow.undo());
+      await expect.poll(() => end.count()).toBe(0);
+      expectSame((await dofsAt(page, [2.4], 2.9))[0], before[4]);
+      await page.evaluate(async (easeIn) => {
+        await window.marrow.run('keys.forMoment', { easeIn, easeOut: 0.3, playedRange: [0, 6.4] });
+      }, longer);
+      await expect.poll(save).toEqual(again);
       await page.evaluate(() => window.marrow.undo());
       await page.evaluate(async () => {
         await window.marrow.run('keys.forMoment', { easeIn: 0.4, easeOut: 0.3, playedRange: [0, 6.4] });

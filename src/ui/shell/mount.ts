@@ -13,6 +13,7 @@ import { followPeriods } from '../editors/timeline/period.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
 import { transport } from '../editors/transport/transport.ts';
 import { listenToKeys } from '../state/actions/keys.ts';
+import { onDemand } from '../state/on-demand.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
 import type { Action, Workbench } from '../state/workbench.ts';
 import type { Observable } from '../widgets/observable.ts';
@@ -85,6 +86,7 @@ export function mountWorkbench(
     offerOverSamples(wb),
     followKeyedPoses(wb),
     followLoneSkins(wb),
+    followMoments(wb, scrubber.element),
     theme.subscribe(recolour),
   ];
   signal.addEventListener('abort', () => {
@@ -114,4 +116,19 @@ export function mountWorkbench(
   openSelectsAsMenus(signal);
   listenToKeys(wb, signal);
   return { run: (id, args) => runById(wb, id, args), commands };
+}
+
+/** The band of a moment is a script of its own, loaded with the first. */
+function followMoments(wb: Workbench, ruler: HTMLElement): () => void {
+  let stop = () => {};
+  stop = wb.timeline.moment.subscribe(async () => {
+    stop();
+    const module = await onDemand(
+      wb.messages,
+      'The band of a moment',
+      () => import('../editors/transport/moment-band.ts'),
+    );
+    module?.momentBand(wb, ruler);
+  });
+  return () => stop();
 }

@@ -16,8 +16,8 @@ import { keyForMoment } from '../../edit/commands/moment.ts';
 import type { KeyOptions } from '../../edit/key-dofs.ts';
 import { changedCyclesOf, type OutsideCycle } from '../../edit/keys/cycle.ts';
 import { type KeyedPose, keyedPose } from '../../edit/keys/keyed-pose.ts';
-import { type Document, findCharacter } from '../../model/document.ts';
-import type { CycleQuestion, Easing } from './cycle-question.ts';
+import { type Document, findCharacter, shownClip } from '../../model/document.ts';
+import type { CycleQuestion, Easing, KeyedMoment } from './cycle-question.ts';
 import type { Uses } from './workbench.ts';
 
 /** A character of which some channels repeat otherwise after a change, and those. */
@@ -76,7 +76,9 @@ export function addKeys<A>(
       moment: {
         show: (easing) => shown.preview(keyForMoment.run(before, momentArgs(wb, pose, easing))),
         answer(easing) {
-          if (close()) store.apply(keyForMoment, momentArgs(wb, pose, easing));
+          if (!close()) return;
+          store.apply(keyForMoment, momentArgs(wb, pose, easing));
+          keepMoment(wb, momentArgs(wb, pose, easing));
         },
       },
     }),
@@ -126,6 +128,7 @@ export function askForMoment(
         if (!close()) return;
         if (undoes) store.undo();
         store.apply(keyForMoment, momentArgs(wb, pose, easing));
+        keepMoment(wb, momentArgs(wb, pose, easing));
       },
     },
     show() {},
@@ -135,20 +138,39 @@ export function askForMoment(
   cycleQuestion.set(question);
 }
 
-/** Eased over whole frames, so that keys and frames that are there stay where they are. */
+/** What the last step has keyed for a moment, so that it can be eased otherwise. */
+export function keepMoment({ store, timeline }: Uses<'store' | 'timeline'>, args: ArgsOf<typeof keyForMoment>): void {
+  timeline.moment.set({ args, label: store.undoLabel, clip: clipOf(store.document, args) });
+}
+
+/** Whether nothing was done since. */
+export function isLastMoment({ store }: Uses<'store'>, { args, label, clip }: KeyedMoment): boolean {
+  return store.undoLabel === label && clip !== undefined && clipOf(store.document, args) === clip;
+}
+
+function clipOf(document: Document, { characterId }: { readonly characterId: string }) {
+  const character = findCharacter(document, characterId);
+  return character && shownClip(character);
+}
+
+/** Easing goes over whole frames, so that keys and frames that are there stay where they are. */
+export function wholeFrames({ transport }: Uses<'transport'>, seconds: number): number {
+  const { framesPerSecond } = transport.get();
+  return Math.max(1, Math.round(seconds * framesPerSecond)) / framesPerSecond;
+}
+
 function momentArgs(
-  { transport }: Uses<'transport'>,
+  wb: Uses<'transport'>,
   { characterId, dofs }: KeyedPose,
   { easeIn, easeOut }: Easing,
 ): ArgsOf<typeof keyForMoment> {
-  const { timeSeconds, framesPerSecond, range } = transport.get();
-  const whole = (seconds: number) => Math.max(1, Math.round(seconds * framesPerSecond)) / framesPerSecond;
+  const { timeSeconds, range } = wb.transport.get();
   return {
     characterId,
     timeSeconds,
     dofs: [...dofs],
-    easeIn: whole(easeIn),
-    easeOut: whole(easeOut),
+    easeIn: wholeFrames(wb, easeIn),
+    easeOut: wholeFrames(wb, easeOut),
     ...(range[1] > range[0] && { playedRange: range }),
   };
 }

@@ -1,11 +1,23 @@
 /** Keys waiting for the answer to where they belong. */
+import type { ArgsOf } from '../../edit/command.ts';
+import type { keyForMoment } from '../../edit/commands/moment.ts';
 import type { ChangedCycle, OutsideCycle } from '../../edit/keys/cycle.ts';
 import type { Character } from '../../model/document.ts';
+import type { ChannelClip } from '../../model/takes/clip.ts';
 
 /** Seconds of easing before and after a key. */
 export interface Easing {
   readonly easeIn: number;
   readonly easeOut: number;
+}
+
+/** A pose that was keyed for a moment: while that is the last step, its easing can be dragged on the ruler. */
+export interface KeyedMoment {
+  readonly args: ArgsOf<typeof keyForMoment>;
+  /** Of its step. */
+  readonly label: string | undefined;
+  /** The take that it has made. */
+  readonly clip: ChannelClip | undefined;
 }
 
 export interface CycleQuestion {

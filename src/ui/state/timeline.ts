@@ -8,7 +8,7 @@ import type { Character } from '../../model/document.ts';
 import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 import { fitWindow, type TimeWindow } from '../widgets/time/time-window.ts';
-import type { CycleQuestion, Easing } from './cycle-question.ts';
+import type { CycleQuestion, Easing, KeyedMoment } from './cycle-question.ts';
 import { ReviewState } from './review.ts';
 import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
@@ -168,6 +168,8 @@ export class Timeline {
   readonly easing: Observable<Easing> = observable<Easing>({ easeIn: 0.3, easeOut: 0.3 });
   /** Keys that wait until it has been said where they go (`add-keys.ts`). */
   readonly cycleQuestion: Observable<CycleQuestion | undefined> = observable<CycleQuestion | undefined>(undefined);
+  /** The last one that was answered so. */
+  readonly moment: Observable<KeyedMoment | undefined> = observable<KeyedMoment | undefined>(undefined);
   /** Counts requests to rename the take: its field is in the inspector. */
   readonly takeRenameAsked: Observable<number> = observable(0);
   /**

@@ -25,6 +25,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Change the current time', 'drag in the time ruler'],
       ['… with snapping to frames inverted', 'Shift+drag in the time ruler'],
       ['Change the playback range', 'drag a handle below the time ruler'],
+      ['Ease a moment otherwise that was just keyed', 'drag an end of its band on the time ruler'],
       ['Fit the time ruler', 'double-click'],
       ['Context menu of a time: range, keys', 'right click in the time ruler'],
       ['Context menu of what has the focus', 'Shift+F10 or the Menu key'],
