@@ -244,6 +244,21 @@ describe('the files of src', () => {
   });
 });
 
+describe('what panels write', () => {
+  it('panels write what may be there already by functions that compare, since browsers take an equal write for a change', () => {
+    // Where elements are made.
+    const apart = ['ui/widgets/dom.ts', 'ui/widgets/icons.ts'];
+    const direct = /\.(hidden|disabled|placeholder|className)\s=[^=]|\.setAttribute\(/;
+    const found = files
+      .filter((file) => file.startsWith('ui/') && !apart.includes(file))
+      .filter((file) => {
+        return direct.test(readFileSync(join(SRC, file), 'utf8'));
+      });
+    expect(found).toEqual([]);
+    for (const file of apart) expect(readFileSync(join(SRC, file), 'utf8')).toMatch(direct);
+  });
+});
+
 /** The files of the first circle found, in order; empty if there is none. */
 function findCircle(next: ReadonlyMap<string, readonly string[]>): string[] {
   const done = new Set<string>();

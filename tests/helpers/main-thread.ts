@@ -26,12 +26,33 @@ interface TraceEvent {
   readonly args?: {
     readonly name?: string;
     readonly src_func?: string;
-    readonly data?: { readonly functionName?: string; readonly url?: string; readonly lineNumber?: number };
+    readonly data?: {
+      readonly functionName?: string;
+      readonly url?: string;
+      readonly lineNumber?: number;
+      readonly nodeName?: string;
+    };
   };
 }
 
 /** Does something, and returns the tasks that it took, longest first. Of all pages that the browser has open. */
 export async function tasksOf(page: Page, act: () => Promise<unknown>): Promise<MainThreadTask[]> {
+  return tasksIn(await traceOf(page, act));
+}
+
+/** Does something, and returns how often the page was laid out and painted meanwhile. */
+export async function layoutsOf(page: Page, act: () => Promise<unknown>): Promise<{ layouts: number; paints: number }> {
+  const events = await traceOf(page, act);
+  const main = mainThreadsIn(events);
+  const count = (is: (event: TraceEvent) => boolean) => events.filter((e) => main.has(threadOf(e)) && is(e)).length;
+  return {
+    layouts: count(({ name, ph }) => name === 'Layout' && (ph === 'B' || ph === 'X')),
+    // Each paint tells its document and the parts of it.
+    paints: count(({ name, args }) => name === 'Paint' && args?.data?.nodeName === '#document'),
+  };
+}
+
+async function traceOf(page: Page, act: () => Promise<unknown>): Promise<TraceEvent[]> {
   const browser = page.context().browser();
   if (!browser) throw new Error('The page has no browser of its own.');
   const session = await browser.newBrowserCDPSession();
@@ -47,7 +68,7 @@ export async function tasksOf(page: Page, act: () => Promise<unknown>): Promise<
     await endTrace(session);
     await session.detach();
   }
-  return tasksIn(events);
+  return events;
 }
 
 async function endTrace(session: CDPSession): Promise<void> {
@@ -56,10 +77,14 @@ async function endTrace(session: CDPSession): Promise<void> {
   await complete;
 }
 
-function tasksIn(events: readonly TraceEvent[]): MainThreadTask[] {
-  const main = new Set(
+function mainThreadsIn(events: readonly TraceEvent[]): ReadonlySet<string> {
+  return new Set(
     events.filter(({ name, args }) => name === 'thread_name' && args?.name === 'CrRendererMain').map(threadOf),
   );
+}
+
+function tasksIn(events: readonly TraceEvent[]): MainThreadTask[] {
+  const main = mainThreadsIn(events);
   const timed = events.filter((event) => event.tdur !== undefined && event.ph === 'X' && main.has(threadOf(event)));
   const isTask = ({ name }: TraceEvent) => name === 'ThreadControllerImpl::RunTask';
   return timed

@@ -1,6 +1,8 @@
 /** Autosave in a page: its window events, and what the page shows of it. */
+
 import { sessionLocks } from '../../io/session-locks.ts';
 import { sessionStore } from '../../io/session-store.ts';
+import { write } from '../../ui/widgets/dom.ts';
 import { Autosave, type AutosaveParts, type TimeBefore } from './autosave.ts';
 
 /** @param before what happened since the page was loaded */
@@ -11,7 +13,7 @@ export function startAutosave(
 ): void {
   const { documentElement } = page.document;
   const autosave = new Autosave({ ...parts, sessions: sessionStore(), locks: sessionLocks() }, before, (state) => {
-    documentElement.dataset.autosave = state;
+    write(documentElement.dataset, 'autosave', state);
   });
   const options = { capture: true, passive: true };
   const up = () => {

@@ -6,7 +6,7 @@ import { spreadOfHeights, tensBetween } from '../../edit/same-height.ts';
 import type { Character } from '../../model/document.ts';
 import { findAction, tryAction } from '../state/actions/action.ts';
 import type { Uses } from '../state/workbench.ts';
-import { button, element, setText } from '../widgets/dom.ts';
+import { button, element, setText, write } from '../widgets/dom.ts';
 import { atMostEvery } from '../widgets/frame.ts';
 import { icon } from '../widgets/icons.ts';
 import { shown } from '../widgets/numbers/number-text.ts';
@@ -43,10 +43,10 @@ export function heightsNote(wb: Uses<'store' | 'actions' | 'timeline'>): HTMLEle
     // Takes that are compared lie over each other: the action would be refused.
     const isComparing = comparison.get() !== undefined;
     const offer = isComparing || idsOf(measured) === dismissed ? undefined : heightsText(measured);
-    note.hidden = offer === undefined;
+    write(note, 'hidden', offer === undefined);
     setText(found, offer?.[0] ?? '');
     setText(hint, offer?.[1] === undefined ? '' : ` ${offer[1]}`);
-    unit.hidden = unitsApart(measured) === undefined;
+    write(unit, 'hidden', unitsApart(measured) === undefined);
   };
   const follow = () => {
     const visible = wb.store.document.characters.filter((c) => !c.isHidden);

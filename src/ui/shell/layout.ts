@@ -13,7 +13,7 @@
 import { isBarShown, isPanelOpen, NARROW, openPanel, SHEETS } from '../state/panels/panels.ts';
 import { splitter } from '../state/panels/splitter.ts';
 import type { Uses } from '../state/workbench.ts';
-import { element } from '../widgets/dom.ts';
+import { element, setAttribute, write } from '../widgets/dom.ts';
 import { REGION } from '../widgets/focus/focus.ts';
 import { returnFocus } from '../widgets/focus/focus-regions.ts';
 import { sizePanels } from './panel-sizes.ts';
@@ -49,12 +49,12 @@ export function layout(
     veil,
   );
   for (const [region, part] of Object.entries<HTMLElement>({ ...parts })) {
-    part.setAttribute(REGION, region);
+    setAttribute(part, REGION, region);
     const name = part.getAttribute('aria-label');
     if (name && part.localName !== 'footer') part.prepend(element('h2', { class: 'off-screen' }, name));
   }
   // Replaces the frame of `index.html`.
-  root.className = 'page';
+  write(root, 'className', 'page');
   parts.stage.append(parts.status);
   root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline, parts.sheetBar);
 
@@ -65,7 +65,7 @@ export function layout(
   const show = () => {
     const settings = wb.settings.get();
     sizePanels(root, settings);
-    parts.transport.hidden = parts.timeline.hidden = !isBarShown(wb);
+    for (const each of [parts.transport, parts.timeline]) write(each, 'hidden', !isBarShown(wb));
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
       const hadFocus = parts[name].contains(document.activeElement);

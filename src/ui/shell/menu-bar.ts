@@ -8,7 +8,7 @@ import { keyNameOf, setActionTooltip } from '../state/actions/tooltips.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../widgets/dom.ts';
 import { icon } from '../widgets/icons.ts';
 import { type Menu, menuButton, openMenu } from '../widgets/menu.ts';
 import { bytes, plural } from '../widgets/numbers/number-text.ts';
@@ -21,7 +21,7 @@ export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 
     element('button', { type: 'button', role: 'menuitem', 'aria-haspopup': 'menu', 'aria-expanded': 'false' }, name),
   );
   titles.forEach((title, i) => {
-    title.tabIndex = i === 0 ? 0 : -1;
+    write(title, 'tabIndex', i === 0 ? 0 : -1);
   });
   bar.append(...titles);
   letMenusDrop(wb, bar, titles);
@@ -43,7 +43,7 @@ function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles
   let shown: { readonly index: number; readonly menu: Menu } | undefined;
 
   const focusTitle = (index: number) => {
-    for (const [i, title] of titles.entries()) title.tabIndex = i === index ? 0 : -1;
+    for (const [i, title] of titles.entries()) write(title, 'tabIndex', i === index ? 0 : -1);
     titles[index].focus();
   };
   const show = (index: number, focusFirst: boolean) => {
@@ -54,13 +54,13 @@ function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles
       opensByClick: true,
       focusFirst,
       onClose() {
-        title.setAttribute('aria-expanded', 'false');
+        setAttribute(title, 'aria-expanded', 'false');
         shown = undefined;
       },
       onLeave: (step) => show((index + step + titles.length) % titles.length, true),
     });
-    title.setAttribute('aria-expanded', 'true');
-    for (const other of titles) other.tabIndex = other === title ? 0 : -1;
+    setAttribute(title, 'aria-expanded', 'true');
+    for (const other of titles) write(other, 'tabIndex', other === title ? 0 : -1);
     shown = { index, menu };
   };
 
@@ -118,7 +118,7 @@ function panelButton(
     button(`${label} panel`, { class: `tool panel-button ${name}-button` }, icon(name), () => tryById(wb, id)),
   );
   const show = () => {
-    made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), name)));
+    setAttribute(made, 'aria-pressed', String(isPanelOpen(wb.settings.get(), name)));
   };
   setActionTooltip(wb, made, id, `${label} panel`);
   wb.settings.subscribe(show);
@@ -141,7 +141,7 @@ function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement 
   const show = () => {
     const parts = wb.files.unsaved.get();
     // Appears without moving anything else.
-    all.hidden = parts.length === 0;
+    write(all, 'hidden', parts.length === 0);
     setText(names, unsavedNames(parts));
     setTooltip(text, `Unsaved:\n${parts.map(({ name }) => name).join('\n')}`);
   };
@@ -164,7 +164,7 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
   const cancel = button('Cancel', { class: 'link', hidden: true }, 'Cancel', () => wb.loading.get()?.cancel());
   const show = () => {
     const loading = wb.loading.get();
-    bar.hidden = cancel.hidden = loading === undefined;
+    for (const each of [bar, cancel]) write(each, 'hidden', loading === undefined);
     if (!loading) {
       showLoaded(text, wb.store.document);
       return;

@@ -7,7 +7,7 @@ import { type Message, mainProblem } from '../state/messages.ts';
 import { offerButton } from '../state/offer-button.ts';
 import { showInSource } from '../state/panels/show-in-source.ts';
 import type { Uses } from '../state/workbench.ts';
-import { button, element } from '../widgets/dom.ts';
+import { button, element, write } from '../widgets/dom.ts';
 import { icon } from '../widgets/icons.ts';
 import { plural } from '../widgets/numbers/number-text.ts';
 import { PassingTime } from '../widgets/passing-time.ts';
@@ -22,9 +22,9 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
     const unread = messages.list.get().filter((m) => m.unread);
     const passing = messages.passing.get();
     const first = unread.at(-1);
-    region.hidden = first === undefined && passing === undefined;
+    write(region, 'hidden', first === undefined && passing === undefined);
     if (passing !== undefined) {
-      region.className = 'message-line severity-info';
+      write(region, 'className', 'message-line severity-info');
       region.replaceChildren(
         icon('info'),
         element('span', { class: 'message-text' }, passing),
@@ -46,7 +46,7 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
     // The one whose line the text names.
     const place = placedIn(first);
     const more = others > 0 ? `${plural(others, 'more message')}` : 'Details';
-    region.className = `message-line severity-${first.severity}`;
+    write(region, 'className', `message-line severity-${first.severity}`);
     region.replaceChildren(
       icon(first.severity),
       element('span', { class: 'message-text', tooltip: first.text }, first.text),

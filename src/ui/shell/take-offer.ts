@@ -3,7 +3,7 @@
 import { currentCharacter, tryById } from '../state/actions/action.ts';
 import { isBarShown } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
-import { button, element } from '../widgets/dom.ts';
+import { button, element, write } from '../widgets/dom.ts';
 
 export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing'>): HTMLElement {
   const offer = element(
@@ -13,7 +13,7 @@ export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing'>)
     button('New take', { class: 'offer-accept' }, 'New take', () => tryById(wb, 'take.new')),
   );
   const show = () => {
-    offer.hidden = isBarShown(wb) || !currentCharacter(wb)?.skeleton || wb.posing.mode.get() === 'rig';
+    write(offer, 'hidden', isBarShown(wb) || !currentCharacter(wb)?.skeleton || wb.posing.mode.get() === 'rig');
   };
   wb.store.subscribe((now, before) => {
     if (now !== before) show();

@@ -1,6 +1,8 @@
 /** Dark or light: the system's theme unless the user has chosen one. */
+
 import type { ThemeName } from '../../view/theme.ts';
 import type { Uses } from '../state/workbench.ts';
+import { write } from '../widgets/dom.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 
 /** Returns the current theme, which notifies when the page's colours change: for what is drawn rather than styled. */
@@ -16,7 +18,7 @@ export function followTheme(
   const shown = observable(wanted());
   const show = () => {
     const theme = shown.get();
-    document.documentElement.dataset.theme = theme;
+    write(document.documentElement.dataset, 'theme', theme);
     // The browser's own bar matches the menu bar, even if the theme isn't the system's.
     const surface = getComputedStyle(document.documentElement).getPropertyValue('--surface');
     for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name=theme-color]')) meta.content = surface;

@@ -3,7 +3,7 @@
 import { actionLabel, findAction, reasonNot, tryAction } from '../state/actions/action.ts';
 import { setActionTooltip } from '../state/actions/tooltips.ts';
 import type { Action, Uses } from '../state/workbench.ts';
-import { button, element, keepsFocusElsewhere } from '../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../widgets/dom.ts';
 import { icon } from '../widgets/icons.ts';
 
 /** Two buttons. Their names and tooltips tell the step, or why there is none. */
@@ -29,8 +29,8 @@ function stepButton(
     if (label === shown) return;
     shown = label;
     // Not `disabled`: a press then tells the reason.
-    made.setAttribute('aria-disabled', String(reason !== undefined));
-    made.setAttribute('aria-label', label);
+    setAttribute(made, 'aria-disabled', String(reason !== undefined));
+    setAttribute(made, 'aria-label', label);
     setActionTooltip(wb, made, action.id, reason ?? label);
   };
   wb.store.subscribe(show);

@@ -14,7 +14,7 @@ import { currentCharacter, tryById } from '../state/actions/action.ts';
 import { addsToSelection, selectHit } from '../state/joints/select-joints.ts';
 import { onDemand } from '../state/on-demand.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
-import { element, setAttribute, setText, uniqueId } from '../widgets/dom.ts';
+import { element, setAttribute, setText, uniqueId, write } from '../widgets/dom.ts';
 import { HAS_KEYS } from '../widgets/focus/focus.ts';
 import { asksForMenu } from '../widgets/menu.ts';
 import { setTooltip } from '../widgets/tooltip.ts';
@@ -37,7 +37,7 @@ const VIEWPORT_KEYS =
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   const { viewport, viewportElement } = wb;
   viewport.canvas.tabIndex = 0;
-  viewport.canvas.setAttribute(HAS_KEYS, '');
+  setAttribute(viewport.canvas, HAS_KEYS, '');
   const keys = element('p', { class: 'off-screen', id: uniqueId('viewport-keys') }, VIEWPORT_KEYS);
   // It has keys of its own, so that screen readers pass them on.
   setAttribute(viewport.canvas, 'role', 'application');
@@ -74,7 +74,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   );
   drawCompared(wb, stage, signal);
   const showMode = () => {
-    stage.dataset.mode = wb.posing.mode.get();
+    write(stage.dataset, 'mode', wb.posing.mode.get());
   };
   wb.posing.mode.subscribe(showMode);
   showMode();
@@ -152,14 +152,14 @@ function guide(wb: Workbench): HTMLElement {
   wb.guide.subscribe(async (name) => {
     shown?.end();
     shown = undefined;
-    place.hidden = true;
+    write(place, 'hidden', true);
     if (!name) return;
     const module = await onDemand(wb.messages, 'The guide', () => import('./help/guides/guide-card.ts'));
     // Closed meanwhile, or another was opened.
     if (!module || wb.guide.get() !== name) return;
     shown = module.guideCard(wb, name);
     place.replaceChildren(shown.element);
-    place.hidden = false;
+    write(place, 'hidden', false);
   });
   return place;
 }
@@ -169,7 +169,7 @@ function missingNote(wb: Uses<'store' | 'settings'>): HTMLElement {
   const note = element('p', { class: 'stage-note', role: 'status' });
   const show = () => {
     const text = whatIsMissing(wb.store.document, wb.store.selection, wb.settings.get().display);
-    note.hidden = text === '';
+    write(note, 'hidden', text === '');
     setText(note, text);
   };
   wb.store.subscribe(show);
@@ -193,7 +193,7 @@ function weightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
     const { document, selection } = wb.store;
     const character = withoutWeights(document, selection);
     const skin = character && shownSkin(character);
-    note.hidden = skin === undefined;
+    write(note, 'hidden', skin === undefined);
     setText(text, skin ? `${skin.name} has no weights, so it follows only the root.` : '');
   };
   wb.store.subscribe((now, before) => {

@@ -1,3 +1,5 @@
+import { element } from './dom.ts';
+
 /** What is said where nothing could be copied. */
 export const BLOCKED = 'The browser blocked copying.';
 
@@ -13,9 +15,8 @@ export async function copyText(text: string): Promise<boolean> {
 
 /** The method from before the clipboard API; still the only one over plain http. */
 function copyBySelection(text: string): boolean {
-  const area = document.createElement('textarea');
+  const area = element('textarea', { class: 'off-screen' });
   area.value = text;
-  area.className = 'off-screen';
   const focused = document.activeElement;
   // All else is inert beside a modal dialog.
   (focused?.closest('dialog') ?? document.body).append(area);

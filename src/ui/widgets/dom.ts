@@ -55,10 +55,23 @@ function bounded(name: string, value: string): string {
   return name === 'aria-label' ? cutMessage(value) : value;
 }
 
-/** For state that changes every frame: touches the DOM only if it differs. */
+/**
+ * Writes a property, such as `hidden`, if it differs: browsers take an equal one for a change too, and compute styles and
+ * layout for it. So all that follows time, drags or the document writes by this, or by the functions around it.
+ */
+export function write<T extends object, K extends keyof T>(target: T, property: K, value: T[K]): void {
+  if (target[property] !== value) target[property] = value;
+}
+
+/** The same for an attribute; undefined removes it. */
 export function setAttribute(target: Element, name: string, value: string | undefined): void {
   if (value === undefined) target.removeAttribute(name);
   else if (target.getAttribute(name) !== bounded(name, value)) target.setAttribute(name, bounded(name, value));
+}
+
+/** The same for a property of its style; empty removes it. */
+export function setStyle(target: ElementCSSInlineStyle, property: string, value: string): void {
+  if (target.style.getPropertyValue(property) !== value) target.style.setProperty(property, value);
 }
 
 /** A unique id for aria attributes to refer to. */

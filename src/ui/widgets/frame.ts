@@ -2,21 +2,29 @@
  * The frames of the page. All that follows time shares a single request of the browser's, and runs in this order:
  *
  *     advance   the clock decides the time of the frame
- *     show      panels show it: fields, scrubber, curves, dope sheet
+ *     show      panels show it: scrubber, curves, dope sheet
+ *     number    in one of ten frames: numbers that follow what plays (`state/follow-time.ts`)
  *     draw      the picture of the viewport is drawn
  *
  * So one frame never shows two times. (With a request each, their order was that of the requests: a clock that ran
- * between two of them showed the old time in one and the new time in the other.) For the same reason nothing here goes
- * by the clock of the wall: what shows time does so in every frame in which it changes.
+ * between two of them showed the old time in one and the new time in the other.) For the same reason no picture goes by
+ * the clock of the wall: it shows the time of every frame. Numbers can't be read that fast, and each costs the browser
+ * a layout and a paint: they change together, so that the frames between have neither.
  */
-export type FramePhase = 'advance' | 'show' | 'draw';
+export type FramePhase = 'advance' | 'show' | 'number' | 'draw';
 
 type Work = (nowMs: number) => void;
 
-const PHASES: readonly FramePhase[] = ['advance', 'show', 'draw'];
-const WAITING: Record<FramePhase, Work[]> = { advance: [], show: [], draw: [] };
+const PHASES: readonly FramePhase[] = ['advance', 'show', 'number', 'draw'];
+const WAITING: Record<FramePhase, Work[]> = { advance: [], show: [], number: [], draw: [] };
+/** Numbers change at most this often: ten times a second, and in one of ten frames. */
+const NUMBERS_MS = 100;
+const NUMBERS_FRAMES = 10;
 let isAsked = false;
 let isRunning = false;
+/** Since numbers have changed. */
+let frames = Number.POSITIVE_INFINITY;
+let numbersMs = Number.NEGATIVE_INFINITY;
 
 /**
  * Defers work to the next frame, once however often it is requested. Work that a frame requests for one of its later
@@ -47,13 +55,23 @@ function ask(): void {
 function runAll(nowMs: number): void {
   isAsked = false;
   isRunning = true;
+  frames++;
   try {
-    for (const phase of PHASES) runPhase(phase, nowMs);
+    for (const phase of PHASES) if (phase !== 'number' || isTimeForNumbers(nowMs)) runPhase(phase, nowMs);
   } finally {
     isRunning = false;
     // Requested for a phase that was over, or left by one that threw.
     if (PHASES.some((phase) => WAITING[phase].length > 0)) ask();
   }
+}
+
+function isTimeForNumbers(nowMs: number): boolean {
+  // Also if the clock was set back.
+  const elapsedMs = Math.abs(nowMs - numbersMs);
+  if (WAITING.number.length === 0 || frames < NUMBERS_FRAMES || elapsedMs < NUMBERS_MS) return false;
+  frames = 0;
+  numbersMs = nowMs;
+  return true;
 }
 
 /** Running now; what they request for their own phase runs in the next frame. */

@@ -108,6 +108,15 @@ export type IconName = keyof typeof PATHS;
 
 const SVG = 'http://www.w3.org/2000/svg';
 
+const shown = new WeakMap<Element, IconName>();
+
+/** Shows an icon as all that an element contains. */
+export function setIcon(target: Element, name: IconName): void {
+  if (shown.get(target) === name) return;
+  shown.set(target, name);
+  target.replaceChildren(icon(name));
+}
+
 /** Decorative only: its control has the accessible name. */
 export function icon(name: IconName): SVGSVGElement {
   const svg = document.createElementNS(SVG, 'svg');

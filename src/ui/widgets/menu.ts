@@ -2,7 +2,7 @@
  * A popup menu: entries, separators, submenus, arrow keys, first letters, Escape. Used by the menu bar, menu buttons
  * and context menus; what the entries do is up to the caller.
  */
-import { element, uniqueId } from './dom.ts';
+import { element, setAttribute, uniqueId } from './dom.ts';
 import { type IconName, icon } from './icons.ts';
 import { touchWords } from './touch-words.ts';
 
@@ -106,7 +106,7 @@ export class Menu {
     private readonly options: MenuOptions,
     private readonly parent?: Menu,
   ) {
-    this.element.setAttribute('aria-label', options.label);
+    setAttribute(this.element, 'aria-label', options.label);
     const ticks = entries.some((e) => e.kind === 'item' && e.checked !== undefined);
     this.element.classList.toggle('with-ticks', ticks);
     this.element.classList.toggle(
@@ -217,7 +217,7 @@ export class Menu {
     );
     const show = (focusFirst: boolean) => {
       this.child?.close(false);
-      item.setAttribute('aria-expanded', 'true');
+      setAttribute(item, 'aria-expanded', 'true');
       this.child = new Menu(
         entry.entries(),
         {
@@ -225,7 +225,7 @@ export class Menu {
           focusFirst,
           onClose: () => {
             this.child = undefined;
-            item.setAttribute('aria-expanded', 'false');
+            setAttribute(item, 'aria-expanded', 'false');
           },
         },
         this,
@@ -328,12 +328,12 @@ export function menuButton(
   entries: () => readonly MenuEntry[],
   instead?: () => boolean,
 ): void {
-  target.setAttribute('aria-haspopup', 'menu');
-  target.setAttribute('aria-expanded', 'false');
+  setAttribute(target, 'aria-haspopup', 'menu');
+  setAttribute(target, 'aria-expanded', 'false');
   target.id ||= uniqueId('menu-button');
   let shown: Menu | undefined;
   const show = (focusFirst: boolean) => {
-    target.setAttribute('aria-expanded', 'true');
+    setAttribute(target, 'aria-expanded', 'true');
     shown = openMenu(target.getBoundingClientRect(), entries(), {
       label,
       opener: target,
@@ -341,7 +341,7 @@ export function menuButton(
       focusFirst,
       onClose() {
         shown = undefined;
-        target.setAttribute('aria-expanded', 'false');
+        setAttribute(target, 'aria-expanded', 'false');
       },
     });
   };

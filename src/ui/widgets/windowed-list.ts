@@ -9,7 +9,7 @@
  * The scroller keeps the focus and refers to the current row (`aria-activedescendant`), since a row may be removed from
  * the page at any time. Only a row that contains the focus, such as in a field, is kept.
  */
-import { setAttribute, uniqueId } from './dom.ts';
+import { setAttribute, setStyle, uniqueId, write } from './dom.ts';
 
 export interface WindowedRow {
   readonly element: HTMLElement;
@@ -72,7 +72,7 @@ export class WindowedList<Row extends WindowedRow> {
   show(count: number): void {
     this.count = count;
     const { scroller, space, rowsAbove } = this.options;
-    space.style.height = `${Math.max(0, count - this.pinnedCount) * this.height}px`;
+    setStyle(space, 'height', `${Math.max(0, count - this.pinnedCount) * this.height}px`);
     if (rowsAbove !== undefined) setAttribute(scroller, 'aria-rowcount', String(count + rowsAbove));
     this.draw(true);
   }
@@ -163,9 +163,9 @@ export class WindowedList<Row extends WindowedRow> {
     const isPinned = index < this.pinnedCount;
     const row = known?.row ?? this.spare.pop() ?? make(index);
     const { element } = row;
-    element.id = `${this.idPrefix}-${index}`;
-    element.dataset.index = String(index);
-    element.style.top = isPinned ? '' : `${this.topOf(index)}px`;
+    write(element, 'id', `${this.idPrefix}-${index}`);
+    write(element.dataset, 'index', String(index));
+    setStyle(element, 'top', isPinned ? '' : `${this.topOf(index)}px`);
     if (rowsAbove !== undefined) setAttribute(element, 'aria-rowindex', String(index + 1 + rowsAbove));
     if (known) known.index = index;
     else this.drawn.set(key, { row, index });

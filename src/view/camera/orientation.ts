@@ -111,8 +111,13 @@ export class Orientation {
       style.zIndex = String(10 + Math.round(8 * depth));
       style.opacity = (0.78 + 0.22 * depth).toFixed(2);
       if (sign > 0) {
-        this.lines[axis].setAttribute('x2', x.toFixed(2));
-        this.lines[axis].setAttribute('y2', y.toFixed(2));
+        // An equal write would be drawn too.
+        for (const [end, to] of [
+          ['x2', x.toFixed(2)],
+          ['y2', y.toFixed(2)],
+        ] as const) {
+          if (this.lines[axis].getAttribute(end) !== to) this.lines[axis].setAttribute(end, to);
+        }
         this.lines[axis].style.opacity = (0.7 + 0.3 * depth).toFixed(2);
       }
     }

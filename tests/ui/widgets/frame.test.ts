@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { oncePerFrame } from '../../../src/ui/widgets/frame.ts';
+import { type FramePhase, oncePerFrame } from '../../../src/ui/widgets/frame.ts';
 
 let frames: ((now: number) => void)[] = [];
 let log: string[] = [];
@@ -11,7 +11,7 @@ function frame(now = 0): void {
   for (const callback of due) callback(now);
 }
 
-const work = (name: string, phase?: 'advance' | 'show' | 'draw', then: () => void = () => {}) =>
+const work = (name: string, phase?: FramePhase, then: () => void = () => {}) =>
   oncePerFrame(() => {
     log.push(name);
     then();
@@ -78,5 +78,36 @@ describe('a frame of the page', () => {
     frame();
     expect(log).toEqual(['failing', 'show', 'draw']);
     expect(frames).toHaveLength(0);
+  });
+
+  it('a frame of the page shows numbers in one of ten, ten times a second at most, all in the same one', () => {
+    const first = work('first', 'number');
+    const second = work('second', 'number');
+    const at: string[] = [];
+    // Of browsers that draw 60, 240 and 5 times a second, one after the other.
+    let now = 1e6;
+    for (const step of [1000 / 60, 1000 / 240, 200]) {
+      for (let i = 0; i < 100; i++) {
+        first();
+        if (i % 3 === 0) second();
+        log = [];
+        now += step;
+        frame(now);
+        if (log.length > 0) at.push(`${Math.round(step)} ${i}`);
+        expect(['', 'first', 'first,second', 'second,first']).toContain(log.join());
+      }
+    }
+    const frames60 = at.filter((text) => text.startsWith('17 '));
+    expect(frames60).toEqual(['17 0', '17 10', '17 20', '17 30', '17 40', '17 50', '17 60', '17 70', '17 80', '17 90']);
+    // 24 frames of 240 are 100 ms.
+    expect(at.filter((text) => text.startsWith('4 '))).toHaveLength(4);
+    expect(at.filter((text) => text.startsWith('200 '))).toHaveLength(10);
+    // What was asked for last is shown, though nothing asks any more.
+    while (frames.length > 0) {
+      log = [];
+      now += 16;
+      frame(now);
+    }
+    expect(log).toContain('first');
   });
 });

@@ -6,7 +6,7 @@ import { isPanelOpen, openPanel } from '../../state/panels/panels.ts';
 import { showInSource } from '../../state/panels/show-in-source.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setText } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
@@ -43,7 +43,7 @@ export function fillBanner(wb: Parts, banner: HTMLElement): void {
 
   const show = () => {
     const comparing = wb.comparing.get();
-    banner.hidden = comparing === undefined;
+    write(banner, 'hidden', comparing === undefined);
     if (!comparing) return;
     const { character } = comparing;
     now = bannerText({
@@ -53,17 +53,17 @@ export function fillBanner(wb: Parts, banner: HTMLElement): void {
       time: clipTimeShown(wb, character),
       isNamed: wb.store.document.characters.length > 1,
     });
-    banner.dataset.tone = now.tone;
+    write(banner.dataset, 'tone', now.tone);
     setText(text, now.text);
-    progress.hidden = cancel.hidden = now.share === undefined;
+    for (const each of [progress, cancel]) write(each, 'hidden', now.share === undefined);
     progress.value = now.share ?? 0;
-    goTo.hidden = now.goTo === undefined;
+    write(goTo, 'hidden', now.goTo === undefined);
     label(goTo, `Go to ${shown(now.goTo ?? 0, 4)} s`);
-    line.hidden = !now.problem || now.problem.line === 0;
+    write(line, 'hidden', !now.problem || now.problem.line === 0);
     label(line, `Line ${now.problem?.line ?? 0}`);
-    again.hidden = !now.canRetry;
+    write(again, 'hidden', !now.canRetry);
     const isOpen = isPanelOpen(wb.settings.get(), 'timeline') && wb.timeline.view.get().tab === 'compare';
-    details.hidden = isOpen || comparing.state.get().result === undefined;
+    write(details, 'hidden', isOpen || comparing.state.get().result === undefined);
   };
   const showSoon = oncePerFrame(show);
   let stops: (() => void)[] = [];
@@ -85,5 +85,5 @@ export function fillBanner(wb: Parts, banner: HTMLElement): void {
 
 function label(target: HTMLElement, text: string): void {
   setText(target, text);
-  target.setAttribute('aria-label', text);
+  setAttribute(target, 'aria-label', text);
 }

@@ -5,7 +5,7 @@ import type { Joint } from '../../../model/skeleton/skeleton.ts';
 import { relativeMatrices } from '../../../teaching/compare/relative.ts';
 import type { FrameTarget } from '../../../teaching/compare/targets.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
-import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { NumberGrid } from '../../widgets/numbers/number-grid.ts';
 import { aligned, decimalsWithin } from '../../widgets/numbers/number-text.ts';
 import { numberText, powerText } from './banner-text.ts';
@@ -60,7 +60,7 @@ export class Detail {
   show(subject: DetailSubject): void {
     const { kind, numbers } = subject;
     this.subject = subject;
-    this.all.hidden = true;
+    write(this.all, 'hidden', true);
     setText(this.note, '');
     if (kind === 'channels') this.showChannel(subject);
     else if (kind === 'joints' && numbers !== 'positions') this.showMatrix(subject, numbers);
@@ -134,7 +134,7 @@ export class Detail {
     const { samples, wrong, of } = samplesOf(result, index, this.showsAll);
     setText(this.note, samplesText(samples.length, wrong, of, this.showsAll));
     const canChoose = wrong > 0 && wrong < of;
-    this.all.hidden = !canChoose;
+    write(this.all, 'hidden', !canChoose);
     const label = this.showsAll ? 'List differences only' : 'List all';
     setText(this.all, label);
     setAttribute(this.all, 'aria-label', label);

@@ -5,7 +5,7 @@ import type { NamedDump } from '../../../teaching/dump/fit-dump.ts';
 import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
 import { clipTimeShown, statesTime } from '../../state/dump-times.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setAttribute } from '../../widgets/dom.ts';
+import { button, element, setAttribute, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { exact, shown } from '../../widgets/numbers/number-text.ts';
@@ -134,7 +134,7 @@ export class Findings {
       commit: setTime,
       refuse: (reason) => this.wb.messages.note(reason, 'warning'),
     });
-    field.element.placeholder = 'file pose';
+    write(field.element, 'placeholder', 'file pose');
     field.show(assumed?.time ?? Number.NaN);
     const act = (label: string, tooltip: string, run: () => void) =>
       button(`${label}: ${fileName}`, { class: 'link', tooltip }, label, run);

@@ -6,7 +6,7 @@
 import { MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
 import type { ComparedSide } from '../../../view/compare/compared-skeleton.ts';
 import { heatLegend } from '../../state/heat-legend.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import type { ComparedPart } from './drawn.ts';
@@ -96,17 +96,17 @@ export class CompareLegend {
 
   show({ side, part, parts, tellsOwn, scale }: LegendState): void {
     this.sides.show(side);
-    this.parts.element.hidden = parts.length < 2;
+    write(this.parts.element, 'hidden', parts.length < 2);
     this.parts.show(part);
-    this.joints.hidden = part !== 'joints';
-    this.scale.hidden = part !== 'skin';
+    write(this.joints, 'hidden', part !== 'joints');
+    write(this.scale, 'hidden', part !== 'skin');
     setText(this.own, MARK_TEXTS[tellsOwn ? 'own' : 'differs']);
-    this.inherited.hidden = !tellsOwn;
+    write(this.inherited, 'hidden', !tellsOwn);
     if (!scale) return;
     setText(this.title, scale.title);
     setTooltip(this.title, scale.explanation);
     this.ramp.show(scale.top);
-    this.worst.hidden = scale.worst === '';
+    write(this.worst, 'hidden', scale.worst === '');
     setText(this.worst, scale.worst);
     setAttribute(this.worst, 'aria-label', `${scale.worst}: select`);
   }
@@ -155,8 +155,8 @@ class Radios<Name extends string> {
 
   show(chosen: Name): void {
     for (const [name, made] of this.buttons) {
-      made.setAttribute('aria-checked', String(name === chosen));
-      made.tabIndex = name === chosen ? 0 : -1;
+      setAttribute(made, 'aria-checked', String(name === chosen));
+      write(made, 'tabIndex', name === chosen ? 0 : -1);
     }
   }
 }

@@ -9,7 +9,7 @@ import { clipTimeShown } from '../../state/dump-times.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { isTextField } from '../../widgets/focus/focus.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
@@ -168,10 +168,10 @@ class ComparePanel implements TimelineTab {
     // Beside numbers that don't fit it helps to see what would.
     const isMisfit = state?.phase.kind === 'misfit' && !state.result;
     const isAsking = !state || isMisfit || this.asksForNumbers;
-    this.start.hidden = !isAsking;
-    this.body.hidden = isAsking;
-    this.tools.hidden = comparing === undefined;
-    this.paste.hidden = isMisfit;
+    write(this.start, 'hidden', !isAsking);
+    write(this.body, 'hidden', isAsking);
+    write(this.tools, 'hidden', comparing === undefined);
+    write(this.paste, 'hidden', isMisfit);
     setAttribute(this.paste, 'aria-pressed', String(this.asksForNumbers));
     if (!comparing || !state) return;
     const { result } = state;
@@ -229,11 +229,11 @@ class ComparePanel implements TimelineTab {
   }
 
   private showDetail(result: ComparedResult, frame: number, row: ComparedRow | undefined): void {
-    this.right.hidden = row === undefined;
+    write(this.right, 'hidden', row === undefined);
     if (!row) return;
     const numbers = this.kind === 'joints' ? jointNumbersIn(result.targets.frames[frame]) : [];
     if (numbers.length > 0 && !numbers.includes(this.numbers)) this.numbers = numbers[0];
-    this.numbersBar.hidden = numbers.length < 2;
+    write(this.numbersBar, 'hidden', numbers.length < 2);
     fillChoices(this.numbersBar, numbers, this.numbers, NUMBER_LABELS, (what) => {
       this.numbers = what;
       this.showSoon();
@@ -329,7 +329,7 @@ function fillChoices<T extends string>(
 ): void {
   const key = choices.join();
   if (bar.dataset.choices !== key) {
-    bar.dataset.choices = key;
+    write(bar.dataset, 'choices', key);
     bar.replaceChildren(
       ...choices.map((choice) =>
         button(

@@ -4,7 +4,7 @@
  *     ↑ ↓ Home End Page Up Page Down     to another row, which is selected
  */
 import { type JointMark, MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { type SortColumn, SortHeads } from '../../widgets/sort-heads.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -75,7 +75,7 @@ export class ComparedTable {
   }
 
   setLabel(label: string): void {
-    this.element.setAttribute('aria-label', label);
+    setAttribute(this.element, 'aria-label', label);
   }
 
   setOrder(order: RowOrder): void {
@@ -115,7 +115,7 @@ export class ComparedTable {
 
   private fill({ element: made, index, name, mark, error }: Row, row: ComparedRow): void {
     setAttribute(made, 'aria-selected', String(row.index === this.selected));
-    made.dataset.mark = row.mark;
+    write(made.dataset, 'mark', row.mark);
     setText(index, String(row.index));
     setText(name, row.name);
     setTooltip(name, row.name);
@@ -147,7 +147,7 @@ function makeRow(): Row {
 
 function fillMark(cell: HTMLElement, mark: JointMark): void {
   if (cell.dataset.mark === mark) return;
-  cell.dataset.mark = mark;
+  write(cell.dataset, 'mark', mark);
   const swatch = element('span', { class: 'compare-swatch', 'data-mark': mark, 'aria-hidden': 'true' });
   cell.replaceChildren(swatch, MARK_TEXTS[mark]);
 }

@@ -11,7 +11,7 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import { onResult } from '../../state/shown-comparison.ts';
 import { CHANNEL_LISTS, type ChannelListKind as ListChoice } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, setStyle, setText, write } from '../../widgets/dom.ts';
 import { buttonMeant, isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -137,8 +137,8 @@ export class ChannelList {
     this.showChoice(view.list);
     if (this.filter.value !== view.filter) this.filter.value = view.filter;
     const count = this.channels.length;
-    this.empty.hidden = count > 0;
-    grid.hidden = count === 0;
+    write(this.empty, 'hidden', count > 0);
+    write(grid, 'hidden', count === 0);
     setText(this.empty, emptyText(wb, view.list, view.filter));
     this.active = Math.max(0, Math.min(this.active, count - 1));
     this.state = {
@@ -161,7 +161,7 @@ export class ChannelList {
     const all = character ? channelCount(character) : 0;
     const more = list === 'selected' ? `Show all ${all} channels` : `Show only ${lowerFirst(texts.selected)}`;
     const isShort = character !== undefined && selectedChannels(character, selection) !== undefined;
-    this.more.hidden = !document.characters.length || !isShort || list === 'pinned' || all === 0;
+    write(this.more, 'hidden', !document.characters.length || !isShort || list === 'pinned' || all === 0);
     setText(this.more, more);
   }
 
@@ -175,7 +175,6 @@ export class ChannelList {
     const hidden = state.hidden.has(channel);
     const isolated = state.isolated?.has(channel) ?? false;
     const { element: target, cells } = row;
-    target.className = 'channel-row';
     target.classList.toggle('keyless', !keyed);
     target.classList.toggle('not-drawn', keyed && (state.isolated ? !isolated : hidden));
     target.classList.toggle('isolated', isolated);
@@ -187,8 +186,8 @@ export class ChannelList {
     const theirs = this.source.theirs(channel);
     setText(row.theirs, theirs ? (theirs.firstWrong === undefined ? '=' : '≠') : '');
     row.theirs.classList.toggle('wrong', theirs?.firstWrong !== undefined);
-    row.swatch.style.color = line ? cssColour(line.colour) : '';
-    row.swatch.style.visibility = line && keyed ? '' : 'hidden';
+    setStyle(row.swatch, 'color', line ? cssColour(line.colour) : '');
+    setStyle(row.swatch, 'visibility', line && keyed ? '' : 'hidden');
     row.swatch.classList.toggle('ring', line?.unit === 'angle');
     row.swatch.classList.toggle('bar', line?.unit !== 'angle');
     row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
@@ -207,15 +206,15 @@ export class ChannelList {
       const way = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
       const cell = cells[side];
       // Sampled channels are constant beyond their ends: there is no choice.
-      cell.hidden = keyCount === 0;
+      write(cell, 'hidden', keyCount === 0);
       if (!way || cell.dataset.way === way) continue;
-      cell.dataset.way = way;
+      write(cell.dataset, 'way', way);
       cell.replaceChildren(icon(extrapolationIcon(way)));
       describe(cell, `${side === 'in' ? 'Before' : 'After'} the keys: ${EXTRAPOLATION_NAMES[way]}`);
-      cell.setAttribute('aria-haspopup', 'menu');
+      setAttribute(cell, 'aria-haspopup', 'menu');
     }
     for (const cell of CELLS) {
-      cells[cell].id = `${target.id}-${cell}`;
+      write(cells[cell], 'id', `${target.id}-${cell}`);
       cells[cell].classList.toggle('current', index === this.active && cell === this.activeCell);
     }
   }
@@ -332,7 +331,7 @@ function makeRow(): Row {
   const theirs = element('span', { class: 'channel-theirs', 'aria-hidden': 'true' });
   const cell = (name: Cell, ...content: Node[]) => {
     const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
-    made.dataset.cell = name;
+    write(made.dataset, 'cell', name);
     made.append(...content);
     // The focus stays on the grid when a control is clicked.
     made.addEventListener('mousedown', (event) => event.preventDefault());

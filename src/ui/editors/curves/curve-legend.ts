@@ -1,5 +1,5 @@
 /** The legend of the plot while another program's channels are drawn over ours. */
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 import type { CurveScene } from './scene/scene.ts';
 
 const LABELS = { ours: 'Marrow’s', theirs: 'yours', differs: 'differs' } as const;
@@ -15,6 +15,6 @@ export class CurveLegend {
 
   show({ theirs, lines }: CurveScene): void {
     const isHidden = !theirs || !lines.some(({ channel }) => theirs.has(channel));
-    if (this.element.hidden !== isHidden) this.element.hidden = isHidden;
+    write(this.element, 'hidden', isHidden);
   }
 }

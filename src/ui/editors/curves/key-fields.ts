@@ -12,7 +12,7 @@ import { keysOf } from '../../../model/takes/clip.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { NumberField, type NumberFieldOptions } from '../../widgets/numbers/number-field.ts';
 import { decimalsWithin, shown } from '../../widgets/numbers/number-text.ts';
@@ -166,12 +166,12 @@ class MixedField {
 
   /** @param otherwise shown if there is no single value */
   show(value: number | undefined, otherwise = '—'): void {
-    this.element.placeholder = value === undefined ? otherwise : '';
+    write(this.element, 'placeholder', value === undefined ? otherwise : '');
     this.field.show(value ?? Number.NaN);
   }
 
   enable(enabled: boolean): void {
-    this.element.disabled = !enabled;
+    write(this.element, 'disabled', !enabled);
   }
 }
 

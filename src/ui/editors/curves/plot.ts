@@ -3,7 +3,7 @@
 import { keysOf } from '../../../model/takes/clip.ts';
 import { onResult } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setText, uniqueId } from '../../widgets/dom.ts';
+import { element, setText, uniqueId, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { timeAt, timeX } from '../../widgets/time/time-window.ts';
@@ -218,7 +218,7 @@ export class CurvePlot implements PlotHost {
     if (this.input.cancelled) this.say('');
     const isEmpty = !scene.lines.length;
     const isOnlyRoot = scene.emphasised?.size === 0;
-    this.empty.hidden = !isEmpty && !isOnlyRoot;
+    write(this.empty, 'hidden', !isEmpty && !isOnlyRoot);
     if (isEmpty) setText(this.empty, emptyPlotText(wb, plotScene.channels.length));
     else if (isOnlyRoot) setText(this.empty, SELECT_A_JOINT);
     if (!this.picture.draw(scene)) this.drawSoon();

@@ -2,7 +2,7 @@
 
 import { keysOf } from '../../../model/takes/clip.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { pixelsPerSecond, timeAt } from '../../widgets/time/time-window.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { currentTake } from '../timeline/current-take.ts';
@@ -27,7 +27,7 @@ export class CurveReadout {
   }
 
   show(scene: CurveScene | undefined, pointer: PointerAt | undefined, hover: CurveHit): void {
-    this.element.hidden = !scene || !pointer;
+    write(this.element, 'hidden', !scene || !pointer);
     if (!scene || !pointer) return;
     const { wb } = this;
     const [time, name, value] = this.under(scene, pointer, hover);

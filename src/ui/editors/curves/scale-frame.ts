@@ -4,7 +4,7 @@
  */
 
 import { keysOf } from '../../../model/takes/clip.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, setStyle, write } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
@@ -66,14 +66,14 @@ export class ScaleFrame {
     const { wb } = this.plot;
     this.edges = scene && wb.timeline.view.get().scaleFrame ? edgesOf(scene) : undefined;
     const { edges, element: frame } = this;
-    frame.hidden = edges === undefined;
+    write(frame, 'hidden', edges === undefined);
     if (!edges) return;
-    frame.style.transform = `translate(${edges.left - MARGIN}px, ${edges.top - MARGIN}px)`;
-    frame.style.width = `${edges.right - edges.left + 2 * MARGIN}px`;
-    frame.style.height = `${edges.bottom - edges.top + 2 * MARGIN}px`;
+    setStyle(frame, 'transform', `translate(${edges.left - MARGIN}px, ${edges.top - MARGIN}px)`);
+    setStyle(frame, 'width', `${edges.right - edges.left + 2 * MARGIN}px`);
+    setStyle(frame, 'height', `${edges.bottom - edges.top + 2 * MARGIN}px`);
     const wide = edges.right - edges.left >= MIN_PIXELS;
     const high = edges.bottom - edges.top >= MIN_PIXELS;
-    for (const grip of this.grips) grip.element.hidden = (grip.x !== 0 && !wide) || (grip.y !== 0 && !high);
+    for (const grip of this.grips) write(grip.element, 'hidden', (grip.x !== 0 && !wide) || (grip.y !== 0 && !high));
   }
 
   private onPress(event: PointerEvent, gripX: number, gripY: number): void {

@@ -5,10 +5,10 @@ import { findAction, isChecked, isEnabled, tryAction } from '../../state/actions
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, write } from '../../widgets/dom.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
-import { type IconName, icon } from '../../widgets/icons.ts';
+import { type IconName, icon, setIcon } from '../../widgets/icons.ts';
 import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
 import { setTooltip, type TooltipText } from '../../widgets/tooltip.ts';
 import { HANDLE_LABELS } from '../timeline/actions.ts';
@@ -45,7 +45,7 @@ export function curveToolbar(
     tools.push(() => {
       const checked = action && isChecked(wb, action);
       if (checked !== undefined) setAttribute(made, 'aria-pressed', String(checked));
-      made.disabled = !(action && isEnabled(wb, action));
+      write(made, 'disabled', !(action && isEnabled(wb, action)));
     });
     return made;
   };
@@ -73,10 +73,10 @@ export function curveToolbar(
   );
   const showModes = () => {
     const view = wb.timeline.view.get();
-    handles.replaceChildren(icon(HANDLE_ICONS[view.handles]));
+    setIcon(handles, HANDLE_ICONS[view.handles]);
     setTooltip(handles, `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`);
     const replaces = view.onCollision === 'replace';
-    collision.replaceChildren(icon(replaces ? 'collideReplace' : 'collideStep'));
+    setIcon(collision, replaces ? 'collideReplace' : 'collideStep');
     setTooltip(collision, `Overlapping keys: ${replaces ? 'replace' : 'keep both (step)'}`);
   };
   const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);

@@ -3,7 +3,7 @@
  * the sheet is drawn at its scroll position.
  */
 import { jointName } from '../../../model/skeleton/joint-name.ts';
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import type { MenuPlace } from '../../widgets/menu.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
@@ -99,7 +99,7 @@ export class DopeNames {
   private fill(view: NameRow, row: DopeRow): void {
     const { element: made, name } = view;
     const { axis, unit, follows } = row;
-    made.className = `dope-row dope-row-${row.kind}${follows === undefined ? '' : ' follows'}`;
+    write(made, 'className', `dope-row dope-row-${row.kind}${follows === undefined ? '' : ' follows'}`);
     setAttribute(made, 'aria-level', String(row.depth + 1));
     setAttribute(made, 'aria-expanded', row.fold === undefined ? undefined : String(row.expanded));
     const twisty = element('span', { class: 'twisty' });
@@ -122,7 +122,7 @@ export class DopeNames {
     if (count.getAttribute('aria-label') === words) return;
     setText(count, keys === 0 ? '' : selected ? `${selected}/${keys}` : String(keys));
     setTooltip(count, words);
-    count.setAttribute('aria-label', words);
+    setAttribute(count, 'aria-label', words);
     count.classList.toggle('some', selected > 0);
   }
 

@@ -11,7 +11,7 @@ import { compileChannels, compileClip } from '../../../evaluate/compiled-clip.ts
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { panWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
@@ -200,7 +200,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       this.rowNames.show(this.rows);
       const text = this.rows.length ? '' : emptyText(this.wb, take);
       setText(this.empty, text);
-      this.empty.hidden = !text;
+      write(this.empty, 'hidden', !text);
     }
     this.rowNames.refresh(this.currentJoints());
     this.redraw();

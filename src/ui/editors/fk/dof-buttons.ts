@@ -9,7 +9,7 @@ import { dofClass } from '../../state/joints/dof-class.ts';
 import { limitValueText } from '../../state/joints/dof-text.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, keepsFocusElsewhere } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, write } from '../../widgets/dom.ts';
 import { coupleText } from '../inspector/dof-rows.ts';
 import { activeDof, chooseDof, dofsByHand, dofsOfJoint, freeDofs, isLockedDof } from '../posing/active-dof.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
@@ -21,7 +21,7 @@ export function dofButtons(wb: Uses<'store' | 'posing' | 'settings' | 'messages'
   const group = element('div', { class: 'dof-buttons tools', role: 'radiogroup', 'aria-label': 'Active DOF' });
   const show = () => {
     const selected = selectedJoint(wb);
-    group.hidden = selected === undefined;
+    write(group, 'hidden', selected === undefined);
     if (!selected) return;
     const { character, skeleton } = selected;
     const all = characterDofs(skeleton, []);

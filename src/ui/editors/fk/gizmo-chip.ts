@@ -4,7 +4,7 @@
  */
 import type { Layout } from '../../../view/gizmo/shapes.ts';
 import type { ScreenBox } from '../../../view/overlay.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setStyle, setText, write } from '../../widgets/dom.ts';
 
 /** CSS pixels from the outermost ring, and from the viewport's edges. */
 const BESIDE = 18;
@@ -66,31 +66,31 @@ export class GizmoChip {
   show(value: string, note = ''): void {
     setText(this.value, value);
     setText(this.note, note);
-    this.note.hidden = note === '';
-    this.live.hidden = false;
-    this.rest.hidden = true;
+    write(this.note, 'hidden', note === '');
+    write(this.live, 'hidden', false);
+    write(this.rest, 'hidden', true);
   }
 
   /** The active DOF's again. */
   hide(): void {
-    this.live.hidden = true;
-    this.rest.hidden = this.restValue.textContent === '';
+    write(this.live, 'hidden', true);
+    write(this.rest, 'hidden', this.restValue.textContent === '');
   }
 
   /** Beside the gizmo; undefined: there is none. Returns the place that it takes. */
   place(layout: Layout | undefined, text: ChipText | undefined, width: number, height: number): ScreenBox | undefined {
     const { element: chip } = this;
-    if (chip.hidden !== !(layout && text)) chip.hidden = !(layout && text);
+    write(chip, 'hidden', !(layout && text));
     if (!layout || !text) return undefined;
     setText(this.name, text.name);
     setText(this.restValue, text.value);
     setText(this.limits, text.limits);
-    if (this.live.hidden) this.rest.hidden = text.value === '';
+    if (this.live.hidden) write(this.rest, 'hidden', text.value === '');
     const shown = chip.textContent + String(this.live.hidden);
     if (shown !== this.shown || !this.size) this.size = [chip.offsetWidth, chip.offsetHeight];
     this.shown = shown;
     const [left, top] = chipPlace(layout, this.size, [width, height]);
-    chip.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+    setStyle(chip, 'transform', `translate(${Math.round(left)}px, ${Math.round(top)}px)`);
     return [left, top, left + this.size[0], top + this.size[1]];
   }
 

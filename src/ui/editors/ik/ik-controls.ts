@@ -10,7 +10,7 @@ import { currentCharacter, findAction, tryById } from '../../state/actions/actio
 import { itemOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
 import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
@@ -59,25 +59,25 @@ export function ikControls(
   const show = () => {
     const character = currentCharacter(wb);
     const setup = character?.skeleton && ikOf(character);
-    root.disabled = setup === undefined;
+    write(root, 'disabled', setup === undefined);
     const reachName = REACH_NAMES[reachShown(wb, character)];
     if (reach.firstElementChild) setText(reach.firstElementChild, `Reach: ${reachName}`);
     setAttribute(reach, 'aria-label', `Reach: ${reachName}`);
-    axes.hidden = selectedPin(wb) === undefined;
+    write(axes, 'hidden', selectedPin(wb) === undefined);
     const axesName = `Axes: ${AXES_NAMES[wb.posing.ik.axes.get()]}`;
     if (axes.firstElementChild) setText(axes.firstElementChild, axesName);
     setAttribute(axes, 'aria-label', axesName);
-    all.disabled = hold.disabled = !setup?.pins.length;
+    for (const each of [all, hold]) write(each, 'disabled', !setup?.pins.length);
     if (mode === 'pose') {
       // What has been set in IK acts here too, and can be undone where one meets it.
-      root.hidden = setup === undefined || setup.rootIsFree === defaultIk(character?.skeleton).rootIsFree;
-      all.hidden = !setup?.pins.length;
+      write(root, 'hidden', setup === undefined || setup.rootIsFree === defaultIk(character?.skeleton).rootIsFree);
+      write(all, 'hidden', !setup?.pins.length);
     }
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
     root.classList.toggle('asked', setup?.rootIsFree === false && wantsRoot.get());
     setText(hint, ikHintText(setup?.pins.length ?? 0));
-    hint.hidden = mode === 'pose' || hasDragged.get() || setup === undefined;
+    write(hint, 'hidden', mode === 'pose' || hasDragged.get() || setup === undefined);
   };
   const showSoon = oncePerFrame(show);
   const controls = element('div', { class: 'ik-controls' }, tools, hint);

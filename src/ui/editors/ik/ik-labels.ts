@@ -1,7 +1,7 @@
 /** A few labels beside points in the viewport: names of pins, and why one can't reach its target. */
 
 import type { Uses } from '../../state/workbench.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setStyle, setText, write } from '../../widgets/dom.ts';
 import type { PlaceOnScreen } from './nearest-on-screen.ts';
 
 export type LabelKind = 'name' | 'gap';
@@ -145,28 +145,28 @@ export class IkLabels {
       ? this.wb.viewport.canvas.getBoundingClientRect()
       : { left: 0, top: 0, width: 0, height: 0 };
     const shown = oneForEach(labels);
-    this.element.style.paddingTop = `${headRoom(this.top)}px`;
+    setStyle(this.element, 'padding-top', `${headRoom(this.top)}px`);
     const taken = shown.length ? pins.map((pin) => ({ x: pin.x - left, y: pin.y - top })) : [];
     shown.forEach((label, i) => {
       const { text, kind, x, y } = label;
       const line = this.line(i);
       setText(line, text);
-      line.dataset.kind = kind;
+      write(line.dataset, 'kind', kind);
       const isOut = x < left || y < top || x > left + width || y > top + height;
       // If a target is out of view, its problem is still shown, at the edge.
-      line.hidden = isOut && kind === 'name';
+      write(line, 'hidden', isOut && kind === 'name');
       line.classList.toggle('aside', isAside(label, width));
       if (isAside(label, width)) {
-        line.style.transform = '';
+        setStyle(line, 'transform', '');
         return;
       }
       const inX = Math.min(Math.max(x - left, 0), width);
       const inY = Math.min(Math.max(y - top, 0), height);
       const spot = labelSpot(label, inX, inY, width, taken);
-      line.dataset.side = spot.side;
-      line.style.transform = labelPlace(spot, inX, inY, width, height, this.top);
+      write(line.dataset, 'side', spot.side);
+      setStyle(line, 'transform', labelPlace(spot, inX, inY, width, height, this.top));
     });
-    for (let i = shown.length; i < this.lines.length; i++) this.lines[i].hidden = true;
+    for (let i = shown.length; i < this.lines.length; i++) write(this.lines[i], 'hidden', true);
   }
 
   /** For screen readers. */
@@ -181,7 +181,6 @@ export class IkLabels {
       this.lines.push(line);
       this.element.append(line);
     }
-    line.hidden = false;
     return line;
   }
 }

@@ -12,7 +12,7 @@ import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter, tryById } from '../../state/actions/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
@@ -113,14 +113,14 @@ export class IkSection {
   private showJoint(character: Character): void {
     const { joint } = this.wb.store.selection;
     const isChosen = joint !== undefined && this.wb.store.selection.characterId === character.id;
-    this.jointRow.hidden = !isChosen;
+    write(this.jointRow, 'hidden', !isChosen);
     if (!isChosen) return;
     const own = ikOf(character).stiff.find((one) => one.joint === joint);
     const now: Bending = !own ? 'usual' : own.stiffness === undefined ? 'locked' : 'stiff';
     this.joint.show(jointName(character.skeleton, joint));
     setTooltip(this.joint.element, `${jointName(character.skeleton, joint)}: bending`);
     this.bending.value = now;
-    this.stiffness.element.hidden = now !== 'stiff';
+    write(this.stiffness.element, 'hidden', now !== 'stiff');
     this.stiffness.show(own?.stiffness ?? Number.NaN);
   }
 
@@ -130,8 +130,8 @@ export class IkSection {
       row.element.remove();
       this.rows.delete(id);
     }
-    this.empty.hidden = pins.length > 0;
-    this.hold.hidden = this.note.hidden = pins.length === 0;
+    write(this.empty, 'hidden', pins.length > 0);
+    for (const each of [this.hold, this.note]) write(each, 'hidden', pins.length === 0);
     for (const pin of pins) {
       let row = this.rows.get(pin.id);
       if (!row) {

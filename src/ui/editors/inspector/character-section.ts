@@ -15,10 +15,10 @@ import { tryById } from '../../state/actions/action.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/joints/angles.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { button, element, setText } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
 import type { Units } from '../../widgets/numbers/arithmetic.ts';
 import { exact } from '../../widgets/numbers/number-text.ts';
-import { removeControllers, Slider } from '../../widgets/numbers/slider.ts';
+import { removeControllers, Slider, showIn } from '../../widgets/numbers/slider.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { movedButtons } from '../retarget/moved.ts';
 import { followsText } from '../retarget/moved-text.ts';
@@ -140,8 +140,7 @@ export class CharacterSection {
     const row = this.section.add(binding, 'clamps').name('Enforce limits');
     row.onChange((clamps: boolean) => this.wb.store.apply(setClamping, { characterId: this.id, clamps }));
     this.rows.push(() => {
-      binding.clamps = this.character?.clampsToLimits ?? true;
-      row.updateDisplay();
+      showIn(row, this.character?.clampsToLimits ?? true);
     });
   }
 
@@ -235,7 +234,7 @@ export class CharacterSection {
       row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
       // The letter alone wouldn't identify the row.
       row.$input.removeAttribute('aria-labelledby');
-      row.$input.setAttribute('aria-label', `${label} ${letter}`);
+      setAttribute(row.$input, 'aria-label', `${label} ${letter}`);
       line.append(row.domElement);
       row.onChange((value: number) => {
         const now = read(this.placement);

@@ -2,7 +2,7 @@
 import type { CharacterDof } from '../../../model/skeleton/dofs.ts';
 import { shownPerUnit, unitText } from '../../state/joints/angles.ts';
 import type { Settings } from '../../state/settings.ts';
-import { element, setAttribute } from '../../widgets/dom.ts';
+import { element, setAttribute, write } from '../../widgets/dom.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import type { Slider } from '../../widgets/numbers/slider.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -30,7 +30,7 @@ export class DifferMark {
       high = Math.max(high, value);
     }
     const differs = high - low > SAME;
-    this.element.hidden = !differs;
+    write(this.element, 'hidden', !differs);
     const text = differs ? `Mixed: ${this.valueText(low)} to ${this.valueText(high)}` : '';
     if (text === this.text) return;
     this.text = text;

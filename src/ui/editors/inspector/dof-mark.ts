@@ -11,7 +11,7 @@ import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { button, keepsFocusElsewhere, setAttribute, write } from '../../widgets/dom.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { deleteKeysNow, isKeyedNow, isSampled, keyNow } from '../posing/pose-edits.ts';
 
@@ -45,11 +45,11 @@ export class DofMark {
     const state = dofState(this.wb, character, dof);
     const tip = (isSampled(character, dof) && SAMPLED_TITLES[state]) || TITLES[state];
     if (this.row.dataset.driver === state && this.tip === tip) return;
-    this.row.dataset.driver = state;
+    write(this.row.dataset, 'driver', state);
     this.tip = tip;
     setTooltip(this.element, tip);
-    this.element.disabled =
-      !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
+    const isGone = !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
+    write(this.element, 'disabled', isGone);
     setAttribute(this.element, 'aria-label', markLabel(state, this.name));
   }
 }

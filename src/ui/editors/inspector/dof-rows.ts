@@ -16,7 +16,7 @@ import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
 import type { Settings } from '../../state/settings.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, setAttribute, write } from '../../widgets/dom.ts';
 import { MAX_DECIMALS, shown } from '../../widgets/numbers/number-text.ts';
 import { numberTyped, Slider, type SliderOptions, type Typed } from '../../widgets/numbers/slider.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -67,7 +67,7 @@ export function addDofRow(
   const unit = { angle: angles, length: lengthUnit(character), factor: '', weight: '' }[dof.unit];
   // Instead of the row's name, which has the mark's label too.
   slider.$input.removeAttribute('aria-labelledby');
-  slider.$input.setAttribute('aria-label', unit ? `${spoken}, ${unit}` : spoken);
+  setAttribute(slider.$input, 'aria-label', unit ? `${spoken}, ${unit}` : spoken);
   const couple = coupleOf(character.skeleton, index);
   const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
   const text = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;
@@ -75,12 +75,12 @@ export function addDofRow(
   if (couple) {
     slider.disable();
     setTooltip(slider.domElement, text);
-    slider.$input.setAttribute('aria-description', held);
+    setAttribute(slider.$input, 'aria-description', held);
     const followed = channelName(namedChannel(character, couple.follows));
     slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
   }
   slider.domElement.classList.add('dof');
-  slider.domElement.dataset.dof = String(index);
+  write(slider.domElement.dataset, 'dof', String(index));
 
   const update = () => {
     const now = findCharacter(wb.store.document, id);

@@ -8,7 +8,7 @@ import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { dofsOf, motionHeading, motionText } from '../../../model/skeleton/joint-types.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
 import { jointsText } from '../../state/joints/selected-joint.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { removeControllers } from '../../widgets/numbers/slider.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -85,7 +85,7 @@ export class DofSections {
     const { unkeyed } = character ?? {};
     const { timeSeconds } = this.context.wb.transport.get();
     const count = unkeyed?.timeSeconds === timeSeconds ? unkeyed.dofs.length : 0;
-    this.note.hidden = count === 0;
+    write(this.note, 'hidden', count === 0);
     if (!count) return;
     const key = keyNameOf(this.context.wb, 'key.changed');
     const what = plural(count, 'unkeyed change');
@@ -104,7 +104,7 @@ export class DofSections {
     this.joint.title(cutName(title));
     setTooltip(this.joint.$title, cutName(title) === title ? undefined : title);
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
-    this.joint.$children.dataset.empty = 'Select a joint in the viewport or outliner to see its DOFs.';
+    write(this.joint.$children.dataset, 'empty', 'Select a joint in the viewport or outliner to see its DOFs.');
     if (!joint || !skeleton || index === undefined) return;
     const heading = motionHeading(joint.motion, shown);
     const note = others.length ? `active: ${jointName(skeleton, index)}` : heading;

@@ -2,7 +2,7 @@
 import type { GUI } from 'lil-gui';
 import { type Display, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { Slider } from '../../widgets/numbers/slider.ts';
+import { Slider, showIn } from '../../widgets/numbers/slider.ts';
 import { setDisplay } from '../viewport/actions.ts';
 
 /** Default step in each unit, set when the unit changes. */
@@ -35,8 +35,7 @@ export function addGhostRows(wb: Uses<'settings' | 'messages'>, section: GUI): (
     before.showValue(now.ghostsBefore);
     after.showValue(now.ghostsAfter);
     step.showValue(now.ghostStep);
-    binding.unit = now.ghostStepIn;
-    unit.updateDisplay();
+    showIn(unit, now.ghostStepIn);
     // Hidden while the onion skin is off.
     for (const row of rows) row.show(now.ghosts);
   };

@@ -8,10 +8,11 @@ import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { handleKey } from '../../state/actions/keys.ts';
+import { followWithNumbers } from '../../state/follow-time.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { PosingMode } from '../../state/posing.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, setAttribute, write } from '../../widgets/dom.ts';
 import { isTextField, leaveField } from '../../widgets/focus/focus.ts';
 import { SECTION } from '../../widgets/focus/focus-regions.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
@@ -54,7 +55,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     const goBack = isSame ? placeIn(gui.$children) : undefined;
     if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joints);
     if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
-    empty.hidden = target !== undefined;
+    write(empty, 'hidden', target !== undefined);
     factsSection.show(target !== undefined);
     shown = next;
     character.update(target);
@@ -66,10 +67,6 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     live.update();
   };
   const showSoon = oncePerFrame(show);
-  const followSoon = oncePerFrame(() => {
-    live.update();
-    facts.follow();
-  });
   wb.store.subscribe((now, before) => {
     flashDropped(wb, panel, now.document, before.document);
     showSoon();
@@ -84,8 +81,11 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) showSoon();
   });
   wb.transport.subscribe((now, before) => {
-    if (now.timeSeconds !== before.timeSeconds) followSoon();
     if (now.framesPerSecond !== before.framesPerSecond) showSoon();
+  });
+  followWithNumbers(wb.transport, () => {
+    live.update();
+    facts.fill();
   });
   show();
 
@@ -202,7 +202,7 @@ function rememberedSection(wb: Uses<'settings'>, gui: GUI, id: string, title: st
   const key = `inspector/${id}`;
   const section = gui.addFolder(title);
   section.open(wb.settings.get().folds[key] ?? open);
-  section.domElement.setAttribute(SECTION, id);
+  setAttribute(section.domElement, SECTION, id);
   wb.settings.subscribe(({ folds }, before) => {
     const isOpen = folds[key] ?? open;
     if (folds[key] !== before.folds[key] && section._closed === isOpen) section.open(isOpen);

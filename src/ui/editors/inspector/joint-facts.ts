@@ -15,20 +15,17 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import { shownPerUnit, withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element } from '../../widgets/dom.ts';
-import { atMostEvery } from '../../widgets/frame.ts';
 import { exact, plural, shown } from '../../widgets/numbers/number-text.ts';
 import { endSiteTables } from './end-site-facts.ts';
 import { FactList, type FactView } from './fact-list.ts';
 import { vertexFacts } from './vertex-facts.ts';
 
-const FOLLOW_EVERY_MS = 100;
-
 export interface JointFacts {
   readonly element: HTMLElement;
   /** Call after an edit or a change of selection. */
   show(): void;
-  /** Call when the time changes. */
-  follow(): void;
+  /** Call when the time has changed. */
+  fill(): void;
 }
 
 export function jointFacts(wb: Uses<'store' | 'viewport' | 'settings'>): JointFacts {
@@ -36,12 +33,12 @@ export function jointFacts(wb: Uses<'store' | 'viewport' | 'settings'>): JointFa
   let view: FactView | undefined;
   let key: readonly unknown[] = [];
   let inView = false;
-  const fillSoon = atMostEvery(FOLLOW_EVERY_MS, () => {
+  const fill = () => {
     if (inView) view?.fill();
-  });
+  };
   new IntersectionObserver((entries) => {
     inView = entries.at(-1)?.isIntersecting ?? false;
-    if (inView) fillSoon();
+    fill();
   }).observe(holder);
 
   const show = () => {
@@ -63,9 +60,9 @@ export function jointFacts(wb: Uses<'store' | 'viewport' | 'settings'>): JointFa
       view = makeView(wb, character, own ? joint : undefined, own ? vertex : undefined);
       holder.replaceChildren(view.element);
     }
-    fillSoon();
+    fill();
   };
-  return { element: holder, show, follow: fillSoon };
+  return { element: holder, show, fill };
 }
 
 function makeView(

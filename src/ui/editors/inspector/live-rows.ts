@@ -1,6 +1,5 @@
 /**
- * Rows that follow playback. Only visible ones are updated, at most once per frame, so that five hundred sliders cost
- * as much as twenty.
+ * Rows that follow playback. Only visible ones are updated, so that five hundred sliders cost as much as twenty.
  */
 export class LiveRows {
   private readonly updates = new Map<Element, () => void>();

@@ -4,7 +4,7 @@ import { LOOP_MODES } from '../../../edit/playback.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../model/session.ts';
 import { ANGLES, TIME_DISPLAYS } from '../../state/settings.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { Slider, type SliderOptions } from '../../widgets/numbers/slider.ts';
+import { Slider, type SliderOptions, showIn } from '../../widgets/numbers/slider.ts';
 import { LOOP_LABELS } from '../transport/actions.ts';
 import { BOX_STYLES, isSkinVisible, NO_SKIN, SKIN_STYLES, setDisplay } from '../viewport/actions.ts';
 import { addGhostRows } from './ghost-rows.ts';
@@ -105,15 +105,11 @@ export function playbackSection(wb: Uses<'transport' | 'settings' | 'messages'>,
   transport.subscribe((now, before) => {
     if (now.rate !== before.rate) rate.showValue(now.rate);
     if (now.framesPerSecond !== before.framesPerSecond) fps.showValue(now.framesPerSecond);
-    if (now.loop === before.loop) return;
-    binding.loop = now.loop;
-    loop.updateDisplay();
+    showIn(loop, now.loop);
   });
   settings.subscribe((now) => {
-    binding.angles = now.angles;
-    binding.time = now.timeDisplay;
-    angles.updateDisplay();
-    time.updateDisplay();
+    showIn(angles, now.angles);
+    showIn(time, now.timeDisplay);
   });
 }
 

@@ -15,7 +15,7 @@ import { attempt } from '../../state/actions/attempt.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { Slider } from '../../widgets/numbers/slider.ts';
+import { Slider, showIn } from '../../widgets/numbers/slider.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 
 const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
@@ -100,13 +100,10 @@ export function addSpaceRows(
     if (!character) return;
     const space = spaceNow();
     all.show(alike(wb.store.document, id).length > 0);
-    binding.up = space.up;
-    binding.unit = space.unit;
-    binding.positions = (character.skeleton && positionsTaken(character.skeleton)) ?? 'replace';
-    up.updateDisplay();
-    unit.updateDisplay();
+    showIn(up, space.up);
+    showIn(unit, space.unit);
     lift.showValue(withoutNoise(space.lift));
-    positions?.updateDisplay();
+    if (positions) showIn(positions, (character.skeleton && positionsTaken(character.skeleton)) ?? 'replace');
   };
   update();
   return update;

@@ -8,9 +8,10 @@ import { attempt } from '../../state/actions/attempt.ts';
 import { withoutNoise } from '../../state/joints/angles.ts';
 import { openPanel } from '../../state/panels/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, setText } from '../../widgets/dom.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
+import { showIn } from '../../widgets/numbers/slider.ts';
 
 const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
   'Nearest frame': 'nearest',
@@ -76,10 +77,7 @@ export function addTakeRows(
   const update = () => {
     const clip = now();
     if (!clip) return;
-    if (interpolation && clip.samples) {
-      between.interpolation = clip.samples.interpolation;
-      interpolation.updateDisplay();
-    }
+    if (interpolation && clip.samples) showIn(interpolation, clip.samples.interpolation);
     if (binding.name !== clip.name && !name.domElement.contains(document.activeElement)) {
       binding.name = clip.name;
       name.updateDisplay();
@@ -87,7 +85,7 @@ export function addTakeRows(
     from.show(withoutNoise(clip.range[0] * perUnit()));
     to.show(withoutNoise(clip.range[1] * perUnit()));
     const text = wb.settings.get().timeDisplay === 'frames' ? 'fr' : 's';
-    if (unit.textContent !== text) unit.textContent = text;
+    setText(unit, text);
   };
   update();
   return { update, line };

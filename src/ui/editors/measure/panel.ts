@@ -3,10 +3,11 @@
  * take, as displayed. Nothing in the document changes.
  */
 import { QUANTITIES, type Quantity } from '../../../evaluate/measure/quantities.ts';
+import { followWithNumbers } from '../../state/follow-time.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
-import { element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { focusPanel, HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -119,13 +120,16 @@ class MeasurePanel implements TimelineTab, TimePlot {
     };
     new TimeInput(wb, chart);
     followTime(wb, this.chart, this);
+    followWithNumbers(wb.transport, () => this.showValues());
     this.measuring.result.subscribe(() => this.show());
   }
 
   setVisible(visible: boolean): void {
     this.visible = visible;
     this.measuring.setVisible(visible);
-    if (visible) this.redraw();
+    if (!visible) return;
+    this.showValues();
+    this.redraw();
   }
 
   fitAll(): void {
@@ -161,14 +165,14 @@ class MeasurePanel implements TimelineTab, TimePlot {
     this.series = seriesOf(all, subject, quantity);
     this.unit = unitOf(all, quantity);
     const isEmpty = this.series.length === 0;
-    this.empty.hidden = !isEmpty;
+    write(this.empty, 'hidden', !isEmpty);
     setText(this.empty, isEmpty ? emptyText(sources, subject, quantity) : '');
-    this.exports.disabled = isEmpty;
+    write(this.exports, 'disabled', isEmpty);
     const left = sources.length > MAX_OVERLAID ? `The first ${MAX_OVERLAID} of ${sources.length} characters` : '';
     const tooLong = all.length > 0 && sources.some(isTooLong) ? 'Takes with too many frames are left out' : '';
     const notes = [massText(all, subject, quantity), left, tooLong].filter(Boolean);
     setText(this.note, notes.join('. '));
-    this.note.hidden = notes.length === 0;
+    write(this.note, 'hidden', notes.length === 0);
     this.showLegend(all.length > 1);
     const names = this.series.map(({ label }) => label).join(', ');
     const what = `${QUANTITY_LABELS[quantity].label} over time${names && `: ${names}`}. Drag to scrub.`;
@@ -188,6 +192,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
       return element('li', {}, swatch, name.element, this.values[i]);
     });
     this.legend.replaceChildren(...rows);
+    this.showValues();
   }
 
   redraw(): void {
@@ -203,6 +208,11 @@ class MeasurePanel implements TimelineTab, TimePlot {
     }
     const { timeSeconds } = this.wb.transport.get();
     this.picture.drawOverlay(this.scene, timeSeconds, this.readout(this.scene));
+  }
+
+  private showValues(): void {
+    if (!this.visible) return;
+    const { timeSeconds } = this.wb.transport.get();
     this.series.forEach((series, i) => {
       const value = valueAt(series, timeSeconds);
       setText(this.values[i], value === undefined ? '–' : this.valueText(value));

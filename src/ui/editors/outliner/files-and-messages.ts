@@ -4,7 +4,7 @@ import { messagesText } from '../../state/messages.ts';
 import { openPanel } from '../../state/panels/panels.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
-import { button, element, setText, uniqueId } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, uniqueId, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { diagnosticsList } from './diagnostics-list.ts';
 import { filesList } from './files-list.ts';
@@ -19,10 +19,10 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
   const choose = (name: TabName, focus = false) => {
     for (const [key, { button, panel }] of Object.entries(tabs)) {
       const chosen = key === name;
-      button.setAttribute('aria-selected', String(chosen));
-      button.tabIndex = chosen ? 0 : -1;
-      panel.hidden = !chosen;
-      tools.hidden = name !== 'messages' || !wb.messages.list.get().length;
+      setAttribute(button, 'aria-selected', String(chosen));
+      write(button, 'tabIndex', chosen ? 0 : -1);
+      write(panel, 'hidden', !chosen);
+      write(tools, 'hidden', name !== 'messages' || !wb.messages.list.get().length);
       if (chosen && focus) button.focus();
     }
   };
@@ -45,7 +45,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
     setText(tabs.files.count, String(files.count || ''));
     const list = wb.messages.list.get();
     setText(tabs.messages.count, String(list.length || ''));
-    tabs.messages.button.dataset.severity = list.some((m) => m.severity === 'error') ? 'error' : '';
+    write(tabs.messages.button.dataset, 'severity', list.some((m) => m.severity === 'error') ? 'error' : '');
     // Scrolls to a new message, as one looks for it here next.
     const newest = list.at(-1);
     if (newest && newest.id > seen) {
@@ -53,7 +53,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages' | 't
       if (newest.diagnostics.length && newest.severity !== 'info') choose('messages');
     }
     if (!list.length) choose('files');
-    tools.hidden = !list.length || messages.hidden;
+    write(tools, 'hidden', !list.length || messages.hidden);
   };
   wb.store.subscribe((now, before) => {
     if (now.document !== before.document) showCounts();
@@ -98,8 +98,8 @@ function tab(label: string, panel: HTMLElement) {
   const count = element('span', { class: 'count' });
   const id = uniqueId('tab');
   panel.id = uniqueId('tab-panel');
-  panel.setAttribute('role', 'tabpanel');
-  panel.setAttribute('aria-labelledby', id);
+  setAttribute(panel, 'role', 'tabpanel');
+  setAttribute(panel, 'aria-labelledby', id);
   const button = element('button', { type: 'button', role: 'tab', id, 'aria-controls': panel.id }, label, count);
   return { button, count, panel };
 }

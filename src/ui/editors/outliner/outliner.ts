@@ -7,7 +7,7 @@ import { attempt } from '../../state/actions/attempt.ts';
 import { splitter } from '../../state/panels/splitter.ts';
 import { onShown } from '../../state/shown-comparison.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import { characterKey, isFew, jointKey, keysAbove, type OutlineRow, outlineRows, sameOutline } from './outline-rows.ts';
@@ -42,7 +42,7 @@ export function outliner(wb: Workbench): HTMLElement {
     menu: (row, at) => rowMenu(wb, row, at, startRename),
     draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, rowMarks(row, marks, jointsOf(row)))),
   });
-  tree.element.dataset.panel = 'outliner';
+  write(tree.element.dataset, 'panel', 'outliner');
   tree.element.addEventListener('keydown', (event) => {
     const row = tree.focused;
     // With a joint selected, Delete must not remove the character; in rig mode it deletes the joint.
@@ -64,8 +64,8 @@ export function outliner(wb: Workbench): HTMLElement {
     const query = search.input.value;
     const rows = outlineRows(document, (key, otherwise) => folds.get(key) ?? otherwise, query);
     firstMatch = query.trim() ? rows.find((row) => !row.onTheWay) : undefined;
-    empty.hidden = rows.length > 0;
-    tree.element.hidden = rows.length === 0;
+    write(empty, 'hidden', rows.length > 0);
+    write(tree.element, 'hidden', rows.length === 0);
     empty.textContent = document.characters.length && query ? `Nothing matches “${query}”.` : EMPTY;
     tree.show(rows);
   };

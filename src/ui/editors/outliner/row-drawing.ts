@@ -4,7 +4,7 @@ import { setHidden } from '../../../edit/commands/spaces.ts';
 import type { PartKind } from '../../../model/files.ts';
 import { cutText } from '../../../model/names/cut-text.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { groupKey, type OutlineRow } from './outline-rows.ts';
@@ -30,8 +30,8 @@ export function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow, marks: rea
     if (name.length <= 2 * TAIL) label.textContent = name;
     else {
       // Read as one word.
-      label.setAttribute('role', 'img');
-      label.setAttribute('aria-label', name);
+      setAttribute(label, 'role', 'img');
+      setAttribute(label, 'aria-label', name);
       label.append(
         element('span', { class: 'label-head' }, name.slice(0, -TAIL)),
         element('span', {}, name.slice(-TAIL)),

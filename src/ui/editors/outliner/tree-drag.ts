@@ -4,7 +4,7 @@
  */
 import { findCharacter } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
 import { dropPlace, type NewPlace, rowPart, whyNoDrop } from './drop-place.ts';
 import type { OutlineRow } from './outline-rows.ts';
@@ -76,7 +76,7 @@ export function letJointsBeDragged(
     const { parentElement } = under.made;
     const isBelow = part !== 'above';
     const depth = under.row.depth + (drag.place.parent === under.row.index ? 1 : 0);
-    line.hidden = false;
+    write(line, 'hidden', false);
     line.style.top = `${under.made.offsetTop + (isBelow ? under.made.offsetHeight : 0) - 1}px`;
     line.style.left = `${indentOf(depth) + 18}px`;
     parentElement?.append(line);

@@ -1,5 +1,5 @@
 /** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
-import { element, setAttribute } from '../../widgets/dom.ts';
+import { element, setAttribute, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { continuesTyping, isCharacter, noteTyped } from '../../widgets/focus/typing.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -80,7 +80,7 @@ export class Tree {
     label: string,
     private readonly events: TreeEvents,
   ) {
-    this.element.setAttribute('aria-label', label);
+    setAttribute(this.element, 'aria-label', label);
     this.element.append(this.space);
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('click', (event) => this.onClick(event));
@@ -179,7 +179,7 @@ export class Tree {
   }
 
   private markRow(made: HTMLElement, { key }: OutlineRow): void {
-    made.setAttribute('aria-selected', String(this.selected.has(key)));
+    setAttribute(made, 'aria-selected', String(this.selected.has(key)));
     made.classList.toggle('selected-too', this.selected.has(key) && key !== this.activeKey);
     made.classList.toggle('meant', key === this.meantKey);
     made.classList.toggle('lit', key === this.litKey);
@@ -188,7 +188,7 @@ export class Tree {
 
   private fill(made: HTMLElement, index: number): void {
     const row = this.rows[index];
-    made.className = `row row-${row.kind}`;
+    write(made, 'className', `row row-${row.kind}`);
     made.classList.toggle('on-the-way', row.onTheWay);
     setAttribute(made, 'aria-level', String(row.depth + 1));
     setAttribute(made, 'aria-expanded', row.expandable ? String(row.expanded) : undefined);

@@ -4,7 +4,7 @@
  */
 
 import type { Uses } from '../../state/workbench.ts';
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { type Blended, PoseBlend } from './pose-blend.ts';
 
@@ -26,7 +26,7 @@ export function blendSlider(
   let isOver = false;
   const show = () => {
     const pose = target();
-    slider.disabled = pose === undefined;
+    write(slider, 'disabled', pose === undefined);
     setAttribute(slider, 'aria-label', pose ? `Blend to ${pose.name}` : 'Blend');
     setTooltip(label, pose ? `Blend the current pose to ${pose.name}` : 'Blend the current pose to a saved one');
     setAttribute(slider, 'aria-valuetext', `${slider.value} percent`);

@@ -1,5 +1,5 @@
 /** One pose of the library: thumbnail, and name, edited in place. */
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 
 /** CSS pixels. */
@@ -35,7 +35,7 @@ export class PoseCard {
 
   /** Share of the pose while it is blended; undefined hides it. */
   showShare(share: number | undefined): void {
-    this.share.hidden = share === undefined;
+    write(this.share, 'hidden', share === undefined);
     if (share !== undefined) {
       setText(this.share, `${Math.round(100 * share)} %`);
       this.share.style.setProperty('--share', String(share));

@@ -13,7 +13,7 @@ import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import { jointsText } from '../../state/joints/selected-joint.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { element, setAttribute, uniqueId } from '../../widgets/dom.ts';
+import { element, setAttribute, uniqueId, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { openMenu } from '../../widgets/menu.ts';
@@ -115,9 +115,9 @@ class PosesPanel implements TimelineTab {
       if (character && this.inView.has(card.element)) this.thumbnails.show(card.canvas, character, poses[i]);
     });
     setAttribute(grid, 'aria-activedescendant', cards[this.focused]?.element.id);
-    grid.hidden = poses.length === 0;
+    write(grid, 'hidden', poses.length === 0);
     if (isNew) cards[this.focused]?.element.scrollIntoView({ block: 'nearest' });
-    this.empty.hidden = poses.length > 0;
+    write(this.empty, 'hidden', poses.length > 0);
     if (!this.empty.hidden) this.sayHow(character);
   }
 

@@ -3,7 +3,7 @@
 import { currentCharacter, findAction, isEnabled, tryAction } from '../../state/actions/action.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, write } from '../../widgets/dom.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import type { Observable } from '../../widgets/observable.ts';
@@ -36,7 +36,7 @@ export function poseTools(
     );
     setActionTooltip(wb, made, id, label);
     refreshing.push(() => {
-      made.disabled = !(action && isEnabled(wb, action));
+      write(made, 'disabled', !(action && isEnabled(wb, action)));
     });
     return made;
   });
@@ -62,7 +62,7 @@ export function poseTools(
   const show = () => {
     const { branch: isBranch } = options.get();
     blend.show();
-    branch.setAttribute('aria-pressed', String(isBranch));
+    setAttribute(branch, 'aria-pressed', String(isBranch));
     for (const refresh of refreshing) refresh();
   };
   wb.store.subscribe(oncePerFrame(show));

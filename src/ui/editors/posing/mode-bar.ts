@@ -8,7 +8,7 @@ import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { menuButton } from '../../widgets/menu.ts';
 
@@ -34,7 +34,7 @@ export function modeBar(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): 
   const show = () => {
     const own = wb.posing.controls.get();
     controls.replaceChildren(...(own ? [own] : []));
-    controls.hidden = own === undefined;
+    write(controls, 'hidden', own === undefined);
   };
   wb.posing.controls.subscribe(show);
   show();
@@ -77,8 +77,8 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
   const show = () => {
     for (const { mode, one } of made) {
       const chosen = wb.posing.mode.get() === mode;
-      one.setAttribute('aria-checked', String(chosen));
-      one.tabIndex = chosen ? 0 : -1;
+      setAttribute(one, 'aria-checked', String(chosen));
+      write(one, 'tabIndex', chosen ? 0 : -1);
     }
   };
   wb.posing.mode.subscribe(show);
@@ -100,7 +100,7 @@ function limitsSwitch(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   });
   const show = () => {
     const character = currentCharacter(wb);
-    made.disabled = !character?.skeleton;
+    write(made, 'disabled', !character?.skeleton);
     setAttribute(made, 'aria-pressed', String(character?.clampsToLimits ?? true));
   };
   wb.store.subscribe((now, before) => {

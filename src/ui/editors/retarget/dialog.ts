@@ -18,7 +18,7 @@ import type { Offer } from '../../state/messages.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { button, element, setText } from '../../widgets/dom.ts';
+import { button, element, setText, write } from '../../widgets/dom.ts';
 import { atMostEvery } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
 import { parseNumber, shown } from '../../widgets/numbers/number-text.ts';
@@ -128,13 +128,13 @@ export function retargetDialog(
     try {
       work();
       result.classList.remove('wrong');
-      apply.disabled = bake.disabled = false;
+      for (const each of [apply, bake]) write(each, 'disabled', false);
     } catch (error) {
       if (!(error instanceof CommandError)) throw error;
       preview.show(base);
       setText(result, error.message);
       result.classList.add('wrong');
-      apply.disabled = bake.disabled = true;
+      for (const each of [apply, bake]) write(each, 'disabled', true);
     }
   };
   const showPreview = () =>
@@ -144,9 +144,9 @@ export function retargetDialog(
       const moved = findCharacter(after, target.id);
       if (!moved?.driver || !moved.skeleton) return;
       const plan = retargetPlan(moved.driver, moved, moved.skeleton);
-      if (scale.value.trim() === '') scale.placeholder = `automatic: ${shown(plan.scale)}`;
+      if (scale.value.trim() === '') write(scale, 'placeholder', `automatic: ${shown(plan.scale)}`);
       const isFixed = plan.sameBones.directions;
-      reference.disabled = isFixed;
+      write(reference, 'disabled', isFixed);
       setTooltip(reference, isFixed ? 'Both skeletons have the same bones: their file poses match' : '');
       setText(result, retargetText(moved.driver, moved.skeleton, measureRetarget(moved, MEASURED)));
     });
@@ -172,7 +172,7 @@ export function retargetDialog(
     moment = typeof options?.reference === 'number' ? options.reference : clipSecondsNow(wb, meant);
     reference.value = typeof options?.reference === 'number' ? 'now' : (options?.reference ?? 'automatic');
     feet.checked = options?.plantsFeet ?? true;
-    takeOff.hidden = !target.driver;
+    write(takeOff, 'hidden', !target.driver);
     match(held && target.driver?.pairs);
   };
 

@@ -4,7 +4,7 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setText, write } from '../../widgets/dom.ts';
 import type { MenuEntry } from '../../widgets/menu.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 
@@ -84,7 +84,7 @@ export function movedNotice(wb: Uses<'store' | 'timeline' | 'messages' | 'dialog
   const show = () => {
     const character = currentCharacter(wb);
     const by = character?.driver;
-    notice.hidden = !by || wb.timeline.view.get().tab === 'takes';
+    write(notice, 'hidden', !by || wb.timeline.view.get().tab === 'takes');
     if (!character || !by) return;
     const isGone = findCharacter(wb.store.document, by.sourceId) === undefined;
     const take = by.source.clip.name || by.source.name;

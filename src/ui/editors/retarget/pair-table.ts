@@ -6,7 +6,7 @@ import type { MatchedPair } from '../../../evaluate/retarget/match.ts';
 import { jointName, shortJointName } from '../../../model/skeleton/joint-name.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { JointPair } from '../../../model/takes/retarget.ts';
-import { element, setText, uniqueId } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, uniqueId } from '../../widgets/dom.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 
 const AT_REST = 'keeps its pose';
@@ -43,7 +43,7 @@ export function pairTable(changed: () => void): PairTable {
           const why = element('td', { class: 'why', id: uniqueId('why') });
           const select = jointSelect(`${name} follows`, source, chosen.get(t));
           // For screen readers, along with the choice; others see colour and tooltip.
-          select.setAttribute('aria-describedby', why.id);
+          setAttribute(select, 'aria-describedby', why.id);
           const label = element('span', {}, shortJointName(target, t));
           label.style.paddingLeft = `${Math.min(depths[t], 12) * 6}px`;
           const row = element(

@@ -2,7 +2,7 @@
 import type { Review } from '../../../model/takes/review.ts';
 import type { Flag } from '../../../review/flags.ts';
 import { manualLink } from '../../state/manual-link.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { flagItem } from './flag-item.ts';
@@ -50,7 +50,7 @@ export class ReviewDetail {
 
   /** @param count of the selected takes, which tags and notes are for */
   show(row: ReviewRow | undefined, count: number): void {
-    this.element.hidden = row === undefined;
+    write(this.element, 'hidden', row === undefined);
     if (!row) return;
     const { take, digest } = row;
     this.name.show(row.name);
@@ -63,10 +63,10 @@ export class ReviewDetail {
     const found = digest?.found?.facts.flags;
     const reading = row.hasFile ? 'Reading …' : 'Its file is missing. Drop its folder again.';
     setText(this.none, found ? (found.length === 0 ? 'No flags.' : '') : (digest?.problem ?? reading));
-    this.none.hidden = this.none.textContent === '';
+    write(this.none, 'hidden', this.none.textContent === '');
     if (found === this.listed) return;
     this.listed = found;
-    this.explained.hidden = !found?.length;
+    write(this.explained, 'hidden', !found?.length);
     this.flags.replaceChildren(...(found ?? []).map((flag) => flagItem(flag, this.events.seek)));
   }
 }

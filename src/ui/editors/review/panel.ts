@@ -7,7 +7,7 @@ import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import type { ReviewView } from '../../state/review.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { atMostEvery, oncePerFrame } from '../../widgets/frame.ts';
 import { type MenuPlace, openMenu } from '../../widgets/menu.ts';
 import { ReviewDetail } from './detail.ts';
@@ -129,8 +129,8 @@ class ReviewPanel implements TimelineTab {
     const rows = listOfReview(wb);
     const at = rows.findIndex(({ take }) => take.path === view.focused);
     const isEmpty = (wb.store.document.review ?? []).length === 0;
-    this.empty.hidden = rows.length > 0;
-    this.body.hidden = rows.length === 0;
+    write(this.empty, 'hidden', rows.length > 0);
+    write(this.body, 'hidden', rows.length === 0);
     setText(this.empty, isEmpty || !isFiltered(view) ? EMPTY : noneLeft(view));
     // What is listed again begins with its first take.
     if (this.listedFor && !isSameFilter(view, this.listedFor)) this.place = 0;

@@ -1,6 +1,6 @@
 /** One row of the list: cells created once, and updated for another take. */
 import type { Flag } from '../../../review/flags.ts';
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { count, duration, shown } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -55,7 +55,7 @@ export class ReviewRowView {
   show({ take, name, digest, hasFile }: ReviewRow, { worst, chosen, plays }: RowState): void {
     const found = digest?.found;
     setAttribute(this.element, 'aria-selected', String(chosen));
-    this.element.dataset.verdict = take.verdict;
+    write(this.element.dataset, 'verdict', take.verdict);
     this.element.classList.toggle('no-file', !hasFile);
     this.thumbnail.show(found?.figure, plays);
     this.name.show(name);

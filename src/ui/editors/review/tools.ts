@@ -6,7 +6,7 @@ import { itemOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { ReviewView } from '../../state/review.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { focusPanel } from '../../widgets/focus/focus.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -35,7 +35,7 @@ export function reviewTools(wb: Workbench): ReviewTools {
     );
     setActionTooltip(wb, made, id, label);
     refreshing.push(() => {
-      made.disabled = !(action && isEnabled(wb, action));
+      write(made, 'disabled', !(action && isEnabled(wb, action)));
     });
     return made;
   };

@@ -5,7 +5,7 @@ import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { type IconName, icon } from '../../widgets/icons.ts';
 import type { Observable } from '../../widgets/observable.ts';
 import { whileShown } from '../posing/while-shown.ts';
@@ -31,7 +31,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
   const text = element('span');
   const hint = element('p', { class: 'rig-hint', role: 'status' }, text);
   const show = () => {
-    adding.setAttribute('aria-pressed', String(state.adding.get()));
+    setAttribute(adding, 'aria-pressed', String(state.adding.get()));
     const readout = state.readout.get();
     setText(text, readout || rigHintText(wb));
     hint.classList.toggle('is-readout', readout !== '');
@@ -105,8 +105,8 @@ function segments<T extends string>(
   const show = () => {
     buttons.forEach((made, i) => {
       const isChosen = value.get() === choices[i];
-      made.setAttribute('aria-checked', String(isChosen));
-      made.tabIndex = isChosen ? 0 : -1;
+      setAttribute(made, 'aria-checked', String(isChosen));
+      write(made, 'tabIndex', isChosen ? 0 : -1);
     });
   };
   const whole = element(

@@ -21,7 +21,7 @@ import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { jointsText } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, write } from '../../widgets/dom.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { removeControllers } from '../../widgets/numbers/slider.ts';
 import { whyNoCorner } from './box-order.ts';
@@ -58,7 +58,7 @@ export class RigSection {
     private readonly section: GUI,
   ) {
     this.context = { wb, edit, section };
-    section.$children.dataset.empty = 'Select a joint in the viewport or outliner to edit it.';
+    write(section.$children.dataset, 'empty', 'Select a joint in the viewport or outliner to edit it.');
   }
 
   /** Call after an edit or a change of selection. @param joints the active one last */

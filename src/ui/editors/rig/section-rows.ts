@@ -4,7 +4,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { leaveField } from '../../widgets/focus/focus.ts';
 import { Slider } from '../../widgets/numbers/slider.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -52,7 +52,7 @@ export function vectorRow(
     slider.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
     // The letter alone wouldn't identify the row.
     slider.$input.removeAttribute('aria-labelledby');
-    slider.$input.setAttribute('aria-label', `${label} ${letter}`);
+    setAttribute(slider.$input, 'aria-label', `${label} ${letter}`);
     line.append(slider.domElement);
     slider.onChange((value: number) => {
       const now = read();
@@ -154,7 +154,7 @@ export function choiceRow<T extends string | number>(
 export function textRow(
   label: string,
   read: () => string,
-  write: (text: string) => void,
+  commit: (text: string) => void,
   tooltip = '',
   noteOf: () => string = () => '',
 ): SectionRow & { readonly line: HTMLElement; readonly field: HTMLInputElement } {
@@ -169,11 +169,11 @@ export function textRow(
   const update = () => {
     if (document.activeElement !== field) field.value = read();
     const text = noteOf();
-    note.hidden = text === '';
+    write(note, 'hidden', text === '');
     setText(note, text);
   };
   field.addEventListener('change', () => {
-    if (field.value !== read()) write(field.value);
+    if (field.value !== read()) commit(field.value);
     field.value = read();
   });
   field.addEventListener('keydown', (event) => {

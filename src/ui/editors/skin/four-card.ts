@@ -13,19 +13,18 @@ import {
   type KeptFour,
 } from '../../../teaching/program/four-attachments.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
+import { followWithNumbers } from '../../state/follow-time.ts';
 import { heatLegend } from '../../state/heat-legend.ts';
 import { lengthUnit } from '../../state/joints/length-unit.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setText, uniqueId } from '../../widgets/dom.ts';
-import { atMostEvery, oncePerFrame } from '../../widgets/frame.ts';
+import { element, setAttribute, setText, uniqueId, write } from '../../widgets/dom.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
 import { NumberGrid } from '../../widgets/numbers/number-grid.ts';
 import { aligned, count } from '../../widgets/numbers/number-text.ts';
 import { attachmentsText, heatScale, KEPT_LABELS, scaleText } from './four-text.ts';
 
-/** While playing: the eye can't read faster. */
-const FOLLOW_EVERY_MS = 100;
 const DECIMALS = 6;
 /** Where the card would cover the skin. */
 const SMALL = '(max-width: 767px), (max-height: 719px)';
@@ -61,7 +60,6 @@ class FourCard {
   /** Something has changed since the running measurement began. */
   private isStale = false;
   private readonly showSoon = oncePerFrame(() => this.show());
-  private readonly showLater = atMostEvery(FOLLOW_EVERY_MS, () => this.show());
 
   constructor(private readonly wb: Parts) {
     for (const kept of KEPT_FOUR) this.choice.append(element('option', { value: kept }, KEPT_LABELS[kept]));
@@ -81,10 +79,7 @@ class FourCard {
     wb.settings.subscribe((now, before) => {
       if (now.display.skin !== before.display.skin) this.showSoon();
     });
-    wb.transport.subscribe((now, before) => {
-      if (now.playing) this.showLater();
-      else if (now.timeSeconds !== before.timeSeconds || before.playing) this.showSoon();
-    });
+    followWithNumbers(wb.transport, () => this.show());
     this.show();
   }
 
@@ -94,15 +89,15 @@ class FourCard {
 
   /** Folded, it is the legend alone. */
   private fold(isFolded: boolean): void {
-    this.body.hidden = isFolded;
-    this.head.setAttribute('aria-expanded', String(!isFolded));
+    write(this.body, 'hidden', isFolded);
+    setAttribute(this.head, 'aria-expanded', String(!isFolded));
   }
 
   private show(): void {
     const { wb } = this;
     const isOn = wb.settings.get().display.skin === 'four';
     this.measured = isOn ? wb.store.document.characters.flatMap((character) => this.measuredOf(character)) : [];
-    this.element.hidden = this.measured.length === 0;
+    write(this.element, 'hidden', this.measured.length === 0);
     if (this.measured.length > 0) this.measure();
   }
 
@@ -178,7 +173,7 @@ class FourCard {
     const unit = lengthUnit(character);
     const grid = this.gridFor(unit);
     const isDisplaced = facts?.vertex !== undefined && heatScale(facts.largest / facts.size) > 0;
-    this.largest.hidden = !isDisplaced;
+    write(this.largest, 'hidden', !isDisplaced);
     if (!facts || !isDisplaced) return;
     setText(this.vertex, `vertex ${count(facts.vertex ?? 0)}`);
     grid.set(0, 0, facts.largest);
@@ -196,7 +191,7 @@ class FourCard {
       columnLabels: [unit, '% of size'],
       text: (value) => aligned(Number(value.toPrecision(4)), DECIMALS).replace(/(\.\d*?)0+$/, '$1'),
     });
-    grid.element.dataset.unit = unit;
+    write(grid.element.dataset, 'unit', unit);
     this.grid?.element.remove();
     this.largest.append(grid.element);
     this.grid = grid;

@@ -1,6 +1,6 @@
 /** The row above the text of an edited file: what has changed, the way from change to change, and a switch for them. */
 import { countsOf, type LineHunk } from '../../../model/text-changes.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -37,10 +37,10 @@ export function changeBar(calls: Calls): ChangeBar {
   return {
     element: own,
     show(said, isOn, hasSteps = false) {
-      own.hidden = said === '';
+      write(own, 'hidden', said === '');
       setText(text, said);
-      previous.hidden = next.hidden = !hasSteps;
-      toggle.hidden = isOn === undefined;
+      for (const each of [previous, next]) write(each, 'hidden', !hasSteps);
+      write(toggle, 'hidden', isOn === undefined);
       setAttribute(toggle, 'aria-pressed', String(isOn === true));
     },
   };

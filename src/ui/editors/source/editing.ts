@@ -4,7 +4,7 @@ import { baseName } from '../../../model/files.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { TextEdits } from '../../state/source.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 import { bytes, count } from '../../widgets/numbers/number-text.ts';
 import { contentKey, type TextState } from './as-opened.ts';
 import type { OpenedSource } from './opened-source.ts';
@@ -75,7 +75,7 @@ export class Editing {
       if (!editor || base === undefined) return;
       this.key = key;
       this.path = path;
-      this.element.hidden = editor.element.hidden = false;
+      for (const each of [this.element, editor.element]) write(each, 'hidden', false);
       editor.open(baseName(path), base, this.drafts.get(path));
       this.drafts.delete(path);
       this.calls.onChange();
@@ -99,7 +99,7 @@ export class Editing {
     const { draft } = editor;
     if (draft) this.drafts.set(path, draft);
     this.path = undefined;
-    this.element.hidden = editor.element.hidden = true;
+    for (const each of [this.element, editor.element]) write(each, 'hidden', true);
     editor.close();
     this.calls.onChange();
   }

@@ -9,7 +9,7 @@
 import type { Severity } from '../../../model/diagnostic.ts';
 import type { LineRange } from '../../../model/source-map.ts';
 import type { HunkKind } from '../../../model/text-changes.ts';
-import { element, setAttribute, setText, uniqueId } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, uniqueId, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
@@ -209,11 +209,11 @@ export class LineView {
     const { line, text: shown, isLit, isNow, problem, change } = this.source.row(at);
     const { element: own } = row;
     own.id = `${this.idPrefix}-${at}`;
-    own.dataset.row = String(at);
+    write(own.dataset, 'row', String(at));
     setAttribute(own, 'data-line', line === undefined ? undefined : String(line));
     setText(row.number, line === undefined ? '' : String(line));
     own.classList.toggle('is-lit', isLit);
-    own.setAttribute('aria-selected', String(isLit));
+    setAttribute(own, 'aria-selected', String(isLit));
     own.classList.toggle('is-now', isNow);
     own.classList.toggle('is-current', at === this.currentLine);
     setAttribute(own, 'data-severity', problem?.severity);

@@ -9,7 +9,7 @@
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import type { CheckedText } from '../../state/source.ts';
-import { button, element, setAttribute, setText, uniqueId } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, uniqueId, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
@@ -109,7 +109,7 @@ export class TextEditor {
     this.name = name;
     this.base = withPlainEnds(draft?.base ?? base);
     this.field.value = draft?.text ?? this.base;
-    this.field.setAttribute('aria-label', `Text of ${name}`);
+    setAttribute(this.field, 'aria-label', `Text of ${name}`);
     this.field.setSelectionRange(0, 0);
     this.field.scrollTop = 0;
     this.reset();
@@ -254,8 +254,8 @@ export class TextEditor {
   }
 
   private ask(asks: boolean, takesFocus = true): void {
-    this.question.hidden = !asks;
-    this.bar.hidden = asks;
+    write(this.question, 'hidden', !asks);
+    write(this.bar, 'hidden', asks);
     if (!takesFocus) return;
     if (asks) this.keep.focus();
     else this.focus();
@@ -276,9 +276,9 @@ export class TextEditor {
   private show(): void {
     const { checked, hasEdits } = this;
     setAttribute(this.apply, 'aria-disabled', hasEdits && !this.whyNot() ? undefined : 'true');
-    this.discard.hidden = !hasEdits;
+    write(this.discard, 'hidden', !hasEdits);
     const found = checked?.result.diagnostics ?? [];
-    this.list.hidden = found.length === 0;
+    write(this.list, 'hidden', found.length === 0);
     this.list.replaceChildren(...found.slice(0, MAX_PROBLEMS).map((each) => this.problem(each)));
     if (found.length > MAX_PROBLEMS) {
       this.list.append(element('li', {}, plural(found.length - MAX_PROBLEMS, 'more problem')));

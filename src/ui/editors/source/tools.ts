@@ -1,6 +1,6 @@
 /** Controls of the tab *Source*, beside the tabs: the file, a search in it, and the number of a line. */
 import { baseName } from '../../../model/files.ts';
-import { element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 
@@ -64,7 +64,7 @@ export function sourceTools(calls: Calls): SourceTools {
       if (key === listed) return;
       listed = key;
       files.replaceChildren(...paths.map((path) => element('option', { value: path }, labelOf(path, paths))));
-      files.disabled = paths.length === 0;
+      write(files, 'disabled', paths.length === 0);
       files.value = shown ?? '';
     },
     showEditing(isOn, whyNot) {

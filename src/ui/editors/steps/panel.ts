@@ -11,10 +11,11 @@ import { stepsOfPose } from '../../../teaching/steps/dof-steps.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { clipTimeShown } from '../../state/dump-times.ts';
+import { followWithNumbers } from '../../state/follow-time.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
-import { atMostEvery, oncePerFrame } from '../../widgets/frame.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
+import { oncePerFrame } from '../../widgets/frame.ts';
 import { FormulaView } from './formula-view.ts';
 import { jointView } from './joint-view.ts';
 import { paintStage } from './paint-stage.ts';
@@ -23,8 +24,6 @@ import { vertexView } from './vertex-view.ts';
 import type { StepsView } from './view.ts';
 
 const NOTHING = 'Select a joint, or a vertex of the skin, to see how its numbers are computed, step by step.';
-/** While playing: the eye can't read faster. */
-const FILL_EVERY_MS = 100;
 
 type Parts = Uses<'store' | 'viewport' | 'transport' | 'posing' | 'timeline'>;
 
@@ -47,14 +46,11 @@ class StepsPanel implements TimelineTab {
   private stages: Stages | undefined;
   private removeOverlay: (() => void) | undefined;
   private readonly showSoon = oncePerFrame(() => this.show());
-  private readonly fillSoon = atMostEvery(FILL_EVERY_MS, () => {
-    if (this.visible) this.view?.fill();
-  });
 
   constructor(private readonly wb: Parts) {
     this.formulas = new FormulaView(wb);
     this.element.append(this.empty);
-    this.slider.setAttribute('aria-label', 'Steps applied in the viewport');
+    setAttribute(this.slider, 'aria-label', 'Steps applied in the viewport');
     this.slider.addEventListener('input', () => {
       this.showStage();
       this.cardNow()?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
@@ -71,6 +67,10 @@ class StepsPanel implements TimelineTab {
     wb.store.subscribe(() => this.showSoon());
     wb.transport.subscribe((now, before) => {
       if (now.timeSeconds !== before.timeSeconds || now.playing !== before.playing) this.showSoon();
+    });
+    followWithNumbers(wb.transport, () => {
+      // At rest they are filled with all else.
+      if (this.visible && wb.transport.get().playing) this.view?.fill();
     });
   }
 
@@ -104,13 +104,12 @@ class StepsPanel implements TimelineTab {
     // Without a take it is shown anyway.
     const isMoved = clipTimeShown(wb, character) !== undefined;
     const isOfFile = isMoved && timeline.stepsOfFile.get();
-    this.filePose.hidden = !isMoved;
+    write(this.filePose, 'hidden', !isMoved);
     setAttribute(this.filePose, 'aria-pressed', String(isOfFile));
     this.stages = view.follow(
       isOfFile ? stepsOfPose(inFilePose(character), 0) : stepsOfPose(character, transport.get().timeSeconds),
     );
-    if (transport.get().playing) this.fillSoon();
-    else view.fill();
+    if (!transport.get().playing) view.fill();
     this.showStage();
   }
 
@@ -132,7 +131,7 @@ class StepsPanel implements TimelineTab {
     const last = (this.view?.cards.length ?? 1) - 1;
     this.slider.max = String(last);
     this.slider.value = String(last);
-    this.tools.hidden = !this.view;
+    write(this.tools, 'hidden', !this.view);
     this.showOverlay();
   }
 
@@ -157,7 +156,7 @@ class StepsPanel implements TimelineTab {
     const labels = stages?.labels ?? [];
     const text = labels[stage] ?? '';
     setText(this.label, labels.length > 1 ? `${stage} of ${labels.length - 1}: ${text}` : text);
-    this.slider.setAttribute('aria-valuetext', text);
+    setAttribute(this.slider, 'aria-valuetext', text);
     const now = this.cardNow();
     for (const card of view?.cards ?? []) card.classList.toggle('now', card === now);
     this.wb.viewport.requestRender();

@@ -2,7 +2,7 @@
  * On a phone there is room for one part of the comparison at a time: the takes, the chart or the list of joints. A
  * switch chooses it; on wider pages all are side by side (`compare-narrow.css`).
  */
-import { element, keepsFocusElsewhere } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, write } from '../../widgets/dom.ts';
 
 const PARTS = { takes: 'Takes', graph: 'Graph', joints: 'Joints' } as const;
 
@@ -23,8 +23,8 @@ export function compareSwitch(panel: HTMLElement): CompareSwitch {
     'aria-label': 'What to show of the comparison',
   });
   const choose = (part: ComparePart) => {
-    panel.dataset.part = part;
-    for (const [name, made] of buttons) made.setAttribute('aria-pressed', String(name === part));
+    write(panel.dataset, 'part', part);
+    for (const [name, made] of buttons) setAttribute(made, 'aria-pressed', String(name === part));
   };
   const make = (part: ComparePart): readonly [ComparePart, HTMLElement] => {
     const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }, PARTS[part]));

@@ -46,8 +46,8 @@ export class DistanceList {
   private focused = -1;
 
   constructor(private readonly events: ListEvents) {
-    this.rows.setAttribute('aria-label', 'Joints by distance');
-    this.rows.setAttribute('aria-multiselectable', 'true');
+    setAttribute(this.rows, 'aria-label', 'Joints by distance');
+    setAttribute(this.rows, 'aria-multiselectable', 'true');
     this.heads = HEADS.map(([order, label, tooltip]) => {
       const made = element('button', { type: 'button', tabindex: -1, tooltip, 'data-order': order }, label);
       made.addEventListener('mousedown', (event) => event.preventDefault());

@@ -7,7 +7,7 @@ import { ALIGNMENTS, type Alignment } from '../../../evaluate/compare/posed-join
 import type { Selection } from '../../../model/session.ts';
 import { comparedIn, playedName } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { focusPanel } from '../../widgets/focus/focus.ts';
 import { icon } from '../../widgets/icons.ts';
 import { openMenu } from '../../widgets/menu.ts';
@@ -55,7 +55,7 @@ export class DistancePane {
     );
     this.most = linkButton('Go to the largest distance, and select its joint', () => this.goToMost());
     this.left = linkButton('Which joints are not compared, and why', () => this.showLeftOut());
-    this.left.setAttribute('aria-haspopup', 'menu');
+    setAttribute(this.left, 'aria-haspopup', 'menu');
     setTooltip(
       this.means,
       'Over all joints and frames; time-warped: frames up to a tenth of the take away are matched',
@@ -128,19 +128,19 @@ export class DistancePane {
       setTooltip(this.names[i].element, name);
     }
     const left = match.onlyFirst.length + match.onlySecond.length;
-    this.facts.hidden = !distances && !left;
+    write(this.facts, 'hidden', !distances && !left);
     setText(this.left, left ? `${plural(left, 'joint')} not compared` : '');
     setText(this.means, distances ? meansText(distances, measured.warped, this.unit) : '');
     setText(this.most, distances ? mostText(measured, distances, this.unit) : '');
     setText(this.frames, distances ? plural(distances.frameCount, 'frame') : '');
-    this.note.hidden = distances !== undefined;
+    write(this.note, 'hidden', distances !== undefined);
     setText(this.note, 'These takes do not overlap in time. Align their starts or change a start time.');
   }
 
   private showList(): void {
     const measured = this.measuring.result.get();
     const distances = measured?.distances;
-    this.list.element.hidden = !distances;
+    write(this.list.element, 'hidden', !distances);
     if (!distances) return;
     const labels = jointLabels(measured, distances);
     this.list.show(distances, labels, this.unit, this.wb.timeline.takes.distances.get());

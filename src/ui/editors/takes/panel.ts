@@ -11,7 +11,7 @@ import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import { type Compared, type Comparison, comparedIn } from '../../state/takes.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
@@ -149,9 +149,9 @@ class TakesPanel implements TimelineTab {
     const isComparing = compared !== undefined;
     const rows = listOfTakes(wb);
     this.element.classList.toggle('comparing', isComparing);
-    this.distances.element.hidden = !isComparing;
-    this.empty.hidden = rows.length > 0;
-    this.table.element.hidden = rows.length === 0;
+    write(this.distances.element, 'hidden', !isComparing);
+    write(this.empty, 'hidden', rows.length > 0);
+    write(this.table.element, 'hidden', rows.length === 0);
     this.table.element.classList.toggle(
       'same-names',
       rows.every((row) => !row.character),

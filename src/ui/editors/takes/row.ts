@@ -1,5 +1,5 @@
 /** One row of the table of takes: cells created once, and updated for another take. */
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
@@ -58,7 +58,7 @@ export class RowView {
       x: field('Place along x', 2, (r, x) => events.place(r, { x }), 0.1),
       z: field('Place along z', 2, (r, z) => events.place(r, { z }), 0.1),
     };
-    for (const { element: input } of Object.values(this.fields)) input.tabIndex = -1;
+    for (const { element: input } of Object.values(this.fields)) write(input, 'tabIndex', -1);
     this.eye = keepsFocusElsewhere(
       button('Show', { class: 'tool small', tabindex: -1 }, '', () => events.toggle(this.row)),
     );
@@ -100,14 +100,14 @@ export class RowView {
     // The second take of one character is drawn beside the one that it plays.
     const isSeen = row.isShown || (compared !== undefined && !row.isHidden);
     if (eye.dataset.shown !== String(isSeen)) {
-      eye.dataset.shown = String(isSeen);
+      write(eye.dataset, 'shown', String(isSeen));
       eye.replaceChildren(icon(isSeen ? 'eye' : 'eyeOff'));
       eye.classList.toggle('on', isSeen);
       setAttribute(eye, 'aria-pressed', String(isSeen));
       setTooltip(eye, isSeen ? 'Visible. Click to hide' : 'Hidden. Click to show');
     }
     setAttribute(eye, 'aria-label', `Show ${row.name}`);
-    this.mark.className = `take-mark ${compared ?? ''}`;
+    write(this.mark, 'className', `take-mark ${compared ?? ''}`);
     this.name.show(row.name || 'unnamed');
     setText(this.note, row.note);
     setTooltip(this.nameCell, row.note ? `${row.name}, ${row.note}` : row.name);
@@ -131,7 +131,7 @@ export class RowView {
     fields.x.show(row.x);
     fields.z.show(row.z);
     // Only the fields of the focused row are tab stops.
-    for (const { element: input } of Object.values(fields)) input.tabIndex = focused ? 0 : -1;
+    for (const { element: input } of Object.values(fields)) write(input, 'tabIndex', focused ? 0 : -1);
   }
 }
 

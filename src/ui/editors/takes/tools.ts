@@ -4,7 +4,7 @@ import { actionLabel, findAction, isEnabled, tryAction } from '../../state/actio
 import { itemOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { focusPanel } from '../../widgets/focus/focus.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
@@ -39,7 +39,7 @@ export function takeTools(
       button(tooltip, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
     );
     refreshing.push(() => {
-      made.disabled = !(action && isEnabled(wb, action));
+      write(made, 'disabled', !(action && isEnabled(wb, action)));
     });
     return made;
   });
@@ -120,7 +120,7 @@ function compareButton(
   );
   const refresh = () => {
     const atOnce = runsAtOnce();
-    made.disabled = !isComparing() && takeRows(wb.store.document).length < 2;
+    write(made, 'disabled', !isComparing() && takeRows(wb.store.document).length < 2);
     setText(label, isComparing() ? 'Stop comparing' : 'Compare');
     made.classList.toggle('at-once', atOnce);
     setAttribute(made, 'aria-haspopup', atOnce ? undefined : 'menu');

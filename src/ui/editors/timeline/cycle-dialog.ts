@@ -8,7 +8,7 @@ import type { CycleQuestion } from '../../state/cycle-question.ts';
 import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
 import { cycleText, momentText, OUTSIDE_LABELS } from './cycle-text.ts';
 import { easingFields } from './easing-fields.ts';
 
@@ -59,7 +59,7 @@ function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[]
     () => moment.show(easing.get()),
     () => moment.answer(easing.get()),
   );
-  made.setAttribute('autofocus', '');
+  setAttribute(made, 'autofocus', '');
   const fields = easingFields(
     easing.get(),
     (next) => {
@@ -84,7 +84,7 @@ function outsideParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[
     };
     return [card(wb, OUTSIDE_LABELS[how], detail, () => question.show(how), answer)];
   });
-  if (!question.moment) choices[0]?.setAttribute('autofocus', '');
+  if (!question.moment && choices[0]) setAttribute(choices[0], 'autofocus', '');
   return [
     element('p', {}, about, ' ', manualLink('What is a cycle?', 'cycle')),
     ...choices,

@@ -12,7 +12,7 @@ import type { Document } from '../../../model/document.ts';
 import { unitsBehind } from '../../state/joints/angles.ts';
 import type { DialogName, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { atMostEvery } from '../../widgets/frame.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
 import { parseNumber } from '../../widgets/numbers/number-text.ts';
@@ -96,7 +96,7 @@ export function toolDialog<A>(
   for (const { row } of rows) body.append(row);
   const showAsked = () => {
     for (const { asked, row } of rows) {
-      row.hidden = asked.onlyFor !== undefined && fields.get(asked.onlyFor[0])?.value !== asked.onlyFor[1];
+      write(row, 'hidden', asked.onlyFor !== undefined && fields.get(asked.onlyFor[0])?.value !== asked.onlyFor[1]);
     }
   };
   showAsked();
@@ -130,7 +130,7 @@ export function toolDialog<A>(
   let waits = false;
   let keepsWhenDone = false;
   const warn = (text = '') => {
-    warned.hidden = text === '';
+    write(warned, 'hidden', text === '');
     setText(warned, text);
   };
   const refuse = (error: unknown) => {
@@ -139,7 +139,7 @@ export function toolDialog<A>(
     preview.show(base);
     setText(result, error.message);
     result.classList.add('wrong');
-    apply.disabled = true;
+    write(apply, 'disabled', true);
   };
   const goOn = (steps: Steps<Stepped>, mine: number) =>
     inSlices(steps, {
@@ -149,7 +149,7 @@ export function toolDialog<A>(
         preview.show(change);
         setText(result, text);
         warn(warning);
-        apply.disabled = store.document === base;
+        write(apply, 'disabled', store.document === base);
         if (keepsWhenDone && !apply.disabled) {
           end(true);
           close();
@@ -168,8 +168,8 @@ export function toolDialog<A>(
         result.classList.remove('wrong');
         warn();
         waits = !isAsked && tool.takesLong?.(args) === true;
-        tryOut.hidden = !waits;
-        apply.disabled = !waits;
+        write(tryOut, 'hidden', !waits);
+        write(apply, 'disabled', !waits);
         if (waits) {
           asked++;
           preview.show(base);
@@ -183,11 +183,11 @@ export function toolDialog<A>(
       preview.show(edit);
       setText(result, tool.result(args, edit.document));
       result.classList.remove('wrong');
-      apply.disabled = store.document === base;
+      write(apply, 'disabled', store.document === base);
     } catch (error) {
       asked++;
       waits = keepsWhenDone = false;
-      tryOut.hidden = true;
+      write(tryOut, 'hidden', true);
       refuse(error);
     }
   };
@@ -208,7 +208,7 @@ export function toolDialog<A>(
   body.addEventListener('input', () => {
     showAsked();
     // The result is outdated.
-    if (tool.steps) apply.disabled = true;
+    if (tool.steps) write(apply, 'disabled', true);
     keepsWhenDone = false;
     soon();
   });

@@ -8,7 +8,7 @@ import { attempt } from '../../state/actions/attempt.ts';
 import { isLastMoment, keepMoment, wholeFrames } from '../../state/add-keys.ts';
 import type { Easing, KeyedMoment } from '../../state/cycle-question.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setAttribute, setText } from '../../widgets/dom.ts';
+import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
@@ -71,7 +71,7 @@ export function momentBand(wb: Parts, ruler: HTMLElement): void {
   const strip = () => ({ window: timeline.view.get().window, width: Math.max(1, ruler.clientWidth) });
   const show = () => {
     const args = now();
-    band.hidden = args === undefined;
+    write(band, 'hidden', args === undefined);
     if (!args) return;
     const x = (seconds: number) => timeX(strip(), seconds);
     const [from, at, to] = [args.timeSeconds - args.easeIn, args.timeSeconds, args.timeSeconds + args.easeOut].map(x);

@@ -7,7 +7,7 @@ import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { type Document, rangeOfClips } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import { buttonMeant, isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
@@ -183,11 +183,11 @@ export class Scrubber {
   private describe(timeSeconds: number, range: readonly [number, number]): void {
     // A screen reader would read every frame.
     if (this.wb.transport.get().playing) return;
-    this.element.setAttribute('aria-valuemin', String(range[0]));
-    this.element.setAttribute('aria-valuemax', String(range[1]));
-    this.element.setAttribute('aria-valuenow', String(timeSeconds));
+    setAttribute(this.element, 'aria-valuemin', String(range[0]));
+    setAttribute(this.element, 'aria-valuemax', String(range[1]));
+    setAttribute(this.element, 'aria-valuenow', String(timeSeconds));
     const frame = shown(timeSeconds * this.wb.transport.get().framesPerSecond, 2);
-    this.element.setAttribute('aria-valuetext', `${shown(timeSeconds)} s, frame ${frame}`);
+    setAttribute(this.element, 'aria-valuetext', `${shown(timeSeconds)} s, frame ${frame}`);
   }
 
   private dragging = false;

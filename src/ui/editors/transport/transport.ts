@@ -4,6 +4,7 @@ import { LOOP_MODES } from '../../../edit/playback.ts';
 import { actionsOf, findAction, tryAction, tryById } from '../../state/actions/action.ts';
 import { itemOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
+import { followWithNumbers } from '../../state/follow-time.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
@@ -76,7 +77,7 @@ function loopMode(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   const show = () => {
     const { loop } = wb.transport.get();
     made.replaceChildren(icon(loop), icon('fold'));
-    made.setAttribute('aria-label', `Loop: ${LOOP_LABELS[loop].toLowerCase()}`);
+    setAttribute(made, 'aria-label', `Loop: ${LOOP_LABELS[loop].toLowerCase()}`);
   };
   menuButton(made, 'Loop', (): MenuEntry[] => {
     const actions = actionsOf(wb);
@@ -96,7 +97,7 @@ function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   const show = () => {
     const text = rateText(wb.transport.get().rate);
     made.textContent = text;
-    made.setAttribute('aria-label', `Speed ${text}`);
+    setAttribute(made, 'aria-label', `Speed ${text}`);
   };
   menuButton(made, 'Speed', (): MenuEntry[] => {
     const actions = actionsOf(wb);
@@ -123,7 +124,7 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
     isOn() ? 'Auto-key is on: changes are keyed automatically' : 'Auto-key: key changes automatically',
   );
   const show = () => {
-    auto.setAttribute('aria-pressed', String(isOn()));
+    setAttribute(auto, 'aria-pressed', String(isOn()));
     document.documentElement.toggleAttribute('data-auto-key', isOn());
   };
   wb.timeline.autoKey.subscribe(show);
@@ -151,18 +152,23 @@ function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement {
     step: 1,
   });
   const last = element('span', { class: 'faint last-frame' });
-  const show = oncePerFrame(() => {
-    const { timeSeconds, framesPerSecond, range } = wb.transport.get();
+  const showTime = () => {
+    const { timeSeconds, framesPerSecond } = wb.transport.get();
     time.show(timeSeconds);
     frame.show(noNoise(timeSeconds * framesPerSecond));
+  };
+  const show = oncePerFrame(() => {
+    showTime();
+    const { range, framesPerSecond } = wb.transport.get();
     setText(last, `of ${shown(noNoise(range[1] * framesPerSecond), 1)}`);
   });
   const refresh = oncePerFrame(() => {
     time.refresh();
     frame.refresh();
   });
+  followWithNumbers(wb.transport, showTime);
   wb.transport.subscribe((now, before) => {
-    show();
+    if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) show();
     if (now.playing !== before.playing) refresh();
   });
   show();

@@ -6,7 +6,7 @@ import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import { jointsIn, withJoints } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 import { type CanvasDrag, type CanvasPointer, type CanvasTool, CLICK_PIXELS } from './canvas-tools.ts';
 
 /** A joint on the page. */
@@ -124,7 +124,7 @@ function jointsOnPage({ store, viewport }: Uses<'store' | 'viewport'>): readonly
 
 function place(frame: HTMLElement, within: HTMLElement, a: Corner, b: Corner): void {
   const { left, top } = within.getBoundingClientRect();
-  frame.hidden = false;
+  write(frame, 'hidden', false);
   frame.style.left = `${Math.min(a.clientX, b.clientX) - left}px`;
   frame.style.top = `${Math.min(a.clientY, b.clientY) - top}px`;
   frame.style.width = `${Math.abs(a.clientX - b.clientX)}px`;

@@ -7,7 +7,7 @@ import { actionsOf, findAction, isEnabled } from '../../state/actions/action.ts'
 import { itemOf, itemsOf, sectionsOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, write } from '../../widgets/dom.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
 import { type IconName, icon } from '../../widgets/icons.ts';
 import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
@@ -56,11 +56,12 @@ export function displayBar(wb: Parts): HTMLElement {
   const update = () => {
     const what = isSkinVisible(wb) ? 'skin' : areBoxesVisible(wb) ? 'boxes' : undefined;
     const hasCharacters = wb.store.document.characters.length > 0;
-    style.hidden = what === undefined || !hasCharacters;
+    write(style, 'hidden', what === undefined || !hasCharacters);
     const drawn = drawnSkin(wb);
     const label = SKIN_STYLES.find(([skin]) => skin === drawn)?.[1] ?? '';
     const text = what === 'boxes' ? 'Boxes' : (SHORT_LABELS[drawn] ?? label);
-    style.replaceChildren(icon(what ?? 'skin'), element('span', {}, text), icon('fold'));
+    if (style.textContent !== text)
+      style.replaceChildren(icon(what ?? 'skin'), element('span', {}, text), icon('fold'));
     setAttribute(style, 'aria-label', what === 'boxes' ? text : `Skin: ${text}`);
   };
   wb.settings.subscribe(update);

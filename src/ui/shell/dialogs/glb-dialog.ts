@@ -10,7 +10,7 @@ import { sentenceOf } from '../../../model/failure.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { MadeGlb, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { atMostEvery } from '../../widgets/frame.ts';
 import { parseNumber } from '../../widgets/numbers/number-text.ts';
 import { fileText, takesText } from './glb-text.ts';
@@ -88,13 +88,13 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
       ['', `All, up to ${most}`],
       ['4', 'The 4 strongest'],
     ]);
-    rows.who.hidden = characters.length < 2;
-    rows.take.hidden = driver !== undefined || clips.length < 2;
-    rows.keys.hidden = clips.length === 0 && !driver;
-    rows.tolerance.hidden = rows.keys.hidden || keys.value === 'frames';
-    rows.rate.hidden = rows.keys.hidden || keys.value !== 'frames';
-    rows.influences.hidden = most <= 4;
-    rows.body.hidden = skins.length > 0;
+    write(rows.who, 'hidden', characters.length < 2);
+    write(rows.take, 'hidden', driver !== undefined || clips.length < 2);
+    write(rows.keys, 'hidden', clips.length === 0 && !driver);
+    write(rows.tolerance, 'hidden', rows.keys.hidden || keys.value === 'frames');
+    write(rows.rate, 'hidden', rows.keys.hidden || keys.value !== 'frames');
+    write(rows.influences, 'hidden', most <= 4);
+    write(rows.body, 'hidden', skins.length > 0);
   };
 
   let made: MadeGlb | undefined;
@@ -127,7 +127,7 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
     const own = new AbortController();
     working = own;
     made = undefined;
-    save.disabled = true;
+    write(save, 'disabled', true);
     const asked = options();
     if (typeof asked === 'string') return refuse(asked);
     said.classList.remove('wrong');
@@ -139,7 +139,7 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
       });
       if (own.signal.aborted) return;
       made = one;
-      save.disabled = false;
+      write(save, 'disabled', false);
       setText(said, fileText(one.report, asked.framesPerSecond !== undefined));
       setText(takesSaid, takesText(one.report));
       losses.replaceChildren(
@@ -155,7 +155,7 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
   form.addEventListener('input', () => {
     showAsked();
     // What is shown is about other choices.
-    save.disabled = true;
+    write(save, 'disabled', true);
     soon();
   });
   form.addEventListener('submit', (event) => {

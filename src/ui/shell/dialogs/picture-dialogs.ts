@@ -9,7 +9,7 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import type { PictureOptions, Pictures, VideoFormat } from '../../state/pictures.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { bytes, parseNumber, plural, shown } from '../../widgets/numbers/number-text.ts';
 
 type Needs = Uses<'store' | 'transport' | 'viewport' | 'files' | 'messages' | 'dialog'>;
@@ -73,7 +73,7 @@ export function videoDialog(wb: Needs, close: () => void): DialogContent {
   };
   const summarise = () => {
     const isPng = format.value === 'png';
-    inPicture.background.hidden = !isPng;
+    write(inPicture.background, 'hidden', !isPng);
     try {
       const answers = asked();
       const { count } = videoFrames({ range, loop, framesPerSecond: answers.framesPerSecond, rate: answers.speed });
@@ -179,7 +179,7 @@ function pictureForm(wb: Needs, name: 'picture' | 'video', close: () => void, ab
     isWrong = wrong;
     setText(line, text);
     line.classList.toggle('wrong', wrong);
-    save.disabled = wrong || making !== undefined;
+    write(save, 'disabled', wrong || making !== undefined);
   };
   const stop = wb.dialog.subscribe((open) => {
     if (open === name) return;
@@ -190,14 +190,14 @@ function pictureForm(wb: Needs, name: 'picture' | 'video', close: () => void, ab
   const run = async (make: Make) => {
     const own = new AbortController();
     making = own;
-    fields.disabled = true;
-    save.disabled = true;
+    write(fields, 'disabled', true);
+    write(save, 'disabled', true);
     cancel.focus();
     try {
       const pictures = await wb.files.pictures();
       if (!pictures || own.signal.aborted) return;
       const progress = (done: number, of: number) => {
-        bar.hidden = false;
+        write(bar, 'hidden', false);
         bar.max = of;
         bar.value = done;
         setText(line, `Frame ${done} of ${of}`);
@@ -210,9 +210,9 @@ function pictureForm(wb: Needs, name: 'picture' | 'video', close: () => void, ab
       if (!own.signal.aborted) say(messageOf(error), true);
     } finally {
       making = undefined;
-      fields.disabled = false;
-      bar.hidden = true;
-      save.disabled = isWrong;
+      write(fields, 'disabled', false);
+      write(bar, 'hidden', true);
+      write(save, 'disabled', isWrong);
     }
   };
   return {
@@ -221,10 +221,10 @@ function pictureForm(wb: Needs, name: 'picture' | 'video', close: () => void, ab
     say,
     /** Saving has to wait for it. */
     ready(until: Promise<void>) {
-      save.disabled = true;
+      write(save, 'disabled', true);
       until.then(
         () => {
-          save.disabled = isWrong;
+          write(save, 'disabled', isWrong);
         },
         (error: unknown) => say(messageOf(error), true),
       );

@@ -2,7 +2,7 @@
 
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 
 export function aboutDialog(wb: Uses<'offline'>): DialogContent {
   const body = element(
@@ -25,7 +25,7 @@ export function aboutDialog(wb: Uses<'offline'>): DialogContent {
 function worksOffline({ offline }: Uses<'offline'>): HTMLElement {
   const line = element('p', {}, 'Works offline: the page is stored in this browser.');
   const show = () => {
-    line.hidden = !offline.get().isReady;
+    write(line, 'hidden', !offline.get().isReady);
   };
   const stop = offline.subscribe(() => {
     show();

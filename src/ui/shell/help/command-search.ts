@@ -4,7 +4,7 @@ import { actionLabel, actionsOf, isEnabled, reasonNot, tryAction } from '../../s
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element, uniqueId } from '../../widgets/dom.ts';
+import { element, setAttribute, uniqueId } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 
 const MAX_SHOWN = 12;
@@ -30,10 +30,10 @@ export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => voi
   const choose = (index: number) => {
     chosen = found.length ? (index + found.length) % found.length : 0;
     for (const [i, row] of [...list.children].entries()) {
-      row.setAttribute('aria-selected', String(i === chosen));
+      setAttribute(row, 'aria-selected', String(i === chosen));
       if (i === chosen) row.scrollIntoView({ block: 'nearest' });
     }
-    if (found.length) input.setAttribute('aria-activedescendant', list.children[chosen].id);
+    if (found.length) setAttribute(input, 'aria-activedescendant', list.children[chosen].id);
     else input.removeAttribute('aria-activedescendant');
   };
   const run = (action: Action | undefined) => {

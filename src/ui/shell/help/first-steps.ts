@@ -2,7 +2,7 @@
 import { type Document, findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setText } from '../../widgets/dom.ts';
+import { button, element, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { touchWords } from '../../widgets/touch-words.ts';
 
@@ -33,7 +33,7 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>):
     close,
   );
   const show = () => {
-    line.hidden = !areShown(wb);
+    write(line, 'hidden', !areShown(wb));
     const mode = stepsMode(wb);
     steps.forEach(({ row, text }, i) => {
       if (mode) setText(text, touchWords(STEPS[mode][i]));

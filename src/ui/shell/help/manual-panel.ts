@@ -1,7 +1,7 @@
 /** The manual in the inspector's place: pages as the build makes them, with a way back, to the contents, and out. */
 
 import { addressOf, MANUAL_WINDOW, type ManualPage } from '../../state/manual-link.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, setAttribute, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 
 const FAILED = 'The manual could not be loaded. Reloading the page may help.';
@@ -48,7 +48,7 @@ export class ManualPanel {
 
   private async open(address: string): Promise<void> {
     this.visited.push(address);
-    this.back.disabled = this.visited.length < 2;
+    write(this.back, 'disabled', this.visited.length < 2);
     const [path = '', anchor = ''] = address.split('#');
     const content = await read(path).catch(() => undefined);
     // Another was asked for meanwhile.
@@ -84,10 +84,10 @@ function read(address: string): Promise<Document> {
     request.addEventListener('loadend', () => {
       const content = request.responseXML;
       if (request.status >= 400 || !content) return reject(new Error(`${address} answered ${request.status}.`));
-      for (const link of content.querySelectorAll('a')) link.setAttribute('href', link.href);
-      for (const image of content.querySelectorAll('img')) image.setAttribute('src', image.src);
+      for (const link of content.querySelectorAll('a')) setAttribute(link, 'href', link.href);
+      for (const image of content.querySelectorAll('img')) setAttribute(image, 'src', image.src);
       for (const one of content.querySelectorAll<HTMLElement>('[id]')) {
-        one.dataset.anchor = one.id;
+        write(one.dataset, 'anchor', one.id);
         one.removeAttribute('id');
       }
       resolve(content);

@@ -5,7 +5,7 @@
 import { actionLabel, actionsOf } from '../../state/actions/action.ts';
 import { isSingleKey, shortcutsOf, shortcutText, withShortcut } from '../../state/shortcuts.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, write } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { icon } from '../../widgets/icons.ts';
 
@@ -67,7 +67,7 @@ function changeable(
   refresh: Refresh,
 ): HTMLElement {
   const key = element('button', { type: 'button', class: 'key', 'aria-label': `${text}: press to change` }, text);
-  key.disabled = !enabled;
+  write(key, 'disabled', !enabled);
   const replaceBy = (next: string | undefined) => {
     const own = wb.settings.get().keys[action.id] ?? action.shortcuts ?? [];
     const kept = own.filter((k) => k !== shortcut && k !== next);

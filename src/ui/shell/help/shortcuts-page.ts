@@ -8,7 +8,7 @@ import { GROUPS } from '../../state/menus.ts';
 import { shortcutsFor, shortcutsOf, shortcutText } from '../../state/shortcuts.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { button, element, uniqueId } from '../../widgets/dom.ts';
+import { button, element, uniqueId, write } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { findActions } from './command-search.ts';
 import { ESSENTIALS } from './essential-shortcuts.ts';
@@ -48,7 +48,7 @@ export function shortcutsPage(wb: Parts): DialogContent {
     const isSearching = search.text !== '';
     const tabs = all.map(({ name, count }, i) => tabOf(name, count, !isSearching && i === chosen, shown.id));
     tabs.forEach((tab, i) => {
-      tab.tabIndex = i === chosen ? 0 : -1;
+      write(tab, 'tabIndex', i === chosen ? 0 : -1);
       tab.addEventListener('click', () => choose(i));
     });
     list.replaceChildren(...tabs);
@@ -247,7 +247,7 @@ function footOf(wb: Uses<'settings'>, refresh: Refresh): HTMLElement[] {
     wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
     refresh();
   });
-  reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
+  write(reset, 'disabled', Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys);
   return [
     element('label', {}, box, 'Single-key shortcuts'),
     element('span', { class: 'faint' }, 'Click a single-key shortcut and press a new key. Delete removes it.'),

@@ -1,7 +1,7 @@
 /** The whole page accepts files: dropped anywhere, or pasted. Reading them is done elsewhere. */
 
 import type { Uses } from '../../state/workbench.ts';
-import { element } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
 
 export function dropTarget(wb: Uses<'files'>, signal: AbortSignal): HTMLElement {
   const veil = element(
@@ -13,7 +13,7 @@ export function dropTarget(wb: Uses<'files'>, signal: AbortSignal): HTMLElement 
   // Every element under the pointer is entered and left: only their count shows when the page is left.
   let inside = 0;
   const show = () => {
-    veil.hidden = inside <= 0;
+    write(veil, 'hidden', inside <= 0);
   };
   const listen = <K extends keyof WindowEventMap>(type: K, listener: (event: WindowEventMap[K]) => void) =>
     window.addEventListener(type, listener, { signal });

@@ -4,7 +4,7 @@ import { tryById } from '../../state/actions/action.ts';
 import { menuEntries } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { menuButton } from '../../widgets/menu.ts';
 
@@ -32,7 +32,7 @@ export function emptyStage(wb: Uses<'store' | 'actions' | 'settings' | 'loading'
   const show = () => {
     // Open, or about to be.
     const isReviewing = wb.timeline.review.shown.get() !== undefined || wb.store.document.review !== undefined;
-    card.hidden = wb.store.document.characters.length > 0 || wb.loading.get() !== undefined || isReviewing;
+    write(card, 'hidden', wb.store.document.characters.length > 0 || wb.loading.get() !== undefined || isReviewing);
   };
   wb.timeline.review.shown.subscribe(show);
   wb.store.subscribe(show);

@@ -6,7 +6,7 @@
 
 import type { KeptOffer, KeptWork } from '../../state/kept-offer.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { menuButton } from '../../widgets/menu.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
@@ -19,7 +19,7 @@ export function keptSession(wb: Uses<'kept'>): HTMLElement {
   const show = () => {
     const offer = wb.kept.get();
     const isShown = offer !== undefined && !offer.isPutOff;
-    line.hidden = !isShown;
+    write(line, 'hidden', !isShown);
     if (!isShown) {
       line.replaceChildren(text);
       text.textContent = '';
@@ -40,7 +40,7 @@ export function keptSession(wb: Uses<'kept'>): HTMLElement {
       return;
     }
     if (!work) {
-      line.hidden = true;
+      write(line, 'hidden', true);
       return;
     }
     const when = whenText(work.savedAtMs);

@@ -1,7 +1,7 @@
 /** Offers a new version of the page, as a line at the bottom of the viewport: nothing is reloaded unasked. */
 
 import type { Uses } from '../../state/workbench.ts';
-import { button, element } from '../../widgets/dom.ts';
+import { button, element, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 
 export function newVersion(wb: Uses<'offline' | 'files'>): HTMLElement {
@@ -11,7 +11,7 @@ export function newVersion(wb: Uses<'offline' | 'files'>): HTMLElement {
   const show = () => {
     const offer = wb.offline.get().newVersion;
     const isShown = offer !== undefined && !offer.isPutOff;
-    line.hidden = !isShown;
+    write(line, 'hidden', !isShown);
     text.textContent = isShown ? sentence(wb.files.unsaved.get().length > 0) : '';
     if (!isShown) return line.replaceChildren(text);
     line.replaceChildren(

@@ -9,7 +9,7 @@ import { isPanelOpen, NARROW } from '../../state/panels/panels.ts';
 import { splitter } from '../../state/panels/splitter.ts';
 import { shownTabs, TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setText } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { focusPanel } from '../../widgets/focus/focus.ts';
 import { returnFocus } from '../../widgets/focus/focus-regions.ts';
 import { TABS } from './timeline-tabs.ts';
@@ -108,8 +108,8 @@ export function timelinePanel(
     const shown = isOpen ? shownTabs(view) : [];
     const hadFocus = bodies.contains(document.activeElement) || head.contains(document.activeElement);
     panel.classList.toggle('folded', !isOpen);
-    edge.hidden = bodies.hidden = !isOpen;
-    between.hidden = shown.length < 2;
+    for (const each of [edge, bodies]) write(each, 'hidden', !isOpen);
+    write(between, 'hidden', shown.length < 2);
     bodies.classList.toggle('together', shown.length > 1);
     timeline.tab = isOpen ? built.get(view.tab) : undefined;
     handsOver ||= places.some((p) => isOpen && !shown.includes(p.name) && p.body.contains(document.activeElement));
@@ -120,12 +120,12 @@ export function timelinePanel(
       const { name, names, tools, body } = place;
       const isShown = shown.includes(name);
       if (isShown) need(place);
-      names.hidden = place !== named;
-      body.hidden = tools.hidden = !isShown;
+      write(names, 'hidden', place !== named);
+      for (const each of [body, tools]) write(each, 'hidden', !isShown);
       hasTools ||= isShown && tools.childElementCount > 0;
       built.get(name)?.setVisible(isShown);
     }
-    head.hidden = !hasTools;
+    write(head, 'hidden', !hasTools);
     if (hadFocus && !isOpen) returnFocus();
     // The focused element was hidden, so the keyboard would be dead. A tab being loaded gets the focus when ready.
     if ((handsOver || isGoneTo) && timeline.tab) {

@@ -8,7 +8,7 @@ import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { isPanelOpen, NARROW, openPanel } from '../../state/panels/panels.ts';
 import { afterPress, shownTabs, type TimelineTabName } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
 import { TABS } from './timeline-tabs.ts';
@@ -75,7 +75,7 @@ export function timelineSwitches(
     const all = tabs.flat().filter(({ element: tab }) => !tab.hidden && !tab.closest('.yields'));
     const from = all.findIndex(({ element: tab }) => tab === document.activeElement);
     const to = all[(from + (event.key === 'ArrowLeft' ? all.length - 1 : 1)) % all.length];
-    for (const { element: tab } of all) tab.tabIndex = tab === to.element ? 0 : -1;
+    for (const { element: tab } of all) write(tab, 'tabIndex', tab === to.element ? 0 : -1);
     to.element.focus();
   });
 
@@ -84,8 +84,8 @@ export function timelineSwitches(
     const shown = isOpen() ? shownTabs(view) : [];
     for (const { name, element: tab } of tabs.flat()) {
       setAttribute(tab, 'aria-selected', String(shown.includes(name)));
-      tab.tabIndex = name === view.tab ? 0 : -1;
-      tab.hidden = name !== view.tab && TABS[name].isListed?.(wb.store.document) === false;
+      write(tab, 'tabIndex', name === view.tab ? 0 : -1);
+      write(tab, 'hidden', name !== view.tab && TABS[name].isListed?.(wb.store.document) === false);
     }
     setAttribute(fold, 'aria-pressed', String(isOpen()));
     // Not known before the page has it.
@@ -97,11 +97,11 @@ export function timelineSwitches(
     list.classList.add('measured');
     const groups = [...list.children];
     for (const group of groups) group.classList.remove('yields');
-    more.hidden = true;
+    write(more, 'hidden', true);
     for (const group of groups.reverse()) {
       if (row.scrollWidth <= row.clientWidth) break;
       group.classList.add('yields');
-      more.hidden = false;
+      write(more, 'hidden', false);
     }
     const { tab } = timeline.view.get();
     const chosen = isOpen() && inMore().some(({ name }) => name === tab);

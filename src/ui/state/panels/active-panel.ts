@@ -6,6 +6,8 @@
  * the next press, while the root has `data-by-key`: whoever works by mouse sees no frames.
  */
 
+import { setAttribute } from '../../widgets/dom.ts';
+
 /** Panels with keys of their own that change something; those in them too. */
 const POINTED = '[data-panel=viewport],[data-panel=outliner],[data-panel=timeline]';
 
@@ -41,7 +43,7 @@ export function watchActivePanel(signal: AbortSignal): void {
     const active = activePanel(document.activeElement);
     if (active === marked) return;
     marked?.removeAttribute('data-active');
-    active?.setAttribute('data-active', '');
+    if (active) setAttribute(active, 'data-active', '');
     marked = active;
   };
   const { dataset } = document.documentElement;

@@ -1,5 +1,5 @@
 /** Splitters between panels: dragged, or moved with the arrow keys; sizes are remembered. */
-import { element } from '../../widgets/dom.ts';
+import { element, setAttribute } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import type { Panels } from '../settings.ts';
 import type { Uses } from '../workbench.ts';
@@ -57,7 +57,7 @@ export function splitter(wb: Uses<'settings'>, size: Size, label: string): HTMLE
     return (sized instanceof HTMLElement && sized.offsetHeight) || chosen();
   };
   const show = () => {
-    edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size] ? chosen() : sizeNow()));
+    setAttribute(edge, 'aria-valuenow', String(wb.settings.get().panels[size] ? chosen() : sizeNow()));
   };
   wb.settings.subscribe(show);
   edge.addEventListener('focus', show);

@@ -7,7 +7,7 @@ const STEPS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowRight: 1 }
  * fields, in which arrow keys move the cursor.
  */
 export function toolbar<T extends HTMLElement>(bar: T): T {
-  bar.setAttribute('role', 'toolbar');
+  bar.role = 'toolbar';
   let stop: HTMLButtonElement | undefined;
   const buttons = () => [...bar.querySelectorAll<HTMLButtonElement>('button:not([role=radio])')];
   const isUsable = (button: HTMLButtonElement) => !button.disabled && !button.closest('[hidden]');

@@ -1,5 +1,5 @@
 /** A line of text beside the pointer during a drag; not for screen readers. */
-import { element, setText } from '../dom.ts';
+import { element, setStyle, setText, write } from '../dom.ts';
 
 /** CSS pixels. */
 const BESIDE = 16;
@@ -18,17 +18,17 @@ export class Readout {
   /** @param note what limits the drag, if anything */
   show(clientX: number, clientY: number, value: string, note = ''): void {
     const { left, top, width, height } = this.container.getBoundingClientRect();
-    this.element.hidden = false;
+    write(this.element, 'hidden', false);
     setText(this.value, value);
     setText(this.note, note);
-    this.note.hidden = note === '';
+    write(this.note, 'hidden', note === '');
     const x = Math.min(clientX - left + BESIDE, width - this.element.offsetWidth - 4);
     const y = Math.min(clientY - top + BESIDE, height - this.element.offsetHeight - 4);
-    this.element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+    setStyle(this.element, 'transform', `translate(${Math.round(x)}px, ${Math.round(y)}px)`);
   }
 
   hide(): void {
-    this.element.hidden = true;
+    write(this.element, 'hidden', true);
   }
 
   remove(): void {

@@ -5,9 +5,9 @@
  * lil-gui reads and writes `object[property]`; here that is the slider's own binding, which the inspector updates from
  * the pose every frame.
  */
-import type { GUI } from 'lil-gui';
+import type { Controller, GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
-import { element } from '../dom.ts';
+import { element, setAttribute, setStyle } from '../dom.ts';
 import { leaveField } from '../focus/focus.ts';
 import { isTypedIn } from '../focus/typing.ts';
 import { setTooltip } from '../tooltip.ts';
@@ -67,8 +67,8 @@ export class Slider extends NumberController {
     super(folder, binding, 'value', options.span?.[0], options.span?.[1], undefined);
     this.step(options.step, false);
     this.name(label);
-    this.$input.setAttribute('type', 'text');
-    this.$input.setAttribute('inputmode', 'decimal');
+    setAttribute(this.$input, 'type', 'text');
+    setAttribute(this.$input, 'inputmode', 'decimal');
     // On touch devices lil-gui starts with a field of type number, which can't show text such as `0°`.
     this.updateDisplay();
     // Why it is disabled is in the row's tooltip.
@@ -190,7 +190,7 @@ export class Slider extends NumberController {
     const { span } = options;
     if (span) {
       const at = Math.max(0, Math.min(1, (value - span[0]) / (span[1] - span[0] || 1)));
-      this.$slider.style.setProperty('--at', `${(at * 100).toFixed(2)}%`);
+      setStyle(this.$slider, '--at', at.toFixed(4));
       this.$slider.classList.toggle('beyond', value < span[0] || value > span[1]);
     }
     if (!this._inputFocused) {
@@ -219,9 +219,10 @@ export class Slider extends NumberController {
 
   private drawScale([low, high]: readonly [number, number], limits?: readonly [number, number]): void {
     const size = high - low || 1;
-    const part = (value: number) => `${(Math.max(0, Math.min(1, (value - low) / size)) * 100).toFixed(2)}%`;
+    const partOf = (value: number) => Math.max(0, Math.min(1, (value - low) / size));
+    const part = (value: number) => `${(100 * partOf(value)).toFixed(2)}%`;
     const { style, classList } = this.$slider;
-    style.setProperty('--zero', part(0));
+    style.setProperty('--zero', partOf(0).toFixed(4));
     classList.toggle('has-zero', low < 0 && high > 0);
     if (!limits) return;
     const hatched = (side: string, width: string) => {
@@ -276,6 +277,13 @@ export function refusalOf(label: string, text: string, options: SliderOptions, f
   const end = typed < low ? `can’t go below ${inUnit(low)}` : `can’t go above ${inUnit(high)}`;
   const where = low === high ? `is limited to ${inUnit(low)}` : end;
   return `${label} ${where}; you entered ${inUnit(typed)}.${remedy ? ` ${remedy}` : ''}`;
+}
+
+/** Shows another value in a row of lil-gui's own, without an edit. */
+export function showIn(row: Controller, value: unknown): void {
+  if (row.getValue() === value) return;
+  Reflect.set(row.object, row.property, value);
+  row.updateDisplay();
 }
 
 /** Removes every controller of a section. */

@@ -2,7 +2,7 @@
  * Shows tooltips: a single element in the top layer, so that it is over dialogs too, with listeners on the window
  * rather than on every element. It lets pointer events through.
  */
-import { element, setAttribute, setText, uniqueId } from '../dom.ts';
+import { element, setAttribute, setText, uniqueId, write } from '../dom.ts';
 import { isTextField } from '../focus/focus.ts';
 import { type Tooltip, tooltipAround, tooltipOf } from '../tooltip.ts';
 import { isOnTooltip, placeTooltip } from './tooltip-placement.ts';
@@ -200,7 +200,7 @@ class TooltipLayer {
     if (this.text.textContent === text && this.shortcut.textContent === shortcut) return false;
     setText(this.text, text);
     setText(this.shortcut, shortcut);
-    this.shortcut.hidden = shortcut === '';
+    write(this.shortcut, 'hidden', shortcut === '');
     return true;
   }
 
@@ -223,7 +223,7 @@ class TooltipLayer {
     if (id === undefined) return;
     const by = target.getAttribute('aria-describedby');
     this.described = { target, by };
-    target.setAttribute('aria-describedby', by ? `${by} ${id}` : id);
+    setAttribute(target, 'aria-describedby', by ? `${by} ${id}` : id);
   }
 }
 

@@ -6,7 +6,7 @@
 import { keysOf } from '../../../../model/takes/clip.ts';
 import { whyValue } from '../../../../teaching/explain/channel-why.ts';
 import type { Uses } from '../../../state/workbench.ts';
-import { element } from '../../../widgets/dom.ts';
+import { element, write } from '../../../widgets/dom.ts';
 import { NumberGrid } from '../../../widgets/numbers/number-grid.ts';
 import { shown } from '../../../widgets/numbers/number-text.ts';
 import { channelName, namedChannel } from '../../timeline/channels.ts';
@@ -79,8 +79,8 @@ export class WhyPane {
     const take = currentTake(this.wb);
     const subject = take && whySubject(place);
     const why = take && subject && whyValue(take.clip, subject.channel, subject.time);
-    this.empty.hidden = why !== undefined;
-    this.body.hidden = why === undefined;
+    write(this.empty, 'hidden', why !== undefined);
+    write(this.body, 'hidden', why === undefined);
     // Another curve is read from its beginning.
     if (subject?.channel !== this.channel) this.element.scrollTop = 0;
     this.channel = subject?.channel;
@@ -93,7 +93,7 @@ export class WhyPane {
     this.keyPart.show(keyOf(subject, keys.times.length) === undefined ? [] : keyLines(keys, subject.key ?? 0));
     this.placePart.show(placeLines(why));
     const segment = why.kind === 'keys' ? why.segment : undefined;
-    this.segment.hidden = !segment;
+    write(this.segment, 'hidden', !segment);
     if (segment) {
       this.slopePart.show(slopeLines(keys, segment));
       this.inputs.setRow(0, segment.inputs);

@@ -6,7 +6,7 @@ import { manualAnchor } from '../../../state/manual-link.ts';
 import { isPanelOpen } from '../../../state/panels/panels.ts';
 import { onResult } from '../../../state/shown-comparison.ts';
 import type { Workbench } from '../../../state/workbench.ts';
-import { button, element } from '../../../widgets/dom.ts';
+import { button, element, setAttribute, write } from '../../../widgets/dom.ts';
 import { icon } from '../../../widgets/icons.ts';
 import { touchWords } from '../../../widgets/touch-words.ts';
 import { advanced, GUIDE_TEXTS, type GuideProgress, type GuideState, type GuideStep } from './steps.ts';
@@ -47,10 +47,10 @@ export function guideCard(wb: Workbench, name: GuideName): GuideCard {
     rows.forEach((row, i) => {
       row.classList.toggle('done', i < done);
       row.classList.toggle('next', i === done);
-      if (i === done) row.setAttribute('aria-current', 'step');
+      if (i === done) setAttribute(row, 'aria-current', 'step');
       else row.removeAttribute('aria-current');
     });
-    finished.hidden = done < rows.length;
+    write(finished, 'hidden', done < rows.length);
   };
   const follow = () => {
     const next = advanced(guide, progress, stateOf(wb));

@@ -1,0 +1,162 @@
+/** What the page's own elements cost while something plays or is dragged: what is written, laid out and painted. */
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { layoutsOf } from '../helpers/main-thread.ts';
+import { type PageOptions, withPage } from '../helpers/page.ts';
+import { framesPass, type PageWrites, writesOf } from '../helpers/page-writes.ts';
+import { drawn, onPage, standing } from './checks/ik.ts';
+import { place, shown } from './checks/limb-drag.ts';
+
+const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url));
+const WALKER = readdirSync(SAMPLES).filter((name) => name.startsWith('walker'));
+/** Frames that are looked at; numbers change in one of ten. */
+const FRAMES = 60;
+const NUMBERED = FRAMES / 10;
+
+const CAPTURE = `HIERARCHY
+ROOT hips {
+OFFSET 0 90 0
+CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+JOINT spine { OFFSET 0 20 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 30 0 } }
+}
+MOTION
+Frames: 600
+Frame Time: 0.0083333
+${Array.from({ length: 600 }, (_, f) => `${f / 10} 90 0 0 ${(f % 90) - 45} 0 ${f % 40} 0 0`).join('\n')}
+`;
+
+/** Opens files of a folder each. */
+function manyOf(count: number, files: Readonly<Record<string, Uint8Array | string>>): PageOptions {
+  const each = Array.from({ length: count }, (_, i) =>
+    Object.entries(files).map(([name, content]) => [`n${i}/${name.replace('#', String(i))}`, content] as const),
+  ).flat();
+  return { files: Object.fromEntries(each), query: `?files=${each.map(([path]) => path)}` };
+}
+
+const walkers = Object.fromEntries(WALKER.map((name) => [name, new Uint8Array(readFileSync(join(SAMPLES, name)))]));
+
+/** The browser draws no pixels of it: drawn in software, thirty walkers would take a second a frame. */
+function drawNothing(): void {
+  const { prototype } = WebGL2RenderingContext;
+  for (const draw of ['drawElements', 'drawElementsInstanced', 'drawArrays', 'drawArraysInstanced'] as const) {
+    prototype[draw] = () => {};
+  }
+}
+
+const noisy = ({ frames }: PageWrites) => frames.filter((own) => own.length > 0);
+
+/** Panels come when the page is idle. It is paused, and writes nothing any more. */
+async function allShown(page: Page, count: number): Promise<void> {
+  await page.waitForFunction((wanted) => window.marrow?.characters().length === wanted, count);
+  await page.locator('.inspector .lil-slider').first().waitFor({ state: 'attached' });
+  await page.locator('.curve-plot canvas').first().waitFor();
+  await page.evaluate(() => window.marrow.pause());
+  await expect.poll(async () => noisy(await writesOf(page, () => framesPass(page, NUMBERED)))).toEqual([]);
+}
+
+/** Writes of so many frames, and how often they were laid out and painted. */
+async function costOf(page: Page): Promise<PageWrites & { layouts: number; paints: number }> {
+  let writes: PageWrites = { frames: [], equal: [] };
+  const counted = await layoutsOf(page, async () => {
+    writes = await writesOf(page, () => framesPass(page, FRAMES));
+  });
+  return { ...writes, ...counted };
+}
+
+describe('elements of the page while characters play', () => {
+  it.each([
+    ['the walker', 1, { walking: true }],
+    ['10 walkers', 10, manyOf(10, walkers)],
+    ['30 walkers', 30, manyOf(30, walkers)],
+    ['30 captures', 30, manyOf(30, { 'take#.bvh': CAPTURE })],
+  ] as const)(
+    '%s: nothing is written, laid out or painted in nine of ten frames, and never paused',
+    (_, count, options) =>
+      withPage(
+        async ({ page }) => {
+          await allShown(page, count);
+          const paused = await costOf(page);
+          expect(noisy(paused)).toEqual([]);
+          expect([paused.layouts, paused.paints]).toEqual([0, 0]);
+
+          await page.evaluate(() => window.marrow.play());
+          await drawn(page);
+          const playing = await costOf(page);
+          // At both ends there may be one more.
+          expect(noisy(playing).length).toBeLessThanOrEqual(NUMBERED + 1);
+          expect(playing.layouts).toBeLessThanOrEqual(NUMBERED + 2);
+          expect(playing.paints).toBeLessThanOrEqual(NUMBERED + 2);
+          expect(playing.equal).toEqual([]);
+        },
+        { ...options, before: drawNothing },
+      ),
+  );
+
+  it('numbers change while it plays, are those of the time when it stops, and follow each move of the scrubber', () =>
+    withPage(
+      async ({ page }) => {
+        await allShown(page, 1);
+        const time = page.getByRole('textbox', { name: 'Time in seconds' });
+        const slider = page.locator('.dof input').first();
+        const seconds = async () => Number(await time.inputValue());
+        const before = [await seconds(), await slider.inputValue()];
+        await page.evaluate(() => window.marrow.play());
+        await expect.poll(seconds).not.toBe(before[0]);
+        await expect.poll(() => slider.inputValue()).not.toBe(before[1]);
+        await page.evaluate(() => window.marrow.pause());
+        // Of the scrubber, exact.
+        const exact = async () => Number(await page.locator('.scrubber').getAttribute('aria-valuenow'));
+        await expect.poll(async () => Math.abs((await exact()) - (await seconds()))).toBeLessThan(0.001);
+
+        const ruler = await page.locator('.scrubber').boundingBox();
+        if (!ruler) throw new Error('There is no ruler.');
+        await page.mouse.move(ruler.x + 100, ruler.y + 8);
+        await page.mouse.down();
+        const shownTimes = new Set<string>();
+        for (let i = 1; i <= 5; i++) {
+          await page.mouse.move(ruler.x + 100 + 40 * i, ruler.y + 8);
+          await drawn(page);
+          shownTimes.add(await time.inputValue());
+        }
+        await page.mouse.up();
+        expect(shownTimes.size).toBe(5);
+      },
+      { walking: true, before: drawNothing },
+    ));
+});
+
+describe('elements of the page while a joint is dragged', () => {
+  it.each(['posing.pose', 'posing.fk', 'posing.ik'])('%s: only what has changed is written', (mode) =>
+    withPage(
+      async ({ page }) => {
+        await allShown(page, 1);
+        await page.evaluate((id) => window.marrow.run(id), mode);
+        await standing(page);
+        const now = await shown(page);
+        const from = await onPage(page, place(now, now.names.indexOf('hand_l')));
+        await page.mouse.move(from.x, from.y);
+        await drawn(page);
+        await page.mouse.down();
+        // The first move selects the joint, whose rows and curves come then.
+        await page.mouse.move(from.x + 5, from.y - 5);
+        await drawn(page);
+        await page.mouse.move(from.x + 10, from.y - 10);
+        await drawn(page);
+        const writes = await writesOf(page, async () => {
+          for (let i = 0; i < 10; i++) {
+            await page.mouse.move(from.x + 10 + 3 * i, from.y - 10 - 3 * i);
+            await drawn(page);
+          }
+        });
+        await page.mouse.up();
+        expect(writes.equal).toEqual([]);
+        // Numbers of the joint, its sliders, and the chip or label beside it; more than 80 when all panels wrote anew.
+        expect(writes.frames.flat().length / 10).toBeLessThan(40);
+      },
+      { walking: true, before: drawNothing },
+    ),
+  );
+});
