@@ -1,10 +1,11 @@
-/** The line at the foot of the page: what the mouse does where it is. */
+/** The line at the viewport's foot: what the mouse does where it is, and on the right what the view does by itself. */
 import { findCharacter } from '../../model/document.ts';
 import { jointName } from '../../model/skeleton/joint-name.ts';
 import type { Uses } from '../state/workbench.ts';
 import { element } from '../widgets/dom.ts';
 import { isMac } from '../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../widgets/frame.ts';
+import { shown as numberText } from '../widgets/numbers/number-text.ts';
 import { macText } from './help/mouse-gestures.ts';
 import { MOUSE_AREAS, type MouseArea, type MousePlace, mouseHints } from './help/mouse-hints.ts';
 
@@ -13,6 +14,9 @@ const AREAS = Object.entries(MOUSE_AREAS).map(([area, selector]) => ({
   area: area as MouseArea,
   selector,
 }));
+
+/** More are found in the shortcuts. */
+const MAX_HINTS = 4;
 
 export function statusBar(
   wb: Uses<'store' | 'posing' | 'timeline' | 'viewport' | 'settings'>,
@@ -29,8 +33,9 @@ export function statusBar(
     // What is under a resting pointer may have been opened, closed or removed.
     const under = pointer && document.elementFromPoint(pointer.x, pointer.y);
     const place = under && placeAt(wb, under);
-    const hints = place ? mouseHints(place) : [];
-    const text = JSON.stringify(hints);
+    const hints = place ? mouseHints(place).slice(0, MAX_HINTS) : [];
+    const facts = place ? viewFacts(wb) : '';
+    const text = JSON.stringify([hints, facts]);
     if (text === shown) return;
     shown = text;
     line.replaceChildren(
@@ -42,6 +47,7 @@ export function statusBar(
           ` ${lowerFirst(what)}`,
         ),
       ),
+      element('span', { class: 'status-facts' }, facts),
     );
   };
   const showSoon = oncePerFrame(show);
@@ -113,6 +119,14 @@ function placeAt(
     ...(hovered && { moves: posing.ik.whatMoves?.(hovered.characterId, hovered.joint) }),
   };
   return place;
+}
+
+/** `Follows root · Grid 0.1`. */
+function viewFacts({ settings, viewport }: Uses<'settings' | 'viewport'>): string {
+  const { follow, followRoot } = settings.get().display;
+  const { gridStep } = viewport;
+  const following = follow ? 'Follows selection' : followRoot ? 'Follows root' : '';
+  return [following, gridStep === undefined ? '' : `Grid ${numberText(gridStep)}`].filter(Boolean).join(' · ');
 }
 
 /** What comes after a gesture, in one sentence with it. */

@@ -8,13 +8,13 @@ import type { Camera } from 'three';
 import type { StageTheme } from '../theme.ts';
 import type { ViewDirection } from './camera.ts';
 
-const SIZE = 76;
+const SIZE = 56;
 /** Diameter of the area that can be pressed, larger than what is drawn. */
 const TARGET = 24;
 /** Radii in pixels: of a positive end, a negative one, and the latter's hole. */
-const [BALL, RING, HOLE] = [8.5, 5.5, 4];
+const [BALL, RING, HOLE] = [8, 4.5, 3.2];
 /** From the centre to a button's centre. */
-const ARM = 27;
+const ARM = 20;
 const SVG = 'http://www.w3.org/2000/svg';
 
 interface Arm {
@@ -44,7 +44,7 @@ export class Orientation {
     const { element } = this;
     element.setAttribute('role', 'group');
     element.setAttribute('aria-label', 'Look along an axis');
-    element.style.cssText = `position:absolute;right:12px;top:var(--axis-widget-top,12px);width:${SIZE}px;height:${SIZE}px;pointer-events:none`;
+    element.style.cssText = `position:absolute;right:14px;top:var(--axis-widget-top,12px);width:${SIZE}px;height:${SIZE}px;pointer-events:none`;
     const svg = document.createElementNS(SVG, 'svg');
     svg.setAttribute('viewBox', `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`);
     svg.setAttribute('aria-hidden', 'true');

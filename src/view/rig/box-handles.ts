@@ -11,6 +11,8 @@ import { AXES } from './rig-screen.ts';
 
 /** Boxes smaller than this on screen have no handles, as they would overlap. CSS pixels. */
 const MIN_BOX = 26;
+/** A handle nearer to the joint covers it, and isn't drawn; that of a long side is, since a box may begin at its joint. */
+const [NEAR_JOINT, LONG_SIDE] = [12, 80];
 
 export class BoxHandles {
   readonly object = new Group();
@@ -40,18 +42,26 @@ export class BoxHandles {
     for (let f = 0; f < 6; f++) {
       facePoint(world, o, joint.box, f, AT);
       projection.toPixels(AT[0], AT[1], AT[2], screen, 2 * f);
-      putDot(faces[f >> 1], f & 1, AT, 0);
     }
-    const isTiny = AXES.every((axis) => {
-      const [x, y] = [4 * axis, 4 * axis + 1];
-      return !(Math.hypot(screen[x + 2] - screen[x], screen[y + 2] - screen[y]) >= MIN_BOX);
-    });
-    if (isTiny) {
+    const isLong = (axis: number, least: number) =>
+      Math.hypot(screen[4 * axis + 2] - screen[4 * axis], screen[4 * axis + 3] - screen[4 * axis + 1]) >= least;
+    if (!AXES.some((axis) => isLong(axis, MIN_BOX))) {
       screen.fill(Number.NaN);
       return;
     }
-    for (const mark of faces) {
-      mark.count = 2;
+    projection.toPixels(world[o + 12], world[o + 13], world[o + 14], JOINT, 0);
+    for (const axis of AXES) {
+      const mark = faces[axis];
+      const yields = !isLong(axis, LONG_SIDE);
+      mark.count = 0;
+      for (let f = 2 * axis; f < 2 * axis + 2; f++) {
+        if (yields && Math.hypot(screen[2 * f] - JOINT[0], screen[2 * f + 1] - JOINT[1]) < NEAR_JOINT) {
+          screen.fill(Number.NaN, 2 * f, 2 * f + 2);
+          continue;
+        }
+        facePoint(world, o, joint.box, f, AT);
+        putDot(mark, mark.count++, AT, 0);
+      }
       mark.instanceMatrix.needsUpdate = true;
     }
   }
@@ -78,6 +88,7 @@ export class BoxHandles {
 /** Scratch, never escapes. */
 const BOX = new Float32Array(16);
 const AT = new Float64Array(3);
+const JOINT = new Float64Array(2);
 
 /** Writes the world position of a face's handle; faces −x +x −y +y −z +z. */
 function facePoint(world: Float64Array, o: number, { min, max }: Box, face: number, out: Float64Array): void {

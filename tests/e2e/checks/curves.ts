@@ -136,4 +136,38 @@ export const CURVES: readonly Check[] = [
       await expectDrawn(page, clip);
     },
   },
+  {
+    name: 'brings out the curve that is pointed at, with its name, and lets the others step back',
+    async run({ page }) {
+      await drop('own.anim', OWN)(page);
+      const box = await plotBox(page);
+      /** How strong the colours of the curves are: the first is red, the others aren't. */
+      const strengths = async () => {
+        const { width, height, data } = await readPixels(page, { ...box, width: box.width - 72 });
+        let [red, others] = [0, 0];
+        for (let i = 0; i < 4 * width * height; i += 4) {
+          const more = data[i] - Math.max(data[i + 1], data[i + 2]);
+          if (more > COLOURED) red += more;
+          else others += Math.max(0, Math.min(data[i + 1], data[i + 2]) - data[i] - COLOURED);
+        }
+        return { red, others };
+      };
+      const before = await strengths();
+      const on = await page.evaluate(() => window.marrow.placeOf(0, 0.9, -0.4));
+      if (!on) throw new Error('The curve is not shown.');
+      await page.mouse.move(on.x, on.y);
+      await expect.poll(async () => (await strengths()).others / before.others).toBeLessThan(0.7);
+      await expect.poll(async () => (await strengths()).red / before.red).toBeGreaterThan(1.1);
+      // Its name is on a field of its colour then.
+      const field = async () => {
+        const { data } = await readPixels(page, { x: box.x + box.width - 40, y: box.y, width: 40, height: box.height });
+        let filled = 0;
+        for (let i = 0; i < data.length; i += 4) if (data[i] - Math.max(data[i + 1], data[i + 2]) > 60) filled++;
+        return filled;
+      };
+      await expect.poll(field).toBeGreaterThan(200);
+      await page.mouse.move(box.x - 40, box.y + 4);
+      await expect.poll(async () => (await strengths()).others / before.others).toBeGreaterThan(0.97);
+    },
+  },
 ];

@@ -76,4 +76,21 @@ describe('handles of a rig', () => {
     ]);
     overlay.dispose();
   });
+
+  it('a handle of a small box that would cover the joint is left out, and those of a large one are all there', () => {
+    const handles = (half: number) => {
+      const overlay = new RigOverlay();
+      const [root] = skeleton(['root', -1]).joints;
+      const box = { min: [-half, -half, -half], max: [half, half, half] } as const;
+      overlay.show({ ...picture({ ...skeleton(['root', -1]), joints: [{ ...root, box }] }), selected: 0 });
+      overlay.update(camera(), 400);
+      const faces = Array.from(overlay.screen?.faces ?? []);
+      overlay.dispose();
+      return [0, 1, 2, 3, 4, 5].filter((face) => Number.isFinite(faces[2 * face]));
+    };
+    // 60 pixels wide: the front and the back face are at the joint.
+    expect(handles(0.3)).toEqual([0, 1, 2, 3]);
+    // 20 pixels: all overlap.
+    expect(handles(0.1)).toEqual([]);
+  });
 });

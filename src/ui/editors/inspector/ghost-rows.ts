@@ -1,4 +1,4 @@
-/** Onion skin rows in the display section: number of ghosts before and after, and their spacing. */
+/** Rows of the onion skin: number of ghosts before and after, and their spacing. */
 import type { GUI } from 'lil-gui';
 import { type Display, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -8,7 +8,7 @@ import { setDisplay } from '../viewport/actions.ts';
 /** Default step in each unit, set when the unit changes. */
 const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.2 };
 
-/** Adds the rows to the display section. Returns a function that updates them from the settings. */
+/** Adds the rows to a section. Returns a function that updates them from the settings. */
 export function addGhostRows(wb: Uses<'settings' | 'messages'>, section: GUI): (display: Display) => void {
   const { display } = wb.settings.get();
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
@@ -30,15 +30,10 @@ export function addGhostRows(wb: Uses<'settings' | 'messages'>, section: GUI): (
   const binding = { unit: display.ghostStepIn };
   const unit = section.add(binding, 'unit', [...GHOST_UNITS]).name('Ghost step unit');
   unit.onChange((ghostStepIn: GhostUnit) => setDisplay(wb, { ghostStepIn, ghostStep: USUAL_STEP[ghostStepIn] }));
-  const rows = [before, after, step, unit];
-  const show = (now: Display) => {
+  return (now) => {
     before.showValue(now.ghostsBefore);
     after.showValue(now.ghostsAfter);
     step.showValue(now.ghostStep);
     showIn(unit, now.ghostStepIn);
-    // Hidden while the onion skin is off.
-    for (const row of rows) row.show(now.ghosts);
   };
-  show(display);
-  return show;
 }

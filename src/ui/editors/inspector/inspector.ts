@@ -41,7 +41,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const factsSection = section('facts', 'Details', true);
   factsSection.$children.append(facts.element);
   const character = new CharacterSection(wb, edit, section('character', 'Character', false));
-  const display = section('display', 'Display', false);
+  const display = section('display', 'Bones and onion skin', false);
   const playback = section('playback', 'Playback and units', false);
   for (const wide of [display, playback]) wide.domElement.classList.add('wide-names');
   displaySection(wb, display);

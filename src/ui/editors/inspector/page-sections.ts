@@ -1,4 +1,4 @@
-/** Sections of the page rather than of a character: display and playback. */
+/** Sections of the page rather than of a character: how it draws, and playback. */
 import type { GUI } from 'lil-gui';
 import { LOOP_MODES } from '../../../edit/playback.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../model/session.ts';
@@ -6,65 +6,18 @@ import { ANGLES, TIME_DISPLAYS } from '../../state/settings.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { Slider, type SliderOptions, showIn } from '../../widgets/numbers/slider.ts';
 import { LOOP_LABELS } from '../transport/actions.ts';
-import { BOX_STYLES, isSkinVisible, NO_SKIN, SKIN_STYLES, setDisplay } from '../viewport/actions.ts';
+import { setDisplay } from '../viewport/actions.ts';
 import { addGhostRows } from './ghost-rows.ts';
 
-type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
-
-const SWITCHES: readonly (readonly [Switch, string])[] = [
-  ['bones', 'Bones'],
-  ['axes', 'Joint axes'],
-  ['names', 'Joint names'],
-  ['characterNames', 'Character names'],
-  ['normals', 'Normals'],
-  ['trail', 'Motion path'],
-  ['ghosts', 'Onion skin'],
-  ['grid', 'Grid'],
-  ['shadow', 'Shadow'],
-  ['orthographic', 'Orthographic'],
-  ['follow', 'Follow joint'],
-  ['inPlace', 'In place'],
-];
-
-export function displaySection(wb: Uses<'store' | 'settings' | 'messages'>, section: GUI): void {
-  const binding = { ...wb.settings.get().display };
-  const option = <K extends 'skin' | 'boxes'>(
-    key: K,
-    label: string,
-    styles: readonly (readonly [Display[K], string])[],
-  ) =>
-    section
-      .add(binding, key, Object.fromEntries(styles.map(([value, name]) => [name, value])))
-      .name(label)
-      .onChange((value: Display[K]) => setDisplay(wb, { [key]: value }));
-  const skin = option('skin', 'Skin', SKIN_STYLES);
-  const showSkin = () => {
-    const hasSkin = isSkinVisible(wb);
-    skin.enable(hasSkin);
-    setTooltip(skin.domElement, hasSkin ? '' : NO_SKIN);
-  };
-  wb.store.subscribe((now, before) => {
-    if (now.document.characters !== before.document.characters) showSkin();
-  });
-  showSkin();
-  option('boxes', 'Boxes', BOX_STYLES);
-  let showThickness: ((display: Display) => void) | undefined;
-  let showGhosts: ((display: Display) => void) | undefined;
-  for (const [key, label] of SWITCHES) {
-    section
-      .add(binding, key)
-      .name(label)
-      .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
-    if (key === 'bones') showThickness = addThickness(wb, section);
-    if (key === 'ghosts') showGhosts = addGhostRows(wb, section);
-  }
-  section.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
+/** How bones and onion skin are drawn. Whether they are is switched in the menu *Show*. */
+export function displaySection(wb: Uses<'settings' | 'messages'>, section: GUI): void {
+  const showThickness = addThickness(wb, section);
+  const showGhosts = addGhostRows(wb, section);
+  section.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset display');
   wb.settings.subscribe((now, before) => {
     if (now.display === before.display) return;
-    Object.assign(binding, now.display);
-    for (const controller of section.controllers) controller.updateDisplay();
-    showGhosts?.(now.display);
-    showThickness?.(now.display);
+    showGhosts(now.display);
+    showThickness(now.display);
   });
 }
 
@@ -112,5 +65,3 @@ export function playbackSection(wb: Uses<'transport' | 'settings' | 'messages'>,
     showIn(time, now.timeDisplay);
   });
 }
-
-import { setTooltip } from '../../widgets/tooltip.ts';

@@ -8,7 +8,7 @@ import { element, write } from '../../widgets/dom.ts';
 import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
 import { dropPlace, type NewPlace, rowPart, whyNoDrop } from './drop-place.ts';
 import type { OutlineRow } from './outline-rows.ts';
-import { indentOf, type Tree } from './tree.ts';
+import type { Tree } from './tree.ts';
 
 const CLICK_PIXELS = 4;
 /** Scrolls near the tree's top and bottom edge. */
@@ -78,7 +78,7 @@ export function letJointsBeDragged(
     const depth = under.row.depth + (drag.place.parent === under.row.index ? 1 : 0);
     write(line, 'hidden', false);
     line.style.top = `${under.made.offsetTop + (isBelow ? under.made.offsetHeight : 0) - 1}px`;
-    line.style.left = `${indentOf(depth) + 18}px`;
+    line.style.left = `calc(${depth} * var(--step) + 18px)`;
     parentElement?.append(line);
   };
 

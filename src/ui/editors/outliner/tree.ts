@@ -25,14 +25,8 @@ export interface TreeEvents {
 }
 
 const MEANT = 'Nothing is selected; channels and keys are those of this character';
-/** Indentation per level. */
-const INDENT_PIXELS = 12;
-/** Width of a row beyond its indentation: deep levels are scrolled to, never squeezed. */
-const NAME_PIXELS = 84;
-/** Indentation of a row in pixels. */
-export function indentOf(depth: number): number {
-  return INDENT_PIXELS * depth;
-}
+/** Deeper trees have no lines below their arrows: those would be too close to be told apart. */
+const MAX_LINES = 16;
 
 /**
  * The row that typing goes to: the next one whose name begins with what was typed, from the one in focus on. One letter
@@ -119,7 +113,8 @@ export class Tree {
     this.rows = rows;
     this.places = new Map(rows.map((row, i) => [row.key, i]));
     const deepest = rows.reduce((depth, row) => Math.max(depth, row.depth), 0);
-    this.space.style.minWidth = `${indentOf(deepest) + NAME_PIXELS}px`;
+    this.space.style.setProperty('--deepest', String(Math.max(1, deepest)));
+    this.space.classList.toggle('is-deep', deepest > MAX_LINES);
     this.drawAnew();
   }
 
@@ -193,7 +188,7 @@ export class Tree {
     setAttribute(made, 'aria-level', String(row.depth + 1));
     setAttribute(made, 'aria-expanded', row.expandable ? String(row.expanded) : undefined);
     setAttribute(made, 'aria-checked', row.shown === undefined ? undefined : String(row.shown));
-    made.style.setProperty('--indent', `${indentOf(row.depth)}px`);
+    made.style.setProperty('--depth', String(row.depth));
     const twisty = element('span', { class: 'twisty' });
     if (row.expandable) twisty.append(icon('fold'));
     made.replaceChildren(twisty, ...this.events.draw(row));
@@ -272,16 +267,8 @@ export class Tree {
     this.mark();
   }
 
-  /** Scrolls to a row, and sideways to where its name begins. */
   private reveal(key: string): void {
-    const place = this.placeOf(key);
-    this.list.reveal(place);
-    const row = this.rows[place];
-    if (!row) return;
-    const { element: scroller } = this;
-    const left = indentOf(row.depth);
-    const shows = left >= scroller.scrollLeft && left + NAME_PIXELS <= scroller.scrollLeft + scroller.clientWidth;
-    if (!shows) scroller.scrollLeft = left + NAME_PIXELS - scroller.clientWidth;
+    this.list.reveal(this.placeOf(key));
   }
 
   /** Goes to a row by its name, which begins with a letter; what else is in names types on. */

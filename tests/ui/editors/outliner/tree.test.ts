@@ -1,11 +1,7 @@
 import { expect, it } from 'vitest';
-import { indentOf, rowTyped } from '../../../../src/ui/editors/outliner/tree.ts';
+import { rowTyped } from '../../../../src/ui/editors/outliner/tree.ts';
 
 const rows = ['root', 'hips', 'leg_l', 'leg_r', 'spine', 'Head', ''].map((label) => ({ label }));
-
-it('a row of the tree is indented by the same step at every depth', () => {
-  for (let depth = 1; depth <= 1000; depth++) expect(indentOf(depth) - indentOf(depth - 1)).toBe(12);
-});
 
 it('typed letters go to the next row whose name begins with them', () => {
   expect(rowTyped(rows, 0, 'l')).toBe(2);

@@ -7,6 +7,10 @@ import { yOf } from '../scene/space.ts';
 import type { PictureColours } from './picture-colours.ts';
 
 const APART = 15;
+/** From the right edge. */
+const MARGIN = 6;
+/** Of the hovered name. */
+const PADDING = 4;
 /** Beyond, names are in the list only: there is no room. */
 const MAX_NAMES = 12;
 
@@ -33,10 +37,17 @@ function shortName({ name }: CurveLine, isAlone: boolean): string {
   return isAlone && !name.startsWith('channel ') ? name.slice(name.lastIndexOf(' ') + 1) : name;
 }
 
-export function drawNames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+interface PlacedName {
+  readonly line: CurveLine;
+  readonly text: string;
+  /** Of its middle. */
+  readonly y: number;
+}
+
+function placedNames(scene: CurveScene): readonly PlacedName[] {
   const { space, offsetSeconds, curves } = scene;
   const lines = scene.lines.filter((line) => !isFaint(scene, line));
-  if (lines.length === 0 || lines.length > MAX_NAMES) return;
+  if (lines.length > MAX_NAMES) return [];
   const joints = new Set(lines.map(({ name }) => name.slice(0, name.lastIndexOf(' '))));
   const time = timeAt(space, space.width - GUTTER / 2) + offsetSeconds;
   const ends = lines
@@ -47,16 +58,43 @@ export function drawNames(g: CanvasRenderingContext2D, scene: CurveScene, colour
     ends.map(({ y }) => y),
     space.height,
   );
-  g.font = `600 ${colours.time.font}`;
-  g.textAlign = 'right';
-  g.textBaseline = 'middle';
+  return ends.map(({ line }, i) => ({ line, text: shortName(line, joints.size === 1), y: places[i] }));
+}
+
+export function drawNames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+  prepare(g, colours);
   g.lineJoin = 'round';
   g.lineWidth = 3;
   g.strokeStyle = colours.plot;
-  ends.forEach(({ line }, i) => {
-    const text = shortName(line, joints.size === 1);
-    g.strokeText(text, space.width - 6, places[i]);
+  for (const { line, text, y } of placedNames(scene)) {
+    g.strokeText(text, scene.space.width - MARGIN, y);
     g.fillStyle = mixed(line.colour, colours.palette);
-    g.fillText(text, space.width - 6, places[i]);
-  });
+    g.fillText(text, scene.space.width - MARGIN, y);
+  }
+}
+
+/** On a field of the curve's colour. */
+export function drawHoveredName(
+  g: CanvasRenderingContext2D,
+  scene: CurveScene,
+  line: CurveLine,
+  colours: PictureColours,
+): void {
+  const placed = placedNames(scene).find((one) => one.line === line);
+  if (!placed) return;
+  const { text, y } = placed;
+  prepare(g, colours);
+  const width = g.measureText(text).width + 2 * PADDING;
+  g.fillStyle = mixed(line.colour, colours.palette);
+  g.beginPath();
+  g.roundRect(scene.space.width - MARGIN + PADDING - width, y - APART / 2 - 1, width, APART + 2, 3);
+  g.fill();
+  g.fillStyle = colours.plot;
+  g.fillText(text, scene.space.width - MARGIN, y);
+}
+
+function prepare(g: CanvasRenderingContext2D, colours: PictureColours): void {
+  g.font = `600 ${colours.time.font}`;
+  g.textAlign = 'right';
+  g.textBaseline = 'middle';
 }

@@ -21,7 +21,7 @@ import type { CurveSpace } from '../scene/space.ts';
 import { DOT_PERIOD, LineTrace, sameMap, traceLine, traceMap } from '../scene/trace.ts';
 import { movedBetween } from '../scene/view-change.ts';
 
-export const LINE_WIDTH = 1.5;
+const LINE_WIDTH = 1.5;
 const EMPHASISED_WIDTH = 2;
 /**
  * More lines than this are drawn offscreen, at the resolution of CSS pixels even on finer screens, where the difference

@@ -1,10 +1,13 @@
 /**
  * The curve editor's canvases, one over the other, so that playback redraws only the playhead.
  *
- *     overlay    playhead, hover highlight, selection box
+ *     overlay    playhead, the hovered curve and its name, selection box
+ *     labels     of values, and names at the curves' ends
  *     keys       diamonds, tangent handles of selected ones
- *     curves     range, grid, limits, curves, labels
+ *     curves
+ *     ground     range, grid, limits
  *
+ * While a curve is hovered, all others and their keys are faint: two layers change their opacity, and nothing is traced.
  * A layer is redrawn when an object that it draws has been replaced; lines are traced again one by one
  * (`picture-curves.ts`).
  */
@@ -16,23 +19,28 @@ import type { SelectionBox } from '../../timeline/box.ts';
 import { drawPlayhead } from '../../timeline/time-ground.ts';
 import { mixed } from '../scene/colours.ts';
 import { handleOf } from '../scene/handles.ts';
-import { type CurveHit, type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
+import { type CurveHit, type CurveLine, type CurveScene, lineOf } from '../scene/scene.ts';
 import { yOf } from '../scene/space.ts';
 import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
-import { drawNames } from './names.ts';
+import { drawHoveredName, drawNames } from './names.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
-import { CurveLayer, LINE_WIDTH } from './picture-curves.ts';
+import { CurveLayer } from './picture-curves.ts';
 import { drawKeys, drawKeysOf, KEY_PIXELS } from './picture-keys.ts';
 import { drawTheirs } from './picture-theirs.ts';
 
-const HOVER_WIDTH = 3;
+const HOVER_WIDTH = 2.5;
+/** Of the curves that aren't hovered while one is. */
+const OTHERS_OPACITY = '0.45';
 
 export class CurvePicture {
   /** Fills its container and takes no pointer events: listen on the container. */
   readonly element: HTMLElement;
+  private readonly ground = new Layer();
   private readonly curves = new Layer();
   private readonly keys = new Layer();
+  private readonly labels = new Layer();
   private readonly overlay = new Layer();
+  private readonly layers = [this.ground, this.curves, this.keys, this.labels, this.overlay];
   private readonly lines = new CurveLayer();
   private colours: PictureColours | undefined;
   private isWhole = true;
@@ -43,9 +51,7 @@ export class CurvePicture {
     this.element = element(
       'div',
       { class: 'curve-picture', 'aria-hidden': 'true' },
-      this.curves.canvas,
-      this.keys.canvas,
-      this.overlay.canvas,
+      ...this.layers.map(({ canvas }) => canvas),
     );
     Object.assign(this.element.style, { position: 'absolute', inset: '0', pointerEvents: 'none', overflow: 'hidden' });
     host.append(this.element);
@@ -63,8 +69,8 @@ export class CurvePicture {
     if (!(width > 0 && height > 0)) return true;
     const ratio = window.devicePixelRatio;
     this.colours ??= readPictureColours(this.element);
-    // All three, since each has to be resized.
-    const resized = [this.curves, this.keys, this.overlay].filter((layer) => layer.resize(width, height, ratio));
+    // All, since each has to be resized.
+    const resized = this.layers.filter((layer) => layer.resize(width, height, ratio));
     const all = resized.length > 0 || !before || !sameGround(before, scene);
     if (all || !this.isWhole || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
     if (all || before.selected !== scene.selected || before.emphasised !== scene.emphasised) {
@@ -78,6 +84,8 @@ export class CurvePicture {
   drawOverlay(timeSeconds: number, hover?: CurveHit, box?: SelectionBox): void {
     const { scene, colours } = this;
     if (!scene || !colours) return;
+    const opacity = hover && hover.kind !== 'empty' && lineOf(scene, hover.channel) ? OTHERS_OPACITY : '';
+    for (const { canvas } of [this.curves, this.keys]) canvas.style.opacity = opacity;
     this.overlay.draw((g) => {
       if (hover) this.drawHover(g, scene, hover, colours);
       if (box) drawBox(g, box, colours);
@@ -96,11 +104,15 @@ export class CurvePicture {
   private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours): void {
     const standOut = withSelectedKeys(scene);
     const limited = scene.lines.filter((line) => standOut.has(line.channel));
-    this.curves.draw((g) => {
+    this.ground.draw((g) => {
       drawCurveGround(g, scene, colours);
       drawLimits(g, scene, limited, ratio, colours);
+    });
+    this.curves.draw((g) => {
       this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette, ground: colours.plot });
       drawTheirs(g, scene, colours);
+    });
+    this.labels.draw((g) => {
       drawValueLabels(g, scene, colours);
       drawNames(g, scene, colours);
     });
@@ -114,18 +126,13 @@ export class CurvePicture {
     g.beginPath();
     g.rect(0, 0, scene.space.width, scene.space.height);
     g.clip();
-    if (isFaint(scene, line)) {
-      g.strokeStyle = mixed(line.colour, colours.palette);
-      g.lineWidth = LINE_WIDTH;
-      this.lines.outline(g, line.channel);
-      drawKeysOf(g, scene, line, colours);
-    }
+    g.strokeStyle = mixed(line.colour, colours.palette);
+    g.lineWidth = HOVER_WIDTH;
+    this.lines.outline(g, line.channel);
+    drawKeysOf(g, scene, line, colours);
+    drawHoveredName(g, scene, line, colours);
     g.strokeStyle = colours.hover;
     if (hover.kind === 'curve') {
-      g.globalAlpha = 0.25;
-      g.lineWidth = HOVER_WIDTH;
-      this.lines.outline(g, line.channel);
-      g.globalAlpha = 1;
       g.fillStyle = colours.hover;
       const x = timeX(scene.space, hover.timeSeconds - scene.offsetSeconds);
       dot(g, x, yOf(scene.space, line, hover.value), 2.5);
