@@ -5,9 +5,9 @@
  * within the tolerance, else Hermite cubics with the slopes that the curve has at its ends, which is off by the fourth
  * power of the rotation in between; where that is still too far, a key is added halfway, and so on.
  */
-import { slerp } from '../math/slerp.ts';
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
 import { type Channel, FIXED_TANGENT, LINEAR, restChannel } from '../model/takes/clip.ts';
+import { hermite, normalize, rotationAt, rotationWithin } from './quaternion-curve.ts';
 import { writeAnglesNear, writeQuaternion } from './rotations.ts';
 import type { QuaternionCurve } from './scene.ts';
 
@@ -53,53 +53,97 @@ export const QUATERNION_ROTATION: RotationDofs = {
     for (let k = 0; k < 4; k++) dofs[k] = sign * q[k];
   },
   read(dofs, q) {
-    q.set(dofs);
+    for (let k = 0; k < 4; k++) q[k] = dofs[k];
     normalize(q);
   },
 };
 
-/** The rotation of a curve between two of its keys. @param part 0 to 1 */
-export function rotationWithin(curve: QuaternionCurve, key: number, part: number, q: Float64Array): void {
-  const { times, values, interpolation, slopesIn, slopesOut } = curve;
-  const [a, b] = [4 * key, 4 * Math.min(key + 1, times.length - 1)];
-  if (interpolation === 'step' || a === b || part === 0) q.set(values.subarray(a, a + 4));
-  else if (interpolation === 'linear' || !slopesIn || !slopesOut) {
-    from.set(values.subarray(a, a + 4));
-    to.set(values.subarray(b, b + 4));
-    normalize(from);
-    normalize(to);
-    slerp(from, to, part, q);
-  } else {
-    const seconds = times[key + 1] - times[key];
-    for (let k = 0; k < 4; k++) {
-      q[k] = hermite(values[a + k], values[b + k], seconds * slopesOut[a + k], seconds * slopesIn[b + k], part);
+/** Keys of all DOFs, in columns that grow. */
+class FittedKeys {
+  count = 0;
+  times = new Float64Array(64);
+  /** For each key, of every DOF. */
+  values: Float64Array;
+  slopesIn: Float64Array;
+  slopesOut: Float64Array;
+  /** 1 for a side with slopes; the others are linear. */
+  hasIn = new Uint8Array(64);
+  hasOut = new Uint8Array(64);
+
+  constructor(private readonly width: number) {
+    this.values = new Float64Array(64 * width);
+    this.slopesIn = new Float64Array(64 * width);
+    this.slopesOut = new Float64Array(64 * width);
+  }
+
+  add(time: number, values: Float64Array): void {
+    if (this.count === this.times.length) this.grow();
+    const { width } = this;
+    const at = this.count++;
+    this.times[at] = time;
+    this.hasIn[at] = this.hasOut[at] = 0;
+    for (let d = 0; d < width; d++) {
+      this.values[at * width + d] = values[d];
+      this.slopesIn[at * width + d] = this.slopesOut[at * width + d] = 0;
     }
   }
-  normalize(q);
+
+  /** Writes the values of the last key. */
+  last(out: Float64Array): void {
+    const { width } = this;
+    const o = (this.count - 1) * width;
+    for (let d = 0; d < width; d++) out[d] = this.values[o + d];
+  }
+
+  private grow(): void {
+    this.times = doubled(this.times);
+    this.hasIn = doubled(this.hasIn);
+    this.hasOut = doubled(this.hasOut);
+    this.values = doubled(this.values);
+    this.slopesIn = doubled(this.slopesIn);
+    this.slopesOut = doubled(this.slopesOut);
+  }
+
+  channels(): readonly Channel[] {
+    const { count } = this;
+    const [kindsIn, kindsOut] = [this.hasIn, this.hasOut].map((has) =>
+      has.slice(0, count).map((own) => (own ? FIXED_TANGENT : LINEAR)),
+    );
+    const isLinear = [kindsIn, kindsOut].every((kinds) => !kinds.includes(FIXED_TANGENT));
+    const times = this.times.slice(0, count);
+    return Array.from({ length: this.width }, (_, d): Channel => {
+      const values = this.column(this.values, d);
+      if (isLinear && values.every((value) => value === values[0])) return restChannel(values[0]);
+      return {
+        kind: 'keys',
+        extrapolateIn: 'constant',
+        extrapolateOut: 'constant',
+        times,
+        values,
+        tangentsIn: { kinds: kindsIn, slopes: this.column(this.slopesIn, d) },
+        tangentsOut: { kinds: kindsOut, slopes: this.column(this.slopesOut, d) },
+      };
+    });
+  }
+
+  private column(rows: Float64Array, d: number): Float64Array {
+    const { width } = this;
+    const out = new Float64Array(this.count);
+    for (let k = 0; k < out.length; k++) out[k] = rows[k * width + d];
+    return out;
+  }
 }
 
-const from = new Float64Array(4);
-const to = new Float64Array(4);
-
-function normalize(q: Float64Array): void {
-  const length = Math.hypot(q[0], q[1], q[2], q[3]);
-  if (length > 0) for (let k = 0; k < 4; k++) q[k] /= length;
-  else q.set([0, 0, 0, 1]);
+function doubled<A extends Float64Array | Uint8Array>(column: A): A {
+  // A column of the same type, which TypeScript can't tell.
+  const grown = new (column.constructor as new (length: number) => A)(2 * column.length);
+  grown.set(column);
+  return grown;
 }
 
-function hermite(p: number, q: number, slopeP: number, slopeQ: number, t: number): number {
-  const u = 1 - t;
-  return p * u * u * (1 + 2 * t) + q * t * t * (3 - 2 * t) + slopeP * t * u * u - slopeQ * t * t * u;
-}
-
-/** A key of all DOFs. */
-interface FittedKey {
-  readonly time: number;
-  readonly values: Float64Array;
-  /** Absent: linear. */
-  slopesIn: Float64Array | undefined;
-  slopesOut: Float64Array | undefined;
-}
+/** Scratch, by the number of DOFs. */
+const THREE = new FittedKeys(3);
+const FOUR = new FittedKeys(4);
 
 /**
  * Channels for the DOFs.
@@ -114,31 +158,35 @@ export function fitRotation(
 ): readonly Channel[] {
   const usual = MAX_PER_KEY * curve.times.length;
   const most = usual + spare.left;
-  const keys: FittedKey[] = [];
-  const now = rest.slice();
-  const q = new Float64Array(4);
-  const add = (time: number) => {
-    const key: FittedKey = { time, values: now.slice(), slopesIn: undefined, slopesOut: undefined };
-    keys.push(key);
-    return key;
-  };
-  rotationWithin(curve, 0, 0, q);
-  dofs.write(q, now);
-  add(curve.times[0]);
+  const keys = dofs.count === 4 ? FOUR : THREE;
+  keys.count = 0;
+  now.set(rest);
+  rotationWithin(curve, 0, 0, exact);
+  dofs.write(exact, now);
+  keys.add(curve.times[0], now);
   for (let k = 0; k + 1 < curve.times.length; k++) {
     if (curve.interpolation === 'step') {
-      add(curve.times[k + 1]);
-      rotationWithin(curve, k + 1, 0, q);
-      dofs.write(q, now);
-      add(curve.times[k + 1]);
-    } else fitBetween(curve, k, 0, 1, dofs, keys, now, 0, most);
+      keys.add(curve.times[k + 1], now);
+      rotationWithin(curve, k + 1, 0, exact);
+      dofs.write(exact, now);
+      keys.add(curve.times[k + 1], now);
+    } else fitBetween(curve, k, 0, 1, dofs, keys, 0, most);
   }
-  spare.left -= Math.max(0, Math.min(keys.length, most) - usual);
-  return Array.from({ length: dofs.count }, (_, d) => channelOf(keys, d));
+  spare.left -= Math.max(0, Math.min(keys.count, most) - usual);
+  return keys.channels();
 }
 
+/** DOFs of the last key of a stepped curve. */
+const now = new Float64Array(4);
 const exact = new Float64Array(4);
 const fitted = new Float64Array(4);
+/** Rotations at the eighths of what is fitted, from the first to the last, and DOFs at its ends. */
+const EIGHTHS = 8;
+const eighths = Array.from({ length: EIGHTHS }, () => new Float64Array(4));
+const before = new Float64Array(4);
+const after = new Float64Array(4);
+const slopesOut = new Float64Array(4);
+const slopesIn = new Float64Array(4);
 
 /** Adds the key at the end of a part of the time between two keys, and those needed before it. */
 function fitBetween(
@@ -147,61 +195,55 @@ function fitBetween(
   start: number,
   end: number,
   dofs: RotationDofs,
-  keys: FittedKey[],
-  now: Float64Array,
+  keys: FittedKeys,
   halvings: number,
   most: number,
 ): void {
-  const before = keys[keys.length - 1];
   const { times } = curve;
+  const { count: width } = dofs;
   const seconds = times[key + 1] - times[key];
-  const after = before.values.slice();
+  const part = end - start;
+  for (let n = 1; n <= EIGHTHS; n++) rotationAt(curve, key, start + (part * n) / EIGHTHS, eighths[n - 1]);
+  keys.last(before);
+  keys.last(after);
   // In a few steps: the nearest angles of the far end may be others than those on the way.
-  for (let n = 1; n <= 4; n++) {
-    at(curve, key, start + ((end - start) * n) / 4, exact);
-    dofs.write(exact, after);
-  }
+  for (let n = 1; n < EIGHTHS; n += 2) dofs.write(eighths[n], after);
   const time = end === 1 ? times[key + 1] : times[key] + seconds * end;
-  const isTooFast = seconds <= 0 || halvings >= MAX_HALVINGS || keys.length >= most;
-  const push = (slopesIn: Float64Array | undefined, slopesOut: Float64Array | undefined) => {
-    before.slopesOut = slopesOut;
-    now.set(after);
-    keys.push({ time, values: after, slopesIn, slopesOut: undefined });
-  };
-  if (isTooFast || isWithin(curve, key, start, end, dofs, before.values, after)) {
-    const jump = after.reduce((most, value, d) => Math.max(most, Math.abs(value - before.values[d])), 0);
+  const isTooFast = seconds <= 0 || halvings >= MAX_HALVINGS || keys.count >= most;
+  if (isTooFast || isWithin(dofs, false)) {
+    let jump = 0;
+    for (let d = 0; d < width; d++) jump = Math.max(jump, Math.abs(after[d] - before[d]));
     // Past gimbal lock angles jump, while the rotation hardly changes.
-    if (isTooFast && jump > 0.1) keys.push({ time, values: before.values, slopesIn: undefined, slopesOut: undefined });
-    push(undefined, undefined);
+    if (isTooFast && jump > 0.1) keys.add(time, before);
+    keys.add(time, after);
     return;
   }
-  const span = (end - start) * seconds;
-  const slopesOut = slopesAt(curve, key, start, (end - start) * STEP, seconds, dofs, before.values);
-  const slopesIn = slopesAt(curve, key, end, (start - end) * STEP, seconds, dofs, after);
-  if (isWithin(curve, key, start, end, dofs, before.values, after, scaled(slopesOut, span), scaled(slopesIn, span))) {
-    push(slopesIn, slopesOut);
+  writeSlopes(curve, key, start, part * STEP, seconds, dofs, before, slopesOut);
+  writeSlopes(curve, key, end, -part * STEP, seconds, dofs, after, slopesIn);
+  const span = part * seconds;
+  for (let d = 0; d < width; d++) {
+    tangentOut[d] = slopesOut[d] * span;
+    tangentIn[d] = slopesIn[d] * span;
+  }
+  if (isWithin(dofs, true)) {
+    const from = keys.count - 1;
+    keys.hasOut[from] = 1;
+    for (let d = 0; d < width; d++) keys.slopesOut[from * width + d] = slopesOut[d];
+    keys.add(time, after);
+    keys.hasIn[from + 1] = 1;
+    for (let d = 0; d < width; d++) keys.slopesIn[(from + 1) * width + d] = slopesIn[d];
     return;
   }
   const middle = (start + end) / 2;
-  fitBetween(curve, key, start, middle, dofs, keys, now, halvings + 1, most);
-  fitBetween(curve, key, middle, end, dofs, keys, now, halvings + 1, most);
-}
-
-/** `part` may be 1. */
-function at(curve: QuaternionCurve, key: number, part: number, q: Float64Array): void {
-  if (part === 1) rotationWithin(curve, key + 1, 0, q);
-  else rotationWithin(curve, key, part, q);
-}
-
-function scaled(values: Float64Array, by: number): Float64Array {
-  return values.map((value) => value * by);
+  fitBetween(curve, key, start, middle, dofs, keys, halvings + 1, most);
+  fitBetween(curve, key, middle, end, dofs, keys, halvings + 1, most);
 }
 
 const one = new Float64Array(4);
 const two = new Float64Array(4);
 
 /** Per second, one-sided: the curve may have a corner at its keys. */
-function slopesAt(
+function writeSlopes(
   curve: QuaternionCurve,
   key: number,
   part: number,
@@ -209,63 +251,41 @@ function slopesAt(
   seconds: number,
   dofs: RotationDofs,
   here: Float64Array,
-): Float64Array {
-  at(curve, key, part + step, exact);
-  one.set(here);
+  out: Float64Array,
+): void {
+  const { count } = dofs;
+  rotationAt(curve, key, part + step, exact);
+  for (let d = 0; d < count; d++) one[d] = here[d];
   dofs.write(exact, one);
-  at(curve, key, part + 2 * step, exact);
-  two.set(one);
+  rotationAt(curve, key, part + 2 * step, exact);
+  for (let d = 0; d < count; d++) two[d] = one[d];
   dofs.write(exact, two);
-  return here.map((value, d) => (4 * one[d] - two[d] - 3 * value) / (2 * step * seconds));
+  for (let d = 0; d < count; d++) out[d] = (4 * one[d] - two[d] - 3 * here[d]) / (2 * step * seconds);
 }
 
-/** Whether channels between two sets of DOFs keep to the curve. Slopes are per part; absent: linear. */
-function isWithin(
-  curve: QuaternionCurve,
-  key: number,
-  start: number,
-  end: number,
-  dofs: RotationDofs,
-  before: Float64Array,
-  after: Float64Array,
-  slopesOut?: Float64Array,
-  slopesIn?: Float64Array,
-): boolean {
-  for (const t of CHECKED) {
+/** Slopes at both ends of what is fitted, per part. */
+const tangentOut = new Float64Array(4);
+const tangentIn = new Float64Array(4);
+
+/** Whether channels between the DOFs `before` and `after` keep to the rotations at the eighths. */
+function isWithin(dofs: RotationDofs, isCubic: boolean): boolean {
+  for (let n = 1; n < EIGHTHS; n++) {
+    const t = n / EIGHTHS;
     for (let d = 0; d < dofs.count; d++) {
-      one[d] =
-        slopesOut && slopesIn
-          ? hermite(before[d], after[d], slopesOut[d], slopesIn[d], t)
-          : before[d] + t * (after[d] - before[d]);
+      one[d] = isCubic
+        ? hermite(before[d], after[d], tangentOut[d], tangentIn[d], t)
+        : before[d] + t * (after[d] - before[d]);
     }
     dofs.read(one, fitted);
-    at(curve, key, start + t * (end - start), exact);
-    let cross = 0;
-    const sign = exact[0] * fitted[0] + exact[1] * fitted[1] + exact[2] * fitted[2] + exact[3] * fitted[3] < 0 ? -1 : 1;
-    for (let k = 0; k < 4; k++) cross += (exact[k] - sign * fitted[k]) ** 2;
+    const own = eighths[n - 1];
+    const sign = own[0] * fitted[0] + own[1] * fitted[1] + own[2] * fitted[2] + own[3] * fitted[3] < 0 ? -1 : 1;
+    let chord = 0;
+    for (let k = 0; k < 4; k++) {
+      const apart = own[k] - sign * fitted[k];
+      chord += apart * apart;
+    }
     // The chord between unit quaternions is half the angle.
-    if (!(4 * cross <= TOLERANCE * TOLERANCE)) return false;
+    if (!(4 * chord <= TOLERANCE * TOLERANCE)) return false;
   }
   return true;
-}
-
-const CHECKED = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
-
-function channelOf(keys: readonly FittedKey[], d: number): Channel {
-  const first = keys[0].values[d];
-  const isLinear = keys.every(({ slopesIn, slopesOut }) => !slopesIn && !slopesOut);
-  if (isLinear && keys.every(({ values }) => values[d] === first)) return restChannel(first);
-  const tangents = (side: 'slopesIn' | 'slopesOut') => ({
-    kinds: Uint8Array.from(keys, (key) => (key[side] ? FIXED_TANGENT : LINEAR)),
-    slopes: Float64Array.from(keys, (key) => key[side]?.[d] ?? 0),
-  });
-  return {
-    kind: 'keys',
-    extrapolateIn: 'constant',
-    extrapolateOut: 'constant',
-    times: Float64Array.from(keys, ({ time }) => time),
-    values: Float64Array.from(keys, ({ values }) => values[d]),
-    tangentsIn: tangents('slopesIn'),
-    tangentsOut: tangents('slopesOut'),
-  };
 }

@@ -12,15 +12,9 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton/skeleton.ts';
 import { type Channel, keysOf, restChannel } from '../model/takes/clip.ts';
-import {
-  eulerRotation,
-  fitRotation,
-  QUATERNION_ROTATION,
-  type RotationDofs,
-  rotationWithin,
-  type SpareKeys,
-} from './fit-rotation.ts';
+import { eulerRotation, fitRotation, QUATERNION_ROTATION, type RotationDofs, type SpareKeys } from './fit-rotation.ts';
 import { NOISE } from './noise.ts';
+import { visited } from './quaternion-curve.ts';
 import { lockedness } from './rotations.ts';
 import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
 
@@ -153,30 +147,23 @@ function departs(channel: Channel, value: number, tolerance: number): boolean {
 
 /** Whether a curve ever leaves a rotation. */
 function turns(curve: QuaternionCurve, rest: Float64Array): boolean {
-  return visited([curve]).some((q) => {
-    const sign = q[0] * rest[0] + q[1] * rest[1] + q[2] * rest[2] + q[3] * rest[3] < 0 ? -1 : 1;
-    return 2 * Math.hypot(...q.map((c, k) => c - sign * rest[k])) > NOISE;
-  });
-}
-
-/** Rotations at the keys and halfway between them. */
-function visited(curves: readonly QuaternionCurve[]): readonly Float64Array[] {
-  return curves.flatMap((curve) =>
-    Array.from({ length: 2 * curve.times.length - 1 }, (_, i) => {
-      const q = new Float64Array(4);
-      rotationWithin(curve, i >> 1, (i & 1) / 2, q);
-      return q;
-    }),
-  );
+  const all = visited(curve);
+  for (let o = 0; o < all.length; o += 4) {
+    const [x, y, z, w] = [all[o], all[o + 1], all[o + 2], all[o + 3]];
+    const sign = x * rest[0] + y * rest[1] + z * rest[2] + w * rest[3] < 0 ? -1 : 1;
+    const apart = Math.hypot(x - sign * rest[0], y - sign * rest[1], z - sign * rest[2], w - sign * rest[3]);
+    if (2 * apart > NOISE) return true;
+  }
+  return false;
 }
 
 function clearestOrder(rest: Float64Array, curves: readonly QuaternionCurve[]): EulerOrder {
-  const rotations = [rest, ...visited(curves)];
-  const worst = (order: EulerOrder) => rotations.reduce((most, q) => Math.max(most, lockedness(order, q)), 0);
+  const worst = (order: EulerOrder) => worstOf(rest, curves, order);
   if (worst('xyz') < CLEAR) return 'xyz';
   return EULER_ORDERS.reduce((best, order) => (worst(order) < worst(best) ? order : best));
 }
 
+/** The nearest that a rotation comes to gimbal lock in an order. */
 function worstOf(rest: Float64Array, curves: readonly QuaternionCurve[], order: EulerOrder): number {
-  return [rest, ...visited(curves)].reduce((most, q) => Math.max(most, lockedness(order, q)), 0);
+  return curves.reduce((most, curve) => Math.max(most, lockedness(order, visited(curve))), lockedness(order, rest));
 }

@@ -46,13 +46,17 @@ export function writeAnglesNear(order: EulerOrder, q: Float64Array, angles: Floa
   for (let k = 0; k < 3; k++) angles[axes[k]] = sign * turned[k] + 0;
 }
 
-/** |sin β| of the middle angle of a unit quaternion: 1 is gimbal lock. */
-export function lockedness(order: EulerOrder, q: ArrayLike<number>): number {
+/** The largest |sin β| of the middle angle of unit quaternions, 4 numbers each: 1 is gimbal lock. */
+export function lockedness(order: EulerOrder, all: ArrayLike<number>): number {
   const {
     axes: [i, j, k],
     sign,
   } = AXES[order];
-  return Math.abs(2 * (q[3] * sign * q[j] - q[i] * q[k]));
+  let most = 0;
+  for (let o = 0; o < all.length; o += 4) {
+    most = Math.max(most, Math.abs(2 * (all[o + 3] * sign * all[o + j] - all[o + i] * all[o + k])));
+  }
+  return most;
 }
 
 /** `out = a · b`: first b, then a. `out` may be either. */

@@ -14,6 +14,7 @@ import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
 import { type Channel, type ChannelClip, restChannel } from '../model/takes/clip.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
 import { cleanFileName, cleanName } from './clean-names.ts';
+import { firstNotFinite } from './finite.ts';
 import { SpareKeys } from './fit-rotation.ts';
 import { ImportError } from './imported.ts';
 import { type JointMotion, jointMotion } from './joint-motions.ts';
@@ -139,17 +140,16 @@ function jointSlots({ nodes, meshes, takes }: Scene, { inverse, further }: Bindi
 function sizeOf({ meshes }: Scene, worlds: Float64Array, binding: Binding): number {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  const include = (x: number, y: number, z: number) => {
-    [x, y, z].forEach((value, k) => {
-      min[k] = Math.min(min[k], value);
-      max[k] = Math.max(max[k], value);
-    });
+  const include = (points: Float64Array, stride: number) => {
+    for (let k = 0; k < 3; k++) {
+      for (let o = k; o < points.length; o += stride) {
+        min[k] = Math.min(min[k], points[o]);
+        max[k] = Math.max(max[k], points[o]);
+      }
+    }
   };
-  for (let n = 0; n < worlds.length; n += 16) include(worlds[n + 12], worlds[n + 13], worlds[n + 14]);
-  meshes.forEach(({ positions }, m) => {
-    const moved = movedBy(binding.meshes[m].matrix, positions, 1);
-    for (let v = 0; v < moved.length; v += 3) include(moved[v], moved[v + 1], moved[v + 2]);
-  });
+  include(worlds.subarray(12), 16);
+  for (const [m, { positions }] of meshes.entries()) include(movedBy(binding.meshes[m].matrix, positions, 1), 3);
   const size = Math.hypot(...max.map((value, k) => value - min[k]));
   return size > 0 && size < Infinity ? size : 1;
 }
@@ -162,7 +162,9 @@ function movedBy(m: Float64Array | undefined, values: Float64Array, w: 0 | 1): F
   const [a, stride] = w ? [m, 4] : [n, 3];
   const out = new Float64Array(values.length);
   for (let v = 0; v < values.length; v += 3) {
-    const [x, y, z] = [values[v], values[v + 1], values[v + 2]];
+    const x = values[v];
+    const y = values[v + 1];
+    const z = values[v + 2];
     for (let r = 0; r < 3; r++) {
       out[v + r] = a[r] * x + a[stride + r] * y + a[2 * stride + r] * z + (w ? m[12 + r] : 0);
     }
@@ -209,12 +211,12 @@ function skinOf(
   meshes.forEach((mesh, m) => {
     const { matrix } = binding.meshes[m];
     const moved = movedBy(matrix, mesh.positions, 1);
-    if (!moved.every(Number.isFinite)) throw tooFar(`A vertex of "${cutText(nodes[mesh.node].name)}"`);
+    if (firstNotFinite(moved) >= 0) throw tooFar(`A vertex of "${cutText(nodes[mesh.node].name)}"`);
     positions.set(moved, 3 * first);
     if (mesh.normals) normals.set(movedBy(matrix, mesh.normals, 0), 3 * first);
     if (mesh.texcoords) texcoords.set(mesh.texcoords, 2 * first);
     for (const { material: index, triangles: own } of mesh.surfaces) {
-      triangles.push(own.map((vertex) => vertex + first));
+      triangles.push(raised(own, first));
       const material = finished[index] ?? (surfaces.length ? otherwise : undefined);
       const triangleCount = own.length / 3;
       const last = surfaces.at(-1);
@@ -243,9 +245,17 @@ function skinOf(
   };
 }
 
+/** Indices of vertices that follow others. */
+function raised(indices: Uint32Array, by: number): Uint32Array {
+  if (by === 0) return indices;
+  const out = indices.slice();
+  for (let i = 0; i < out.length; i++) out[i] += by;
+  return out;
+}
+
 /** Normals, with those of vertices without one computed. */
 function completed(normals: Float64Array, positions: Float64Array, triangles: Uint32Array): Float64Array {
-  if (normals.every((value) => Number.isFinite(value))) return normals;
+  if (firstNotFinite(normals) < 0) return normals;
   const computed = computeNormals(positions, triangles);
   const out = normals.slice();
   for (let v = 0; v < out.length; v += 3) {
@@ -297,7 +307,7 @@ function morphsOf(meshes: readonly SceneMesh[], binding: Binding) {
   meshes.forEach((mesh, m) => {
     const { matrix } = binding.meshes[m];
     const rows = ({ indices, values }: MorphRows, w: 0 | 1): MorphRows => ({
-      indices: indices.map((vertex) => vertex + first),
+      indices: raised(indices, first),
       values: movedBy(matrix, values, w),
     });
     mesh.targets.forEach((target, t) => {

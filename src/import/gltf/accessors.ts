@@ -12,15 +12,37 @@ interface Component {
   /** The largest value of an integer; 0 for floats. */
   readonly largest: number;
   read(view: DataView, at: number): number;
+  /** Of packed numbers, in the order of bytes of all machines that browsers run on, which is that of files. */
+  list(buffer: ArrayBuffer): ArrayLike<number>;
 }
 
 const COMPONENTS: Readonly<Record<number, Component>> = {
-  5120: { bytes: 1, largest: 127, read: (view, at) => view.getInt8(at) },
-  5121: { bytes: 1, largest: 255, read: (view, at) => view.getUint8(at) },
-  5122: { bytes: 2, largest: 32767, read: (view, at) => view.getInt16(at, true) },
-  5123: { bytes: 2, largest: 65535, read: (view, at) => view.getUint16(at, true) },
-  5125: { bytes: 4, largest: 4294967295, read: (view, at) => view.getUint32(at, true) },
-  5126: { bytes: 4, largest: 0, read: (view, at) => view.getFloat32(at, true) },
+  5120: { bytes: 1, largest: 127, read: (view, at) => view.getInt8(at), list: (buffer) => new Int8Array(buffer) },
+  5121: { bytes: 1, largest: 255, read: (view, at) => view.getUint8(at), list: (buffer) => new Uint8Array(buffer) },
+  5122: {
+    bytes: 2,
+    largest: 32767,
+    read: (view, at) => view.getInt16(at, true),
+    list: (buffer) => new Int16Array(buffer),
+  },
+  5123: {
+    bytes: 2,
+    largest: 65535,
+    read: (view, at) => view.getUint16(at, true),
+    list: (buffer) => new Uint16Array(buffer),
+  },
+  5125: {
+    bytes: 4,
+    largest: 4294967295,
+    read: (view, at) => view.getUint32(at, true),
+    list: (buffer) => new Uint32Array(buffer),
+  },
+  5126: {
+    bytes: 4,
+    largest: 0,
+    read: (view, at) => view.getFloat32(at, true),
+    list: (buffer) => new Float32Array(buffer),
+  },
 };
 
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
@@ -127,7 +149,7 @@ export class Accessors {
     offset: number,
     count: number,
     width: number,
-    { bytes: size, largest, read }: Component,
+    { bytes: size, largest, read, list }: Component,
     isNormalized: boolean,
     called: string,
   ): Float64Array {
@@ -144,10 +166,15 @@ export class Accessors {
       throw new ImportError('accessor-too-long', `${found} The file may have been cut off: copy or export it again.`);
     }
     this.buffers.budget.spend(count * width, called);
+    const isScaled = isNormalized && largest > 0;
+    if (stride === packed && !isMatrix) {
+      const whole = new Float64Array(list(bytes.slice(offset, end).buffer));
+      if (isScaled) for (let i = 0; i < whole.length; i++) whole[i] = Math.max(whole[i] / largest, -1);
+      return whole;
+    }
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const values = new Float64Array(count * width);
     const perColumn = isMatrix ? rows : width;
-    const isScaled = isNormalized && largest > 0;
     for (let e = 0; e < count; e++) {
       const at = offset + e * stride;
       for (let k = 0; k < width; k++) {
@@ -190,10 +217,4 @@ export class Accessors {
     }
     return { indices: Uint32Array.from(at), width, values };
   }
-}
-
-/** The first number that is not finite; -1 if all are. */
-export function firstNotFinite(values: Float64Array): number {
-  for (let i = 0; i < values.length; i++) if (!Number.isFinite(values[i])) return i;
-  return -1;
 }

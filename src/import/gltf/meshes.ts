@@ -1,8 +1,9 @@
 /** The meshes of nodes: vertices of all primitives, triangles by material, attachments, morph targets. */
 import type { Budget } from '../budget.ts';
+import { firstNotFinite } from '../finite.ts';
 import { counted, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMesh, SceneSkin, SceneSkinned, SceneSurface, SceneTarget } from '../scene.ts';
-import { type Accessors, firstNotFinite, type Numbers } from './accessors.ts';
+import type { Accessors, Numbers } from './accessors.ts';
 import { countOf, type Document, extensionOf, type Json, listOf, numberOf, objectOf, shown, textOf } from './json.ts';
 import type { Mapping } from './materials.ts';
 import type { Nodes } from './nodes.ts';
@@ -176,7 +177,8 @@ export class Meshes {
       out ??= new Float64Array(2 * total);
       const [a, b, c, d, e, f] = part.mapping?.transform ?? [1, 0, 0, 0, 1, 0];
       for (let v = 0; v < part.count; v++) {
-        const [u, w] = [found.values[2 * v], found.values[2 * v + 1]];
+        const u = found.values[2 * v];
+        const w = found.values[2 * v + 1];
         out[2 * (part.first + v)] = a * u + b * w + c;
         out[2 * (part.first + v) + 1] = 1 - (d * u + e * w + f);
       }
@@ -189,24 +191,25 @@ export class Meshes {
     const corners = isIndexed
       ? (part.unpacked?.indices ?? this.accessors.numbers(primitive.indices, 1, `${called}, indices`).values)
       : undefined;
-    const beyond = corners?.find((v) => !(v < part.count));
-    if (beyond !== undefined) {
-      throw new ImportError(
-        'index-out-of-range',
-        `${called} has the index ${beyond}, but only ${part.count} vertices.`,
-      );
+    for (let i = 0; corners && i < corners.length; i++) {
+      if (corners[i] < part.count) continue;
+      const message = `${called} has the index ${corners[i]}, but only ${part.count} vertices.`;
+      throw new ImportError('index-out-of-range', message);
     }
-    const at = (i: number) => part.first + (corners ? corners[i] : i);
     const n = corners ? corners.length : part.count;
     const count = mode === 4 ? Math.floor(n / 3) : Math.max(0, n - 2);
     this.budget.spend(3 * count, called);
     const out = new Uint32Array(3 * count);
     for (let t = 0; t < count; t++) {
       // Of a strip every other triangle is turned over; a fan turns about its first vertex.
-      if (mode === 4) out.set([at(3 * t), at(3 * t + 1), at(3 * t + 2)], 3 * t);
-      else if (mode === 5) out.set(t % 2 ? [at(t + 1), at(t), at(t + 2)] : [at(t), at(t + 1), at(t + 2)], 3 * t);
-      else out.set([at(0), at(t + 1), at(t + 2)], 3 * t);
+      const isOdd = mode === 5 && t % 2 === 1;
+      const a = mode === 4 ? 3 * t : mode === 5 ? t : 0;
+      const b = mode === 4 ? a + 1 : t + 1;
+      out[3 * t + (isOdd ? 1 : 0)] = a;
+      out[3 * t + (isOdd ? 0 : 1)] = b;
+      out[3 * t + 2] = b + 1;
     }
+    for (let i = 0; i < out.length; i++) out[i] = part.first + (corners ? corners[out[i]] : out[i]);
     return out;
   }
 
@@ -238,10 +241,15 @@ export class Meshes {
   /** Undefined if no vertex says what it is attached to: then the mesh hangs on its node. */
   private skinned(parts: readonly Part[], total: number, skin: SceneSkin, called: string): SceneSkinned | undefined {
     const start = new Uint32Array(total + 1);
-    const joints: number[] = [];
-    const weights: number[] = [];
+    let joints = new Uint32Array(4 * total);
+    let weights = new Float64Array(4 * total);
+    let used = 0;
     let off = 0;
     let isAttached = false;
+    const beyond = (vertex: number, joint: number) => {
+      const message = `${called} attaches vertex ${vertex} to joint ${joint} of its skin, which has ${skin.joints.length}.`;
+      return new ImportError('index-out-of-range', message);
+    };
     for (const part of parts) {
       const sets: { readonly joints: Float64Array; readonly weights: Float64Array }[] = [];
       for (let s = 0; ; s++) {
@@ -258,29 +266,39 @@ export class Meshes {
         sets.push({ joints: j.values, weights: w.values });
       }
       if (sets.length) isAttached = true;
+      const most = used + 4 * Math.max(1, sets.length) * part.count;
+      if (most > joints.length) {
+        joints = grown(joints, new Uint32Array(most));
+        weights = grown(weights, new Float64Array(most));
+      }
       for (let v = 0; v < part.count; v++) {
-        const own = new Map<number, number>();
+        const first = used;
         let sum = 0;
         for (const set of sets) {
           for (let k = 4 * v; k < 4 * v + 4; k++) {
             const weight = set.weights[k];
             if (!(weight > 0 && weight < Infinity)) continue;
             sum += weight;
-            own.set(set.joints[k], (own.get(set.joints[k]) ?? 0) + weight);
+            const joint = set.joints[k];
+            if (!(joint < skin.joints.length)) throw beyond(part.first + v, joint);
+            let at = first;
+            while (at < used && joints[at] !== joint) at++;
+            if (at === used) {
+              joints[used] = joint;
+              weights[used++] = weight;
+            } else weights[at] += weight;
           }
         }
         // As everywhere: a vertex whose weights are all 0 follows the first joint that it names.
-        if (sum === 0 && sets.length) own.set(sets[0].joints[4 * v], 1);
-        if (Math.abs(sum - 1) > 0.01) off++;
-        for (const [joint, weight] of own) {
-          if (!(joint < skin.joints.length)) {
-            const message = `${called} attaches vertex ${part.first + v} to joint ${joint} of its skin, which has ${skin.joints.length}.`;
-            throw new ImportError('index-out-of-range', message);
-          }
-          joints.push(joint);
-          weights.push(sum > 0 ? weight / sum : 1);
+        if (sum === 0 && sets.length) {
+          const joint = sets[0].joints[4 * v];
+          if (!(joint < skin.joints.length)) throw beyond(part.first + v, joint);
+          joints[used] = joint;
+          weights[used++] = 1;
         }
-        start[part.first + v + 1] = joints.length;
+        if (Math.abs(sum - 1) > 0.01) off++;
+        if (sum > 0) for (let a = first; a < used; a++) weights[a] /= sum;
+        start[part.first + v + 1] = used;
       }
     }
     if (!isAttached) return undefined;
@@ -288,7 +306,7 @@ export class Meshes {
       const message = `${called} has ${off} vertices whose weights don't sum to 1.`;
       this.remarks.warn('weights-off', message, 'scaled to 1');
     }
-    return { skin, attachments: { start, joints: Uint32Array.from(joints), weights: Float64Array.from(weights) } };
+    return { skin, attachments: { start, joints: joints.slice(0, used), weights: weights.slice(0, used) } };
   }
 
   private targets(
@@ -350,4 +368,10 @@ function clearBroken(normals: Float64Array): void {
   for (let v = 0; v < normals.length; v += 3) {
     if (!Number.isFinite(normals[v] + normals[v + 1] + normals[v + 2])) normals.fill(Number.NaN, v, v + 3);
   }
+}
+
+/** The numbers of an array in a longer one. */
+function grown<A extends Uint32Array | Float64Array>(from: A, into: A): A {
+  into.set(from);
+  return into;
 }

@@ -6,11 +6,13 @@
  *     CUBICSPLINE   the slopes of the file, per second
  */
 import { rateOfTimes } from '../../evaluate/samples/frame-rate.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, type Tangents } from '../../model/takes/clip.ts';
+import { perObject } from '../../model/per-object.ts';
+import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR } from '../../model/takes/clip.ts';
 import type { Budget } from '../budget.ts';
+import { firstNotFinite } from '../finite.ts';
 import { ImportError, type Remarks } from '../imported.ts';
 import type { QuaternionCurve, SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
-import { type Accessors, firstNotFinite } from './accessors.ts';
+import type { Accessors } from './accessors.ts';
 import { countOf, type Document, extensionOf, type Json, listOf, objectOf, shown, textOf } from './json.ts';
 
 /** A sampler: `width` values per key, three times as many of a cubic. */
@@ -181,7 +183,8 @@ function sorted(sampler: Sampler, called: string, remarks: Remarks): Sampler {
 }
 
 /** One of a sampler's values as a channel. */
-function channelOf({ interpolation, times, width, values }: Sampler, at: number): Channel {
+function channelOf(sampler: Sampler, at: number): Channel {
+  const { interpolation, times, width, values } = sampler;
   const n = times.length;
   const constant = { kind: 'keys', extrapolateIn: 'constant', extrapolateOut: 'constant' } as const;
   if (interpolation === 'step') {
@@ -194,28 +197,42 @@ function channelOf({ interpolation, times, width, values }: Sampler, at: number)
       stepTimes[2 * k - 1] = times[k];
       stepValues[2 * k - 1] = values[(k - 1) * width + at];
     }
-    return { ...constant, times: stepTimes, values: stepValues, ...tangents(2 * n - 1, FLAT) };
+    return { ...constant, times: stepTimes, values: stepValues, ...tangents(sampler) };
   }
   if (interpolation === 'linear') {
-    const own = Float64Array.from(times, (_, k) => values[k * width + at]);
-    return { ...constant, times, values: own, ...tangents(n, LINEAR) };
+    return { ...constant, times, values: column(values, n, width, at), ...tangents(sampler) };
   }
-  const column = (part: number) => Float64Array.from(times, (_, k) => values[(3 * k + part) * width + at]);
+  const part = (p: number) => column(values, n, 3 * width, p * width + at);
   const fixed = new Uint8Array(n).fill(FIXED_TANGENT);
   const keyed: KeyedChannel = {
     ...constant,
     times,
-    values: column(1),
-    tangentsIn: { kinds: fixed, slopes: column(0) },
-    tangentsOut: { kinds: fixed, slopes: column(2) },
+    values: part(1),
+    tangentsIn: { kinds: fixed, slopes: part(0) },
+    tangentsOut: { kinds: fixed, slopes: part(2) },
   };
   return keyed;
 }
 
+/** The number at an index of each of `count` rows. */
+function column(values: Float64Array, count: number, width: number, at: number): Float64Array {
+  const out = new Float64Array(count);
+  for (let k = 0, o = at; k < count; k++, o += width) out[k] = values[o];
+  return out;
+}
+
+/** Of all values of a sampler that has no slopes of its own. */
+const slopeless = perObject(({ interpolation, times }: Sampler) => {
+  const count = interpolation === 'step' ? 2 * times.length - 1 : times.length;
+  return {
+    kinds: new Uint8Array(count).fill(interpolation === 'step' ? FLAT : LINEAR),
+    slopes: new Float64Array(count),
+  };
+});
+
 /** An object for each side: which of a key's tangents one is, is told by its identity. */
-function tangents(count: number, kind: number): Pick<KeyedChannel, 'tangentsIn' | 'tangentsOut'> {
-  const side = (): Tangents => ({ kinds: new Uint8Array(count).fill(kind), slopes: new Float64Array(count) });
-  return { tangentsIn: side(), tangentsOut: side() };
+function tangents(sampler: Sampler): Pick<KeyedChannel, 'tangentsIn' | 'tangentsOut'> {
+  return { tangentsIn: { ...slopeless(sampler) }, tangentsOut: { ...slopeless(sampler) } };
 }
 
 function quaternionOf({ interpolation, times, values }: Sampler): QuaternionCurve {
