@@ -9,7 +9,7 @@ import { squareToDisc } from './head.ts';
 const FUR = colour('#dd7b3c');
 const FUR_DARK = colour('#b9552a');
 const CREAM = colour('#fdeed4');
-const COCOA = colour('#4a2d2a');
+const COCOA = colour('#6b443b');
 const BLUSH = colour('#f29a84');
 const TEAL = colour('#2f938c');
 const TEAL_DARK = colour('#1f6b6e');

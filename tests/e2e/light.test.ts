@@ -1,0 +1,98 @@
+/** Light on characters, measured in pictures of them alone: faces are lit, and nothing of boxes and skins is near black. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { dropPaths, withPage } from '../helpers/page.ts';
+import { describeShared, sharedPath } from '../helpers/shared.ts';
+
+/** Part of the walker's height, from the top, that is its head. */
+const HEAD = 0.42;
+/** Linear luminance below which a pixel is near black. */
+const NEAR_BLACK = 0.01;
+
+interface Light {
+  /** Mean linear luminance of the upper part. */
+  readonly upper: number;
+  /** Part of all pixels that are near black. */
+  readonly nearBlack: number;
+}
+
+/** Of the character as it is drawn now, without anything behind it. */
+const lightNow = (page: Page): Promise<Light> =>
+  page.evaluate(
+    async ([head, black]) => {
+      const blob = await window.marrow.picture({
+        width: 600,
+        height: 600,
+        hasGrid: false,
+        hasBackground: false,
+        hasTools: false,
+      });
+      if (!blob) throw new Error('There is no picture.');
+      const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
+      const g = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+      if (!g) throw new Error('no 2D canvas');
+      g.drawImage(bitmap, 0, 0);
+      const { data, width, height } = g.getImageData(0, 0, bitmap.width, bitmap.height);
+      const linear = (byte: number) => (byte <= 10 ? byte / 3294.6 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+      const rows = Array.from({ length: height }, (_, y) => {
+        const row: number[] = [];
+        for (let i = 4 * y * width; i < 4 * (y + 1) * width; i += 4) {
+          // Edges are mixed with nothing, and a shadow on the floor is see-through.
+          if (data[i + 3] < 250) continue;
+          row.push(0.2126 * linear(data[i]) + 0.7152 * linear(data[i + 1]) + 0.0722 * linear(data[i + 2]));
+        }
+        return row;
+      });
+      const top = rows.findIndex((row) => row.length > 0);
+      const bottom = rows.findLastIndex((row) => row.length > 0);
+      const upper = rows.slice(top, top + Math.round(head * (bottom - top))).flat();
+      const all = rows.flat();
+      return {
+        upper: upper.reduce((sum, value) => sum + value, 0) / upper.length,
+        nearBlack: all.filter((value) => value < black).length / all.length,
+      };
+    },
+    [HEAD, NEAR_BLACK] as const,
+  );
+
+it.each(['dark', 'light'] as const)(
+  'the walker’s face is lit at every time of its walk, in the %s theme',
+  (colorScheme) =>
+    withPage(
+      async ({ page }) => {
+        await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
+        const found: Light[] = [];
+        for (let i = 0; i < 10; i++) {
+          await page.evaluate((time) => window.marrow.seek(time), 0.64 * i);
+          found.push(await lightNow(page));
+        }
+        expect(Math.min(...found.map(({ upper }) => upper))).toBeGreaterThanOrEqual(0.25);
+        expect(Math.max(...found.map(({ nearBlack }) => nearBlack))).toBeLessThanOrEqual(0.02);
+      },
+      { colorScheme, walking: true, firstVisit: true },
+    ),
+);
+
+describeShared('characters of the course', () => {
+  it.each([
+    ['dragon.skel', 'dark'],
+    ['dragon.skel', 'light'],
+    ['test.skel', 'dark'],
+    ['wasp.skel,wasp.skin', 'dark'],
+    ['wasp.skel,wasp.skin', 'light'],
+    ['tube.skel,tube.skin', 'dark'],
+  ] as const)('nothing of %s is near black, in the %s theme', (names, colorScheme) =>
+    withPage(
+      async ({ page }) => {
+        const paths = names.split(',').map((name) => sharedPath(`data/cse169/${name}`));
+        await dropPaths(page, paths);
+        const name = names.split('.')[0];
+        await page.waitForFunction((wanted) => window.marrow.characters()[0]?.name === wanted, name);
+        const found = await lightNow(page);
+        expect(found.nearBlack).toBeLessThanOrEqual(0.02);
+        expect(found.upper).toBeGreaterThan(0.1);
+      },
+      { colorScheme },
+    ),
+  );
+});
