@@ -16,6 +16,9 @@ export type Bending = readonly number[] | 'body';
 /** Joints that bend with a dragged one: its limb, all, or those between it and a chosen joint. */
 export type IkReach = 'limb' | 'body' | { readonly top: number };
 
+/** Of a limb's length: a forearm with its hand is longer than the upper arm, and its elbow can be moved all the same. */
+const MUCH_LONGER = 2;
+
 /** A chain that doesn't pass its top is the limb. */
 export function bendingOf(skeleton: Skeleton, joint: number, reach: IkReach): Bending {
   if (reach === 'body') return 'body';
@@ -47,6 +50,17 @@ export function limbOf(skeleton: Skeleton, joint: number): Bending {
     limb.unshift(above);
   }
   return carriesLimbs(skeleton, joint) ? 'body' : limb;
+}
+
+/**
+ * Whether a joint with all on it is much longer than the limb that moves its pivot, as a head is than its neck. Then the pivot
+ * can hardly be moved, and the joint turns wildly when one tries. Not for joints that bend alone.
+ */
+export function isLongerThanLimb(skeleton: Skeleton, joint: number): boolean {
+  const limb = limbOf(skeleton, joint);
+  if (limb === 'body' || limb.length < 2) return false;
+  const way = limb.slice(1).reduce((sum, j) => sum + boneTo(skeleton.joints[j]), 0);
+  return branchesOf(skeleton).far[joint] >= MUCH_LONGER * way;
 }
 
 /** All that bends for several joints. */

@@ -1,6 +1,10 @@
 /** The line at the viewport's foot: what the mouse does where it is, and on the right what the view does by itself. */
 import { findCharacter } from '../../model/document.ts';
 import { jointName } from '../../model/skeleton/joint-name.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { JointRef } from '../state/ik-hand.ts';
+import { meantJoint } from '../state/joints/meant-joint.ts';
+import type { Posing } from '../state/posing.ts';
 import type { Uses } from '../state/workbench.ts';
 import { element } from '../widgets/dom.ts';
 import { isMac } from '../widgets/focus/keyboard.ts';
@@ -115,8 +119,7 @@ function placeAt(
     isPin: posing.ik.isOverPin,
     isAdding: posing.rig.adding.get(),
     snapsToFrames: timeline.view.get().snapsToFrames,
-    ...(hovered && skeleton && { joint: jointName(skeleton, hovered.joint) }),
-    ...(hovered && { moves: posing.ik.whatMoves?.(hovered.characterId, hovered.joint) }),
+    ...(hovered && skeleton && jointThere(posing, hovered, skeleton)),
   };
   return place;
 }
@@ -127,6 +130,17 @@ function viewFacts({ settings, viewport }: Uses<'settings' | 'viewport'>): strin
   const { gridStep } = viewport;
   const following = follow ? 'Follows selection' : followRoot ? 'Follows root' : '';
   return [following, gridStep === undefined ? '' : `Grid ${numberText(gridStep)}`].filter(Boolean).join(' · ');
+}
+
+/** The joint that a click means there, and what a drag moves. */
+function jointThere(
+  { mode, ik: { over, whatMoves } }: Posing,
+  { characterId, joint }: JointRef,
+  skeleton: Skeleton,
+): Pick<MousePlace, 'joint' | 'moves'> {
+  const lit = over?.characterId === characterId ? over.joint : joint;
+  const meant = mode.get() === 'pose' ? meantJoint(skeleton, lit, joint) : lit;
+  return { joint: jointName(skeleton, meant), moves: whatMoves?.(characterId, lit) };
 }
 
 /** What comes after a gesture, in one sentence with it. */

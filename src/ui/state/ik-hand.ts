@@ -6,8 +6,8 @@ import type { PinAxes } from '../../evaluate/handles/pin-handles.ts';
 import { HeldTargets } from '../../evaluate/ik/drag/held-targets.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 
-/** Where *Chain* ends: a joint of a character. */
-export interface ChainTop {
+/** A joint of a character, by its index. */
+export interface JointRef {
   readonly characterId: string;
   readonly joint: number;
 }
@@ -26,10 +26,12 @@ export class IkHand {
   /** The axes of the selected pin's handles. */
   readonly axes: Observable<PinAxes> = observable<PinAxes>('world');
   readonly targets = new HeldTargets();
-  /** The joint that was selected when *Chain* was chosen; undefined: chains end at the root. */
-  chainTop: ChainTop | undefined;
+  /** Where *Chain* ends: the joint that was selected when it was chosen; undefined: chains end at the root. */
+  chainTop: JointRef | undefined;
   /** Whether the pointer is on a pin in the viewport. */
   isOverPin = false;
+  /** The joint whose point is lit up under the pointer, and would be dragged. */
+  over: JointRef | undefined;
   /** What a drag of a joint would move, for the status bar: `Bend upper_arm_l to hand_l`. Given by IK's tool. */
   whatMoves: ((characterId: string, joint: number) => string | undefined) | undefined;
   /** Whether anything was dragged yet: until then a hint is shown. */

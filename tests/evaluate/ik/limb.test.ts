@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Bending, bendingOf, limbOf, union } from '../../../src/evaluate/ik/limb.ts';
+import { type Bending, bendingOf, isLongerThanLimb, limbOf, union } from '../../../src/evaluate/ik/limb.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { conformance, describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { anySkeleton } from './any-problem.ts';
@@ -54,4 +54,28 @@ describe('limbs of any skeleton', () => {
     expect(union([[3, 4], [1], [1, 3]])).toEqual([1, 3, 4]);
     expect(union([[3, 4], 'body'])).toBe('body');
   });
+});
+
+it('a head is much longer than its neck, but no hand or forearm than what moves it, and what bends alone doesn’t count', () => {
+  const text = `balljoint chest {
+    balljoint neck { offset 0 0.5 0 boxmin 0 0 0 boxmax 0 0 0
+      balljoint head { offset 0 0.1 0
+        balljoint ear { offset 0 0.3 0 }
+      }
+    }
+    balljoint arm { offset 0.2 0.4 0
+      balljoint fore { offset 0.3 0 0
+        balljoint hand { offset 0.3 0 0
+          balljoint finger { offset 0.1 0 0 }
+        }
+      }
+    }
+    balljoint leg { offset 0 -0.2 0
+      balljoint foot { offset 0 -0.5 0 }
+    }
+  }`;
+  const skeleton = readSkel(new TextEncoder().encode(text), 'body.skel').value?.[0];
+  if (!skeleton) throw new Error('It is a skeleton.');
+  const longer = skeleton.joints.flatMap(({ name }, j) => (isLongerThanLimb(skeleton, j) ? [name] : []));
+  expect(longer).toEqual(['head']);
 });

@@ -26,7 +26,7 @@ import { ikControls } from './ik-controls.ts';
 import { pinAt, selectPin, unpinByHand } from './pin-edits.ts';
 import { PinGizmo } from './pin-gizmo.ts';
 import { PinNudge } from './pin-nudge.ts';
-import { pinUnder, pointUnder, type SeenPoint } from './pins-on-screen.ts';
+import { heldPoint, pinUnder, pointUnder, type SeenPoint } from './pins-on-screen.ts';
 import { PointHand } from './point-hand.ts';
 import { whatMoves } from './reach.ts';
 import { selectedPin } from './selected-pin.ts';
@@ -101,8 +101,8 @@ class IkTool implements ModeTool {
     if (at.button !== 0) return undefined;
     const seen = pointUnder(this.wb, at);
     if (!seen) return undefined;
-    const { characterId, placement, joint, natural } = seen;
-    const grip = { characterId, placement, joint, point: natural?.point ?? seen.point };
+    const { characterId, placement, joint } = seen;
+    const grip = { characterId, placement, joint, point: heldPoint(this.wb, seen) };
     return this.hand.begin(grip, at, () => {
       if (addsToSelection(this.wb, at)) selectHit(this.wb, { characterId, placement, joint }, true);
       else this.pin(seen);

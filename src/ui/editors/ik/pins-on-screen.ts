@@ -1,11 +1,13 @@
 /** Screen positions of pins and joints, as drawn now. */
 import { seenPoint } from '../../../evaluate/ik/drag/grip.ts';
+import { isLongerThanLimb } from '../../../evaluate/ik/limb.ts';
 import { type PinPoint, pinPoints, skinPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
+import { type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
+import { reachOf } from '../../../model/skeleton/reach.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { Skin } from '../../../model/skin.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -17,6 +19,9 @@ const PIN_PIXELS = 9;
 const PIN_PIXELS_TOUCH = 18;
 /** Maximum distance from a bone for the pointer to be on it rather than on a box behind it. */
 const BONE_PIXELS = 7;
+
+/** As a part of the reach: pivots this close coincide. */
+const SAME_PIVOT = 1e-6;
 
 /** A visible pin. */
 export interface SeenPin {
@@ -100,6 +105,13 @@ export function pinUnder(wb: Uses<'store' | 'viewport'>, at: CanvasPointer): See
   return pins[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, reach)];
 }
 
+/** The point that a drag holds, in the joint's space: a natural one if it is close, unless that can hardly be moved. */
+export function heldPoint(wb: Uses<'store'>, { characterId, joint, natural, point }: SeenPoint): Vec3 {
+  const skeleton = findCharacter(wb.store.document, characterId)?.skeleton;
+  if (natural?.kind === 'origin' && skeleton && isLongerThanLimb(skeleton, joint)) return point;
+  return natural?.point ?? point;
+}
+
 /** The point of a character under the pointer. */
 export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: CanvasPointer): SeenPoint | undefined {
   const hit = wb.viewport.pick(at.clientX, at.clientY);
@@ -112,6 +124,10 @@ export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: Canv
   const picked = pickedPoint(wb, seen, hit.joint, hit.vertex, at);
   if (!picked) return undefined;
   const natural = naturalPoint(wb, seen, picked.joint, at);
+  if (natural?.kind === 'origin') {
+    const joint = firstAtPivot(seen, picked.joint);
+    if (joint !== picked.joint) return { characterId: character.id, placement, joint, point: ZERO, natural };
+  }
   const child = natural || hit.vertex === undefined ? undefined : childUnder(wb, seen, picked.joint, at);
   if (child) return { characterId: character.id, placement, ...child };
   return {
@@ -121,6 +137,19 @@ export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: Canv
     ...(natural && { natural }),
     ...(hit.vertex !== undefined && { vertex: hit.vertex }),
   };
+}
+
+/** Of joints whose pivots coincide, such as hips and the first joint of a leg in a capture, the one that moves the rest. */
+function firstAtPivot({ skeleton, world }: SeenSkeleton, joint: number): number {
+  const near = SAME_PIVOT * reachOf(skeleton);
+  const pivot = pointAt(world, joint, ZERO);
+  let first = joint;
+  for (let above = skeleton.joints[joint].parent; above >= 0; above = skeleton.joints[above].parent) {
+    const other = pointAt(world, above, ZERO);
+    if (Math.hypot(...pivot.map((part, k) => part - other[k])) > near) break;
+    first = above;
+  }
+  return first;
 }
 
 /**

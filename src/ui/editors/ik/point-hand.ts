@@ -109,7 +109,9 @@ export class PointHand {
     )
       return;
     this.hoveredPin = pin;
-    this.wb.posing.ik.isOverPin = pin !== undefined;
+    const { ik } = this.wb.posing;
+    ik.isOverPin = pin !== undefined;
+    ik.over = point;
     this.hoveredPoint = point;
     this.wb.viewport.requestRender();
   }

@@ -1,4 +1,5 @@
 /** The end of a limb under the pointer, which Pose mode drags. */
+import { isLongerThanLimb } from '../../../evaluate/ik/limb.ts';
 import { limbEnds } from '../../../evaluate/ik/limb-ends.ts';
 import { pointAt } from '../../../evaluate/ik/set-up.ts';
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
@@ -8,7 +9,14 @@ import { perSkeleton } from '../../../model/skeleton/per-skeleton.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { NATURAL_POINT_PIXELS, nearestOnScreen } from '../ik/nearest-on-screen.ts';
-import { inWorld, pointUnder, type SeenPoint, type SeenSkeleton, seenSkeletons } from '../ik/pins-on-screen.ts';
+import {
+  heldPoint,
+  inWorld,
+  pointUnder,
+  type SeenPoint,
+  type SeenSkeleton,
+  seenSkeletons,
+} from '../ik/pins-on-screen.ts';
 import { whatMoves } from '../ik/reach.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 
@@ -24,12 +32,12 @@ export function endUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: Canvas
   if (!under || !character?.skeleton) return undefined;
   const ends = endsOf(character, character.skeleton);
   const end = ends[under.joint];
-  if (end === under.joint) return under;
   const { characterId, placement } = under;
+  if (end === under.joint) return { characterId, placement, joint: end, point: heldPoint(wb, under) };
   const seen = seenAt(wb, characterId, placement);
   if (!seen) return undefined;
   if (end >= 0) {
-    const point = inJoint(seen, end, pointAt(seen.world, under.joint, under.natural?.point ?? under.point));
+    const point = inJoint(seen, end, pointAt(seen.world, under.joint, heldPoint(wb, under)));
     return point && { characterId, placement, joint: end, point };
   }
   const near = pivotNear(wb, seen, ends, at);
@@ -71,7 +79,7 @@ function pivotNear(
   ends: Int32Array,
   { clientX, clientY }: CanvasPointer,
 ): number | undefined {
-  const joints = [...ends.keys()].filter((joint) => ends[joint] === joint);
+  const joints = [...ends.keys()].filter((joint) => ends[joint] === joint && !isLongerThanLimb(seen.skeleton, joint));
   const places = joints.map((joint) => wb.viewport.eye.toScreen(inWorld(seen, joint, ZERO)));
   const near = nearestOnScreen(places, { x: clientX, y: clientY }, NATURAL_POINT_PIXELS);
   return near < 0 ? undefined : joints[near];

@@ -12,8 +12,10 @@
  */
 import type { HandleId, JointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import { ZERO } from '../../../math/vec3.ts';
+import { findCharacter } from '../../../model/document.ts';
 import { perObject } from '../../../model/per-object.ts';
 import type { HandleHit } from '../../../view/gizmo/handle-at.ts';
+import { meantJoint } from '../../state/joints/meant-joint.ts';
 import { addsToSelection, selectHit } from '../../state/joints/select-joints.ts';
 import { type ResolvedJoint, selectedJoint } from '../../state/joints/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -21,7 +23,7 @@ import { SelectedGizmo } from '../fk/selected-gizmo.ts';
 import { ikControls } from '../ik/ik-controls.ts';
 import { selectPin } from '../ik/pin-edits.ts';
 import { PinGizmo } from '../ik/pin-gizmo.ts';
-import { pinUnder, type SeenPoint } from '../ik/pins-on-screen.ts';
+import { heldPoint, pinUnder, type SeenPoint } from '../ik/pins-on-screen.ts';
 import { PointHand } from '../ik/point-hand.ts';
 import { selectedPin } from '../ik/selected-pin.ts';
 import { activeDof, chooseDof } from '../posing/active-dof.ts';
@@ -139,12 +141,17 @@ class PoseTool implements ModeTool {
   }
 
   /** Drags a point by IK; a click there picks as anywhere. */
-  private pull({ characterId, placement, joint, natural, point }: SeenPoint, at: CanvasPointer): CanvasDrag {
+  private pull(seen: SeenPoint, at: CanvasPointer): CanvasDrag {
     const { wb } = this;
+    const { characterId, placement, joint } = seen;
     this.gizmo.light(undefined, undefined);
-    return this.hand.begin({ characterId, placement, joint, point: natural?.point ?? point }, at, () => {
+    return this.hand.begin({ characterId, placement, joint, point: heldPoint(wb, seen) }, at, () => {
       wb.posing.ik.selected.set(undefined);
-      selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at));
+      const hit = wb.viewport.pick(at.clientX, at.clientY);
+      const skeleton = findCharacter(wb.store.document, characterId)?.skeleton;
+      const isOnIt = hit?.characterId === characterId && hit.joint !== undefined && skeleton !== undefined;
+      const meant = isOnIt ? { ...hit, joint: meantJoint(skeleton, joint, hit.joint) } : hit;
+      selectHit(wb, meant, addsToSelection(wb, at));
     });
   }
 

@@ -193,6 +193,32 @@ describe('a point that is pulled', () => {
     expect(pull.held.size).toBe(2);
   });
 
+  it('turns a pin that holds its orientation where it is, and comes back, also where the character is mirrored', () => {
+    const ik: IkSetup = {
+      pins: [{ ...pin(1, FOOT_L), holdsOrientation: true }, pin(2, FOOT_R)],
+      stiff: [{ joint: HIPS }],
+      rootIsFree: true,
+    };
+    const dofs = Float64Array.from(filePose(PERSON, 0));
+    dofs[3 + 3 * THIGH] = -0.6;
+    dofs[3 + 3 * SHIN] = 1;
+    const world = worldOf(dofs);
+    for (const side of [1, -1]) {
+      const placement = Float64Array.of(side, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+      const grip = { joint: FOOT_L, point: ZERO, pin: 1 };
+      const pull = new Pull(person(ik), PERSON, { dofs, world }, pinTargets(ik, world), grip, placement);
+      for (let i = 1; i <= 10; i++) pull.turn([0, 1, 0], 0.05 * i);
+      const now = worldOf(pull.dofs);
+      const [before, after] = [world, now].map((w) => Math.atan2(-w[16 * FOOT_L + 2], w[16 * FOOT_L]));
+      expect(after - before).toBeCloseTo(side * 0.5, 6);
+      expect(apart(placeOf(pull.dofs, FOOT_L), pointAt(world, FOOT_L, ZERO))).toBeLessThan(1e-6);
+      expect(apart(placeOf(pull.dofs, FOOT_R), pointAt(world, FOOT_R, ZERO))).toBeLessThan(PIN_HOLDS * SIZE);
+      pull.turn([0, 1, 0], 0);
+      pull.settle();
+      expect(Math.max(...pull.dofs.map((value, d) => Math.abs(value - dofs[d])))).toBeLessThan(1e-3);
+    }
+  });
+
   it('a point that is pulled does not move for a hand that is not finite', () => {
     const pull = pullOf(person(), HEAD);
     const before = pull.dofs.slice();
