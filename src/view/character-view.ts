@@ -140,8 +140,8 @@ export class CharacterView {
     this.skin?.setVisible(isVisible);
   }
 
-  /** Index in the palette of a joint's matrix; undefined if it moves no skin. */
-  paletteIndexOf(joint: number): number | undefined {
+  /** First texel in the palette of a joint's matrix; undefined if it moves no skin. */
+  paletteTexelOf(joint: number): number | undefined {
     return this.skin?.matrixOf(joint);
   }
 

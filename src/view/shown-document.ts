@@ -258,7 +258,7 @@ export class ShownDocument {
   private aimSkins(camera: Camera): void {
     const { skins, stage, characters, highlighted } = this;
     const { joint: hovered } = highlighted;
-    skins.hovered.show(hovered && characters.get(hovered.characterId)?.view.paletteIndexOf(hovered.joint));
+    skins.hovered.show(hovered && characters.get(hovered.characterId)?.view.paletteTexelOf(hovered.joint));
     skins.aim(camera, stage.mayCast);
   }
 

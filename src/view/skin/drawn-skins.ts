@@ -23,7 +23,7 @@ import {
   Sphere,
 } from 'three';
 import { STAGE_THEMES, type ThemeName } from '../theme.ts';
-import { FloatBlocks } from './float-blocks.ts';
+import { FloatBlocks, MATRIX_TEXELS } from './float-blocks.ts';
 import { HoveredPart } from './hovered-part.ts';
 import { INSTANCE_STRIDE, placedOf, type SharedSkin, SharedSkins } from './shared-skins.ts';
 import { SharedTextures } from './shared-textures.ts';
@@ -45,14 +45,13 @@ export interface SkinDrawing {
 export type MayCast = (sphere: Sphere) => boolean;
 
 /** Texels of a placement: its matrices to the view and to the world. */
-const TEXELS = 8;
+const TEXELS = 2 * MATRIX_TEXELS;
 /** No joint's influence. */
 const NO_JOINT = 0xffffffff;
 /** Instances that a batch has room for at first. */
 const FIRST_CAPACITY = 4;
 
 /** Scratch, never escapes. */
-const placementValues = new Float64Array(4 * TEXELS);
 const toView = new Matrix4();
 const toClip = new Matrix4();
 const frustum = new Frustum();
@@ -144,9 +143,8 @@ export class DrawnSkins {
 
   private place({ mesh, placement }: Instance): void {
     toView.multiplyMatrices(this.seenFrom, mesh.matrixWorld);
-    placementValues.set(toView.elements);
-    placementValues.set(mesh.matrixWorld.elements, 16);
-    this.placements.write(placement, placementValues);
+    this.placements.writeMatrices(placement, toView.elements);
+    this.placements.writeMatrices(placement + MATRIX_TEXELS, mesh.matrixWorld.elements);
   }
 
   private batchOf(shared: SharedSkin, { material, edges, depth }: SkinDrawing): SkinBatch {

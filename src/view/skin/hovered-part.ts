@@ -3,21 +3,24 @@
  * skin it, so that hovering changes one uniform and no buffer.
  */
 import { Color, type Material } from 'three';
+import { MATRIX_TEXELS } from './float-blocks.ts';
 import { jointWeight, type SkinData } from './skinning.ts';
 
 /** Share of the highlight in the colour of a vertex that follows only this joint, and its glow. */
 const COLOUR_PART = 0.6;
 const GLOW = 0.15;
-/** No joint. */
-const NONE = -1;
+/** Its index in a skin's own block; outside of it for another skin's joint. Rounded, since a GPU may divide inexactly. */
+const JOINT = `round( ( hoveredMatrix - float( firstMatrix ) ) / ${MATRIX_TEXELS}.0 )`;
+/** No joint. Far below all blocks. */
+const NONE = -1e6;
 
 /** Uniforms of the materials of all skins. */
 export class HoveredPart {
-  /** Index in the palette of the joint's matrix; -1 for none. */
+  /** First texel in the palette of the joint's matrix; far below 0 for none. */
   readonly hoveredMatrix = { value: NONE };
   readonly hoveredColour = { value: new Color() };
 
-  /** @param matrix index in the palette; undefined: no joint is hovered */
+  /** @param matrix first texel in the palette; undefined: no joint is hovered */
   show(matrix: number | undefined): void {
     this.hoveredMatrix.value = matrix ?? NONE;
   }
@@ -43,7 +46,7 @@ export function withHoveredPart<M extends Material>(material: M, { ...uniforms }
         /* glsl */ `#include <skinning_vertex>
 	vHovered = 0.0;
 #ifdef USE_SKINNING
-	${jointWeight('vHovered', 'hoveredMatrix - float( firstMatrix )', skin)}
+	${jointWeight('vHovered', JOINT, skin)}
 #endif`,
       );
     shader.fragmentShader = `uniform vec3 hoveredColour;\nin float vHovered;\n${shader.fragmentShader}`

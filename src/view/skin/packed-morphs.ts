@@ -14,7 +14,7 @@ import type { Morph } from '../../model/morph.ts';
 /** Rows between two yields: under a millisecond's work. */
 const STRIDE = 16384;
 /** Texels per row of the texture. */
-const ROW = 2048;
+export const MORPH_ROW = 2048;
 /** Floats of a difference. */
 const FLOATS = 8;
 /** No row of a morph: the difference is only of the normal. */
@@ -63,7 +63,7 @@ export function* packMorphs(
     ranges[2 * v + 1] = start;
   }
   yield 0.3;
-  const floats = new Float32Array(4 * ROW * Math.ceil((2 * all) / ROW));
+  const floats = new Float32Array(4 * MORPH_ROW * Math.ceil((2 * all) / MORPH_ROW));
   const rows = new Int32Array(all).fill(NONE);
   for (let m = 0; m < morphs.length; m++) {
     const morph = morphs[m];
@@ -84,7 +84,7 @@ export function* packMorphs(
       if (row % STRIDE === STRIDE - 1) yield 0.3 + (0.7 * (m + row / rowsOf(morph))) / morphs.length;
     }
   }
-  const texture = new DataTexture(floats, ROW, floats.length / 4 / ROW, RGBAFormat, FloatType);
+  const texture = new DataTexture(floats, MORPH_ROW, floats.length / 4 / MORPH_ROW, RGBAFormat, FloatType);
   texture.needsUpdate = true;
   return { morphs, ranges: new BufferAttribute(ranges, 2), texture, rows };
 }

@@ -1,10 +1,7 @@
 /** A character's block of the palette: see `skinning.ts`. */
 import { type Bone, type DataTexture, Matrix4, Skeleton } from 'three';
 import { setIdentity } from '../../math/mat4.ts';
-import type { FloatBlocks } from './float-blocks.ts';
-
-/** Of a matrix in the palette. */
-const TEXELS = 4;
+import { type FloatBlocks, MATRIX_TEXELS } from './float-blocks.ts';
 
 /**
  * A skeleton whose bone matrices are given, in doubles, and end with the identity; with the weights of its character's
@@ -15,7 +12,7 @@ export class PaletteSkeleton extends Skeleton {
   readonly matrices: Float64Array;
   /** φₘ, one per morph. */
   readonly weights: Float64Array;
-  /** Index in the palette of the first matrix, and of the texel with the first four weights. */
+  /** Texels in the palette: of the first matrix, and of the first four weights. */
   readonly firstMatrix: number;
   readonly firstWeight: number;
   override boneTexture: DataTexture;
@@ -43,10 +40,10 @@ export class PaletteSkeleton extends Skeleton {
     this.matrices = new Float64Array(16 * (jointCount + 1));
     for (let m = 0; m < this.matrices.length; m += 16) setIdentity(this.matrices, m);
     this.weights = new Float64Array(morphCount);
-    // Whole matrices, so that its first one has an index.
-    this.texels = TEXELS * (jointCount + 1 + Math.ceil(morphCount / 16));
-    this.firstMatrix = palette.allocate(this.texels) / TEXELS;
-    this.firstWeight = TEXELS * (this.firstMatrix + jointCount + 1);
+    const matrixTexels = MATRIX_TEXELS * (jointCount + 1);
+    this.texels = matrixTexels + Math.ceil(morphCount / 4);
+    this.firstMatrix = palette.allocate(this.texels);
+    this.firstWeight = this.firstMatrix + matrixTexels;
     this.upload();
   }
 
@@ -57,7 +54,7 @@ export class PaletteSkeleton extends Skeleton {
 
   /** Uploads matrices and weights with the next draw. */
   upload(): void {
-    this.palette.write(TEXELS * this.firstMatrix, this.matrices);
+    this.palette.writeMatrices(this.firstMatrix, this.matrices);
     this.palette.write(this.firstWeight, this.weights);
   }
 
@@ -70,6 +67,6 @@ export class PaletteSkeleton extends Skeleton {
 
   /** Gives back its block. (three.js would dispose of the texture, which is everyone's.) */
   override dispose(): void {
-    this.palette.release(TEXELS * this.firstMatrix, this.texels);
+    this.palette.release(this.firstMatrix, this.texels);
   }
 }

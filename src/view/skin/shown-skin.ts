@@ -22,6 +22,7 @@ import { type Skin, vertexCount } from '../../model/skin.ts';
 import type { Bones } from '../skeleton/bones.ts';
 import { runInSlices } from '../slices.ts';
 import type { DrawnSkins, SkinDrawing } from './drawn-skins.ts';
+import { MATRIX_TEXELS } from './float-blocks.ts';
 import { PaletteSkeleton } from './palette-skeleton.ts';
 import type { SharedSkin } from './shared-skins.ts';
 import { edgesOf } from './skin-geometry.ts';
@@ -109,9 +110,9 @@ export class ShownSkin {
     return this.bones && this.skeleton.matrices;
   }
 
-  /** Index in the palette of a joint's matrix; undefined if it moves nothing of the skin. */
+  /** First texel in the palette of a joint's matrix; undefined if it moves nothing of the skin. */
   matrixOf(joint: number): number | undefined {
-    return joint < this.skeleton.identityIndex ? this.skeleton.firstMatrix + joint : undefined;
+    return joint < this.skeleton.identityIndex ? this.skeleton.firstMatrix + MATRIX_TEXELS * joint : undefined;
   }
 
   /** What must be on the GPU before it is drawn; undefined until it is built. */

@@ -29,7 +29,7 @@ const IN_ATTRIBUTES = 4;
 /** Vertices or edges between two yields: under a millisecond's work. */
 const STRIDE = 16384;
 /** Texels per row of the attachment texture: the maximum texture size that WebGL2 guarantees. */
-const ATTACHMENT_ROW = 2048;
+export const ATTACHMENT_ROW = 2048;
 /** Above this, Uint16 indices don't fit, and three.js treats integers as such for `vec4` only. */
 const LARGEST_SHORT = 0xffff;
 

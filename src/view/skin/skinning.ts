@@ -34,9 +34,10 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
-import type { FloatBlocks } from './float-blocks.ts';
-import type { PackedMorphs } from './packed-morphs.ts';
+import { type FloatBlocks, MATRIX_TEXELS, ROW_BITS } from './float-blocks.ts';
+import { MORPH_ROW, type PackedMorphs } from './packed-morphs.ts';
 import type { PaletteSkeleton } from './palette-skeleton.ts';
+import { ATTACHMENT_ROW } from './skin-geometry.ts';
 
 /** What of a skin is on the GPU, apart from vertices: created once for all characters with an equal one. */
 export interface SkinData {
@@ -72,12 +73,13 @@ export function placeOne(material: ShaderMaterial, { firstMatrix, firstWeight }:
 
 const TEXEL_OF = /* glsl */ `
 vec4 texelOf( const in highp sampler2D blocks, const in uint i ) {
-	uint width = uint( textureSize( blocks, 0 ).x );
-	return texelFetch( blocks, ivec2( int( i % width ), int( i / width ) ), 0 );
+	return texelFetch( blocks, ivec2( int( i & ${(1 << ROW_BITS) - 1}u ), int( i >> ${ROW_BITS}u ) ), 0 );
 }
 
+// By its rows: see FloatBlocks.
 mat4 matrixOf( const in highp sampler2D blocks, const in uint i ) {
-	return mat4( texelOf( blocks, i ), texelOf( blocks, i + 1u ), texelOf( blocks, i + 2u ), texelOf( blocks, i + 3u ) );
+	return transpose( mat4(
+		texelOf( blocks, i ), texelOf( blocks, i + 1u ), texelOf( blocks, i + 2u ), vec4( 0.0, 0.0, 0.0, 1.0 ) ) );
 }
 `;
 
@@ -86,7 +88,7 @@ const PLACED: Readonly<Record<Placing, string>> = {
 uniform highp uint firstMatrix;
 uniform highp uint firstWeight;
 `,
-  // Texel of the placement; matrix and texel of the palette; the joint whose influence is shown.
+  // Texels of the placement, and of matrices and weights in the palette; the joint whose influence is shown.
   many: /* glsl */ `
 in uvec4 placed;
 uniform highp sampler2D placementTexture;
@@ -95,7 +97,7 @@ uniform highp sampler2D placementTexture;
 
 // To the view, and to the world: on the processor, in doubles, far from the origin too.
 mat4 placementView() { return matrixOf( placementTexture, placed.x ); }
-mat4 placementWorld() { return matrixOf( placementTexture, placed.x + 4u ); }
+mat4 placementWorld() { return matrixOf( placementTexture, placed.x + ${MATRIX_TEXELS}u ); }
 `,
 };
 
@@ -103,7 +105,7 @@ const BONE_MATRIX = /* glsl */ `
 uniform highp sampler2D boneTexture;
 
 mat4 getBoneMatrix( const in float i ) {
-	return matrixOf( boneTexture, 4u * ( firstMatrix + uint( i ) ) );
+	return matrixOf( boneTexture, firstMatrix + ${MATRIX_TEXELS}u * uint( i ) );
 }
 
 `;
@@ -127,13 +129,17 @@ in uvec2 attachmentRange;
 
 // Joint and weight of an attachment past the fourth.
 vec2 getAttachment( const in uint i ) {
-	return texelOf( attachmentTexture, i ).xy;
+	return texelFetch( attachmentTexture, ivec2( int( i % ${ATTACHMENT_ROW}u ), int( i / ${ATTACHMENT_ROW}u ) ), 0 ).xy;
 }
 `;
 
 const MORPHS = /* glsl */ `
 uniform highp sampler2D morphTexture;
 in uvec2 morphRange;
+
+vec4 getDifference( const in uint i ) {
+	return texelFetch( morphTexture, ivec2( int( i % ${MORPH_ROW}u ), int( i / ${MORPH_ROW}u ) ), 0 );
+}
 
 float getMorphWeight( const in float m ) {
 	uint i = uint( m );
@@ -144,7 +150,7 @@ float getMorphWeight( const in float m ) {
 /** Adds what `part` says of each of the vertex's differences: see `packed-morphs.ts`. */
 const forEachDifference = (part: string) => /* glsl */ `
 	for ( uint d = morphRange.x; d < morphRange.y; d ++ ) {
-		vec4 difference = texelOf( morphTexture, 2u * d );
+		vec4 difference = getDifference( 2u * d );
 		float morphWeight = getMorphWeight( difference.x );
 		if ( morphWeight != 0.0 ) ${part}
 	}
@@ -183,15 +189,20 @@ ${TEXEL_OF}${PLACED[placing]}${TURN_NORMAL}${BONE_MATRIX}${more ? MORE_ATTACHMEN
 `,
     skinning_pars_vertex: '',
     ...(morphs && {
-      morphnormal_vertex: forEachDifference('objectNormal += morphWeight * texelOf( morphTexture, 2u * d + 1u ).xyz;'),
+      morphnormal_vertex: forEachDifference('objectNormal += morphWeight * getDifference( 2u * d + 1u ).xyz;'),
       morphtarget_vertex: forEachDifference('transformed += morphWeight * difference.yzw;'),
     }),
-    ...(placing === 'many' && {
-      skinbase_vertex: `${ShaderChunk.skinbase_vertex}
+    // What has no weight isn't read: most vertices have one or two attachments.
+    skinbase_vertex: /* glsl */ `
 #ifdef USE_SKINNING
-	mat4 placedView = placementView();
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = skinWeight.y == 0.0 ? mat4( 0.0 ) : getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = skinWeight.z == 0.0 ? mat4( 0.0 ) : getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = skinWeight.w == 0.0 ? mat4( 0.0 ) : getBoneMatrix( skinIndex.w );
+	${placing === 'many' ? 'mat4 placedView = placementView();' : ''}
 #endif
 `,
+    ...(placing === 'many' && {
       defaultnormal_vertex: edited('defaultnormal_vertex', [
         [
           'transformedNormal = normalMatrix * transformedNormal;',

@@ -232,11 +232,8 @@ function picture(scene: Scene, camera: Camera): Picture {
   return { pixels: [...pixels], drawn };
 }
 
-/** The character as the page draws it, and its vertices deformed by the core and drawn as a rigid mesh. */
-function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Picture } {
-  const character = characterOf(what);
-  const view = new CharacterView(skins, renderer);
-  view.show(character, { ...DEFAULT_DISPLAY, skin: 'solid' }, undefined);
+/** A character's vertices deformed by the core, with normals and triangles as they are drawn. */
+function deformed(character: Character, view: CharacterView): BufferGeometry {
   const [mesh] = view.skinnedMeshes;
   const [skin] = character.skins;
   const compiled = compileSkin(skin);
@@ -249,6 +246,16 @@ function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Pict
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
   geometry.setIndex(mesh.geometry.getIndex());
   geometry.setAttribute('turned', mesh.geometry.getAttribute('turned'));
+  return geometry;
+}
+
+/** The character as the page draws it, and its vertices deformed by the core and drawn as a rigid mesh. */
+function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Picture } {
+  const character = characterOf(what);
+  const view = new CharacterView(skins, renderer);
+  view.show(character, { ...DEFAULT_DISPLAY, skin: 'solid' }, undefined);
+  const [mesh] = view.skinnedMeshes;
+  const geometry = deformed(character, view);
   const material = [mesh.material].flat()[0].clone();
   const rigid = new Mesh(geometry, withExactSkinning(material, PLAIN_SKIN, { placing: 'many' }));
   rigid.castShadow = true;
@@ -291,7 +298,8 @@ async function styled(what: Case, display: Partial<Display>, heatJoint?: number)
 /** Shading normals in view space as colours: 0.5 + 0.5 n. `plain`: as oriented by three.js, by the file's winding. */
 function turned(what: Case, plain: boolean): Picture {
   const view = new CharacterView(skins, renderer);
-  view.show(characterOf(what), DEFAULT_DISPLAY, undefined);
+  const character = characterOf(what);
+  view.show(character, DEFAULT_DISPLAY, undefined);
   const [mesh] = view.skinnedMeshes;
   const material = new ShaderMaterial({
     side: DoubleSide,
@@ -323,12 +331,16 @@ void main() {
 	gl_FragColor = vec4( 0.5 + 0.5 * normal, 1.0 );
 }`,
   });
-  if (plain) mesh.geometry.setIndex(new BufferAttribute(mesh.shared.skin.triangles, 1));
-  else withExactSkinning(material, mesh.shared, { placing: 'one' });
-  mesh.material = material;
-  if (!plain) placeOne(material, mesh.skeleton);
   const scene = new Scene();
-  scene.add(mesh);
+  if (plain) {
+    const geometry = deformed(character, view);
+    geometry.setIndex(new BufferAttribute(mesh.shared.skin.triangles, 1));
+    scene.add(new Mesh(geometry, material));
+  } else {
+    mesh.material = withExactSkinning(material, mesh.shared, { placing: 'one' });
+    placeOne(material, mesh.skeleton);
+    scene.add(mesh);
+  }
   const camera = cameraFor(view.localBox.getCenter(new Vector3()), view.localBox.getSize(new Vector3()).length() / 2);
   const taken = picture(scene, camera);
   view.dispose();

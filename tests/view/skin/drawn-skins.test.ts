@@ -139,9 +139,8 @@ describe('skins that are drawn', () => {
     skins.aim(camera);
     const [batch] = batches();
     const toView = 4 * placedOf(batch.geometry).getX(0);
-    expect([...(skins.placements.texture.image.data ?? [])].slice(toView + 12, toView + 16)).toEqual([
-      0.125, 0, -10, 1,
-    ]);
+    const rows = [...(skins.placements.texture.image.data ?? [])].slice(toView, toView + 12);
+    expect(rows).toEqual([1, 0, 0, 0.125, 0, 1, 0, 0, 0, 0, 1, -10]);
   });
 });
 
