@@ -4,12 +4,14 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { build } from 'vite';
+import { draco } from '../../plugins/draco.ts';
 
 /** @param path of a module, relative to the project */
 export async function bundled<Module>(path: string): Promise<Module> {
   const made = await build({
     configFile: false,
     logLevel: 'error',
+    plugins: [draco()],
     build: { ssr: path, write: false, target: 'node20' },
     ssr: { noExternal: true },
   });

@@ -98,7 +98,7 @@ class BinaryReader {
     }
     if (rest > end) report.fail('bad-record', 'A record is shorter than its name and values.', offset);
     if (depth > MAX_DEPTH) report.fail('too-deep', `Records are nested more than ${MAX_DEPTH} deep.`, offset);
-    const name = UTF8.decode(this.bytes.subarray(cursor.at, values));
+    const name = textOf(this.bytes.subarray(cursor.at, values));
     cursor.at = values;
     // Each value has a byte for its type.
     if (count > valueBytes) report.fail('bad-record', `${name} claims ${count} values in ${valueBytes} bytes.`, offset);
@@ -158,7 +158,7 @@ class BinaryReader {
         const length = view.getUint32(at, isLittle);
         take(4 + length);
         const data = bytes.subarray(at + 4, at + 4 + length);
-        return type === 'S' ? UTF8.decode(data) : data;
+        return type === 'S' ? textOf(data) : data;
       }
       case 'f':
       case 'd':
@@ -231,8 +231,12 @@ function numbers(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c', data: Uint8Array<Array
     case 'i':
       return new Int32Array(data.buffer, 0, count);
     case 'l': {
-      const words = new DataView(data.buffer);
-      return Float64Array.from({ length: count }, (_, i) => Number(words.getBigInt64(8 * i, true)));
+      const low = new Uint32Array(data.buffer, 0, 2 * count);
+      const high = new Int32Array(data.buffer, 0, 2 * count);
+      const out = new Float64Array(count);
+      // Rounded once, by the sum, as the integer would be.
+      for (let i = 0; i < count; i++) out[i] = high[2 * i + 1] * 2 ** 32 + low[2 * i];
+      return out;
     }
     default:
       return data;
@@ -243,4 +247,15 @@ function numbers(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c', data: Uint8Array<Array
 export function integer(value: bigint): number | bigint {
   const number = Number(value);
   return Number.isSafeInteger(number) ? number : value;
+}
+
+/** UTF-8; nearly all names are short and ASCII, for which a decoder takes several times as long. */
+function textOf(bytes: Uint8Array): string {
+  if (bytes.length > 64) return UTF8.decode(bytes);
+  let text = '';
+  for (const byte of bytes) {
+    if (byte > 127) return UTF8.decode(bytes);
+    text += String.fromCharCode(byte);
+  }
+  return text;
 }

@@ -105,10 +105,15 @@ export function curveOf(
 
 /** Seconds in ascending order, with their values. Times that are no number, and values that are no single, count as 0. */
 function sorted(ticks: FbxNumbers, values: FbxNumbers, ticksPerSecond: number): [Float64Array, Float64Array] {
-  const times = Float64Array.from(ticks, (time) => finite(time / ticksPerSecond));
-  const isSorted = times.every((time, i) => i === 0 || time >= times[i - 1]);
+  const times = new Float64Array(ticks.length);
+  let isSorted = true;
+  for (let i = 0; i < times.length; i++) {
+    times[i] = finite(ticks[i] / ticksPerSecond);
+    if (i > 0 && !(times[i] >= times[i - 1])) isSorted = false;
+  }
+  const numbers = new Float64Array(values.length);
   // Texts can say more than the format holds: slopes and fitted keys of 1e308 would be no numbers.
-  const numbers = Float64Array.from(values, (value) => (Number.isFinite(Math.fround(value)) ? value : 0));
+  for (let i = 0; i < numbers.length; i++) numbers[i] = Number.isFinite(Math.fround(values[i])) ? values[i] : 0;
   if (isSorted) return [times, numbers];
   const order = [...times.keys()].sort((a, b) => times[a] - times[b] || a - b);
   return [Float64Array.from(order, (i) => times[i]), Float64Array.from(order, (i) => numbers[i])];
@@ -188,12 +193,13 @@ interface Sides {
   readonly after: { readonly duration: number; readonly change: number } | undefined;
 }
 
-function sidesOf({ times, values }: FbxCurve, key: number): Sides {
-  const between = (a: number, b: number) => {
-    if (a < 0 || b >= times.length || !(times[b] > times[a])) return undefined;
-    return { duration: times[b] - times[a], change: values[b] - values[a] };
-  };
-  return { before: between(key - 1, key), after: between(key, key + 1) };
+function sidesOf(curve: FbxCurve, key: number): Sides {
+  return { before: spanFrom(curve, key - 1), after: spanFrom(curve, key) };
+}
+
+function spanFrom({ times, values }: FbxCurve, key: number): Sides['after'] {
+  if (key < 0 || key + 1 >= times.length || !(times[key + 1] > times[key])) return undefined;
+  return { duration: times[key + 1] - times[key], change: values[key + 1] - values[key] };
 }
 
 /** Tension, continuity and bias. */
@@ -215,7 +221,7 @@ function autoSlope({ before, after }: Sides, weightIn: number, weightOut: number
   const side = before ?? after;
   if (!side) return 0;
   // Clamped keys are flat beside a key of the same value.
-  const nearest = Math.min(...[before, after].map((s) => (s ? Math.abs(s.change) : Number.POSITIVE_INFINITY)));
+  const nearest = Math.min(Math.abs((before ?? side).change), Math.abs((after ?? side).change));
   if ((flags & CLAMP_FLAG) !== 0 && nearest <= 1e-5 && !(isProgressive && !(before && after))) return 0;
   const strength = Math.abs(bias) / 100;
   const excess = Math.max(0, strength - 5);

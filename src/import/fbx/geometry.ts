@@ -43,6 +43,9 @@ export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): Fb
   const materials = materialLayer(record);
   const vertices = new Vertices(points.length / 3, normals !== undefined, texcoords !== undefined);
   const slots = new Map<number, number[]>();
+  // Of one polygon: its points, its vertices, and three of its corners per triangle.
+  const own: number[] = [];
+  const made: number[] = [];
   const cut: number[] = [];
   let skipped = 0;
   let polygon = 0;
@@ -50,10 +53,18 @@ export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): Fb
     let end = start;
     while (end < corners.length && corners[end] >= 0) end++;
     end = Math.min(end + 1, corners.length);
-    const own = Array.from(corners.subarray(start, end), (corner) => (corner < 0 ? ~corner : corner));
-    if (own.some((point) => 3 * point >= points.length)) skipped++;
+    own.length = made.length = end - start;
+    let isMissing = false;
+    for (let i = 0; i < own.length; i++) {
+      const corner = corners[start + i];
+      own[i] = corner < 0 ? ~corner : corner;
+      if (3 * own[i] >= points.length) isMissing = true;
+    }
+    if (isMissing) skipped++;
     else if (own.length > 2) {
-      const made = own.map((point, i) => vertices.at(point, normals, texcoords, start + i, polygon));
+      for (let i = 0; i < own.length; i++) {
+        made[i] = vertices.at(own[i], normals, texcoords, start + i, polygon);
+      }
       const slot = materials(polygon);
       const triangles = slots.get(slot) ?? [];
       slots.set(slot, triangles);
@@ -87,7 +98,9 @@ export function meshOf(record: FbxRecord, report: FbxReport, effort: Effort): Fb
 /** Whole points only, and 0 for what is not a number. */
 function finitePoints(numbers: FbxNumbers): Float64Array {
   const count = 3 * Math.floor(numbers.length / 3);
-  return Float64Array.from(numbers.subarray(0, count), (value) => (Number.isFinite(value) ? value : 0));
+  const out = new Float64Array(count);
+  for (let i = 0; i < count; i++) out[i] = Number.isFinite(numbers[i]) ? numbers[i] : 0;
+  return out;
 }
 
 /** Values of corners: at what index a corner's are, given the corner, its point and its polygon; -1 for none. */
@@ -176,8 +189,11 @@ class Vertices {
   at(point: number, normals: Layer | undefined, texcoords: Layer | undefined, corner: number, polygon: number): number {
     const n = normals?.indexOf(corner, point, polygon) ?? -1;
     const t = texcoords?.indexOf(corner, point, polygon) ?? -1;
-    const [x, y, z] = [read(normals, n, 0), read(normals, n, 1), read(normals, n, 2)];
-    const [u, v] = [read(texcoords, t, 0), read(texcoords, t, 1)];
+    const x = read(normals, n, 0);
+    const y = read(normals, n, 1);
+    const z = read(normals, n, 2);
+    const u = read(texcoords, t, 0);
+    const v = read(texcoords, t, 1);
     let compared = 0;
     for (let vertex = this.first[point]; vertex >= 0 && compared < MAX_COMPARED; vertex = this.next[vertex]) {
       compared++;

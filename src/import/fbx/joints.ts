@@ -66,9 +66,11 @@ function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): 
       for (let i = 0; i < nodes.length; i++) {
         const motion = motions[i];
         const from = 3 * sources[i];
-        motion.at(time);
+        motion.scaleAt(time);
         for (let k = 0; k < 3; k++) stretches[3 * i + k] = motion.scale[k] * (from < 0 ? 1 : stretches[from + k]);
-        const [x, y, z] = [stretches[3 * i], stretches[3 * i + 1], stretches[3 * i + 2]];
+        const x = stretches[3 * i];
+        const y = stretches[3 * i + 1];
+        const z = stretches[3 * i + 2];
         const size = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
         if (Math.abs(x - y) + Math.abs(x - z) > 1e-5 * size || x === 0) uneven[i] = true;
       }
@@ -113,7 +115,7 @@ export class Stretches {
   of(i: number, time: number): Vec3 {
     if (i < 0) return ONE;
     const motion = this.motions[i];
-    motion.at(time);
+    motion.scaleAt(time);
     const [x, y, z] = motion.scale;
     const source = stretchSource(this.nodes, i);
     if (source < 0) return [x, y, z];

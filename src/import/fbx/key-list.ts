@@ -57,10 +57,12 @@ export class KeyList {
 
   /** Values and slopes times a factor, and values plus an offset. There must be a key. */
   channel(factor: number, offset: number, extrapolateIn: Extrapolation, extrapolateOut: Extrapolation): KeyedChannel {
+    const values = new Float64Array(this.values);
+    for (let k = 0; k < values.length; k++) values[k] = values[k] * factor + offset;
     return {
       kind: 'keys',
-      times: Float64Array.from(this.times),
-      values: Float64Array.from(this.values, (value) => value * factor + offset),
+      times: new Float64Array(this.times),
+      values,
       tangentsIn: tangentsOf(this.slopesIn, factor),
       tangentsOut: tangentsOf(this.slopesOut, factor),
       extrapolateIn,
@@ -71,9 +73,13 @@ export class KeyList {
 
 /** A slope that is too steep to be a number is that of the straight line. */
 function tangentsOf(slopes: readonly Slope[], factor: number): Tangents {
-  const held = slopes.map((slope) => (slope === 'line' || !Number.isFinite(slope * factor) ? 'line' : slope));
-  return {
-    kinds: Uint8Array.from(held, (slope) => (slope === 'line' ? LINEAR : slope === 0 ? FLAT : FIXED_TANGENT)),
-    slopes: Float64Array.from(held, (slope) => (slope === 'line' ? 0 : slope * factor)),
-  };
+  const kinds = new Uint8Array(slopes.length).fill(LINEAR);
+  const own = new Float64Array(slopes.length);
+  for (let k = 0; k < own.length; k++) {
+    const slope = slopes[k];
+    if (slope === 'line' || !Number.isFinite(slope * factor)) continue;
+    kinds[k] = slope === 0 ? FLAT : FIXED_TANGENT;
+    own[k] = slope * factor;
+  }
+  return { kinds, slopes: own };
 }

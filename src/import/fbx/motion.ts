@@ -47,15 +47,14 @@ export class NodeMotion {
 
   /** Computes all three. */
   at(time: number): void {
+    this.scaleAt(time);
     this.translation.set(this.node.translation);
     this.angles.set(this.node.angles);
-    this.scale.set(this.node.scale);
     for (let l = 0; l < this.layers.length; l++) {
       const layer = this.layers[l];
       const weight = l === 0 ? 1 : layerWeight(layer, time);
       const translating = this.translating[l];
       const rotating = this.rotating[l];
-      const scaling = this.scaling[l];
       const mode = l === 0 ? 'override' : layer.mode;
       if (translating) this.blend(this.translation, this.read(translating, time), mode, weight);
       if (rotating) {
@@ -64,11 +63,21 @@ export class NodeMotion {
         if (mode !== 'override' && layer.composesRotation) this.turn(mode, weight);
         else this.blend(this.angles, this.value, mode, weight);
       }
-      if (scaling) {
-        this.read(scaling, time);
-        if (mode !== 'override' && layer.composesScale) this.stretch(mode, weight);
-        else this.blend(this.scale, this.value, mode, weight);
-      }
+    }
+  }
+
+  /** Computes the scale alone. */
+  scaleAt(time: number): void {
+    this.scale.set(this.node.scale);
+    for (let l = 0; l < this.layers.length; l++) {
+      const layer = this.layers[l];
+      const scaling = this.scaling[l];
+      if (!scaling) continue;
+      const weight = l === 0 ? 1 : layerWeight(layer, time);
+      const mode = l === 0 ? 'override' : layer.mode;
+      this.read(scaling, time);
+      if (mode !== 'override' && layer.composesScale) this.stretch(mode, weight);
+      else this.blend(this.scale, this.value, mode, weight);
     }
   }
 

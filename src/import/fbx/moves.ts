@@ -211,7 +211,7 @@ export class Mover {
     }
     const curves = [...curvesOf(drivers, this.take), ...this.stretchCurves(source), ...this.stretchCurves(divisor)];
     return this.fitted(joint, curves, rest, this.tolerances.factor, (time, _, out) => {
-      motion.at(time);
+      motion.scaleAt(time);
       const [from, by] = [this.stretches.of(source, time), this.stretches.of(divisor, time)];
       for (let k = 0; k < 3; k++) out[k] = motion.scale[k] * quotient(from[k], by[k]);
     });

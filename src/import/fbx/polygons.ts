@@ -1,4 +1,7 @@
-/** Polygons cut into triangles: by ears, so that those with corners turned inwards are right, too. */
+/**
+ * Polygons cut into triangles: by ears, so that those with corners turned inwards are right, too. Of a convex one each
+ * next corner is an ear, which makes it a fan.
+ */
 import { length3 } from '../../math/vec3.ts';
 
 /** With more corners a polygon is cut as a fan, since finding ears can take time with the cube of their number. */
@@ -22,7 +25,7 @@ export function cutPolygon(points: ArrayLike<number>, corners: ArrayLike<number>
     return;
   }
   const flat = flattened(points, corners);
-  if (!flat || count > MAX_CORNERS || effort.left <= 0) {
+  if (!flat || count > MAX_CORNERS || effort.left <= 0 || isConvex(flat, count)) {
     for (let i = 2; i < count; i++) out.push(0, i - 1, i);
     return;
   }
@@ -36,29 +39,50 @@ export function cutPolygon(points: ArrayLike<number>, corners: ArrayLike<number>
   out.push(left[0], left[1], left[2]);
 }
 
-/** x y per corner in the plane of the polygon, counter-clockwise; undefined if it has no area. */
+/** Scratch of `flattened`. */
+let plane = new Float64Array(64);
+
+/** x y per corner in the plane of the polygon, counter-clockwise; undefined if it has no area. Scratch. */
 function flattened(points: ArrayLike<number>, corners: ArrayLike<number>): Float64Array | undefined {
-  const normal = [0, 0, 0];
+  let x = 0;
+  let y = 0;
+  let z = 0;
   const count = corners.length;
   // Newell's method: right for polygons that are not quite flat.
   for (let i = 0; i < count; i++) {
     const a = 3 * corners[i];
-    const b = 3 * corners[(i + 1) % count];
-    for (let k = 0; k < 3; k++) {
-      const [u, v] = [(k + 1) % 3, (k + 2) % 3];
-      normal[k] += (points[a + u] - points[b + u]) * (points[a + v] + points[b + v]);
-    }
+    const b = 3 * corners[i + 1 === count ? 0 : i + 1];
+    x += (points[a + 1] - points[b + 1]) * (points[a + 2] + points[b + 2]);
+    y += (points[a + 2] - points[b + 2]) * (points[a] + points[b]);
+    z += (points[a] - points[b]) * (points[a + 1] + points[b + 1]);
   }
-  if (!(length3(normal[0], normal[1], normal[2]) > 0)) return undefined;
-  const sizes = normal.map(Math.abs);
-  const main = sizes.indexOf(Math.max(...sizes));
-  const [u, v] = normal[main] > 0 ? [(main + 1) % 3, (main + 2) % 3] : [(main + 2) % 3, (main + 1) % 3];
-  const flat = new Float64Array(2 * count);
+  if (!(length3(x, y, z) > 0)) return undefined;
+  const [sizeX, sizeY, sizeZ] = [Math.abs(x), Math.abs(y), Math.abs(z)];
+  const main = sizeX >= sizeY && sizeX >= sizeZ ? 0 : sizeY >= sizeZ ? 1 : 2;
+  const isAhead = (main === 0 ? x : main === 1 ? y : z) > 0;
+  const u = (main + (isAhead ? 1 : 2)) % 3;
+  const v = (main + (isAhead ? 2 : 1)) % 3;
+  if (plane.length < 2 * count) plane = new Float64Array(2 * count);
   for (let i = 0; i < count; i++) {
-    flat[2 * i] = points[3 * corners[i] + u];
-    flat[2 * i + 1] = points[3 * corners[i] + v];
+    plane[2 * i] = points[3 * corners[i] + u];
+    plane[2 * i + 1] = points[3 * corners[i] + v];
   }
-  return flat;
+  return plane;
+}
+
+/** Whether it turns left at every corner, and about once in all: then it turns up once and down once. */
+function isConvex(flat: Float64Array, count: number): boolean {
+  let turns = 0;
+  let wasUp = flat[1] > flat[2 * count - 1];
+  for (let i = 0; i < count; i++) {
+    const next = i + 1 === count ? 0 : i + 1;
+    const after = next + 1 === count ? 0 : next + 1;
+    if (!(area(flat, i, next, after) > 0)) return false;
+    const isUp = flat[2 * next + 1] > flat[2 * i + 1];
+    if (isUp !== wasUp) turns++;
+    wasUp = isUp;
+  }
+  return turns <= 2;
 }
 
 /** One of the corners left that can be cut off; the first if there is none. */

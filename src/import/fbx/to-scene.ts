@@ -142,14 +142,16 @@ function axesNode({ matrix, isLeftHanded }: FbxAxes): SceneNode {
 function tolerancesOf(worlds: Float64Array, meshes: readonly BuiltMesh[]): Tolerances {
   const low = [0, 1, 2].map(() => Number.POSITIVE_INFINITY);
   const high = [0, 1, 2].map(() => Number.NEGATIVE_INFINITY);
-  const include = (values: Float64Array, from: number) => {
+  const include = (points: Float64Array, stride: number) => {
     for (let k = 0; k < 3; k++) {
-      low[k] = Math.min(low[k], values[from + k]);
-      high[k] = Math.max(high[k], values[from + k]);
+      for (let o = k; o < points.length; o += stride) {
+        low[k] = Math.min(low[k], points[o]);
+        high[k] = Math.max(high[k], points[o]);
+      }
     }
   };
-  for (let o = 12; o < worlds.length; o += 16) include(worlds, o);
-  for (const { mesh } of meshes) for (let o = 0; o < mesh.positions.length; o += 3) include(mesh.positions, o);
+  include(worlds.subarray(12), 16);
+  for (const { mesh } of meshes) include(mesh.positions, 3);
   const size = Math.hypot(...[0, 1, 2].map((k) => high[k] - low[k])) || 1;
   return { length: TOLERANCE * size, angle: TOLERANCE, factor: TOLERANCE };
 }
