@@ -206,6 +206,33 @@ it('takes hold of the copy that was clicked, and frames that', () =>
     );
   }));
 
+/** A closed box about [0, 0, 0.5], 0.4 deep, without a skeleton. */
+function boxSkin(): string {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? 0.4 : -0.4, i & 2 ? 1 : -1, i & 4 ? 0.7 : 0.3]);
+  const sides = ['0 2 1  1 2 3', '4 5 6  5 7 6', '0 1 4  1 5 4', '2 6 3  3 6 7', '0 4 2  2 4 6', '1 3 5  3 7 5'];
+  return `positions 8 { ${corners.flat().join(' ')} }
+normals 8 { ${corners.map(() => '0 0 1').join('  ')} }
+triangles 12 { ${sides.join('  ')} }
+`;
+}
+
+it('offers a new skeleton for a skin without one, and puts joints into the middle of it', () =>
+  withPage(async ({ page }) => {
+    await dropFiles(page, [{ name: 'box.skin', bytes: boxSkin() }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 8);
+    await page.evaluate(() => window.marrow.run('view.front'));
+    // That its floor is below 0 is said too, and doesn't hide the offer.
+    await page.locator('.message-line').getByRole('button', { name: 'New skeleton' }).click();
+    await page.getByRole('button', { name: 'Add joints', pressed: true }).waitFor();
+    const places = () => page.evaluate(() => window.marrow.worldMatrices().map((world) => world.slice(12, 15)));
+    await expect.poll(places).toEqual([[0, 0, 0.5]]);
+    await clickAt(page, 20, -50, 2);
+    const [, [x, y, z]] = await places();
+    expect(x).toBeGreaterThan(0.02);
+    expect(y).toBeGreaterThan(0.1);
+    expect(z).toBeCloseTo(0.5, 2);
+  }));
+
 it('puts a new skeleton into the middle of the picture, however full that is', () =>
   withPage(async ({ page }) => {
     await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);

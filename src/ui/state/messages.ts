@@ -89,11 +89,15 @@ export class Messages {
     this.passing.set(text);
   }
 
-  /** Adds an info with buttons: listed, since it is of use later too, and shown briefly, unless a worse one is there. */
+  /**
+   * Adds an info with buttons: listed, since it is of use later too, and shown briefly, unless a worse one is there, or
+   * another one with buttons that is still to be read.
+   */
   suggest(text: string, offers: readonly Offer[], isOver: IsOver): void {
     this.given++;
     this.add({ text, severity: 'info', diagnostics: [], offers }, false);
-    if (this.all.some((m) => m.unread)) return;
+    const isTaken = this.passing.get() !== undefined && this.offers.length > 0 && this.passingIsOver?.() !== true;
+    if (isTaken || this.all.some((m) => m.unread)) return;
     this.offers = offers;
     this.passingIsOver = isOver;
     this.passing.set(undefined);

@@ -152,6 +152,26 @@ describe('an opening', () => {
   });
 });
 
+describe('a suggestion', () => {
+  it('is listed, and shown unless another is still to be read', () => {
+    const messages = new Messages();
+    let isOver = false;
+    const offer = (label: string) => [{ label, run: () => {} }];
+    messages.suggest('a', offer('A'), () => isOver);
+    messages.suggest('b', offer('B'), () => false);
+    expect(messages.passing.get()).toBe('a');
+    expect(messages.offers[0].label).toBe('A');
+    expect(messages.list.get().map(({ text }) => text)).toEqual(['a', 'b']);
+    isOver = true;
+    messages.suggest('c', offer('C'), () => false);
+    expect(messages.passing.get()).toBe('c');
+    // A note without a button is no suggestion.
+    messages.note('Saved.');
+    messages.suggest('d', offer('D'), () => false);
+    expect(messages.passing.get()).toBe('d');
+  });
+});
+
 describe('as text', () => {
   it('as text is what a compiler prints', () => {
     const text = diagnosticText(diagnostic({ assumed: 'used 0', excerpt: { text: '\toffset x', caret: 8 } }));
