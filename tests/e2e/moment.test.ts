@@ -107,7 +107,7 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       await page.mouse.up();
       const longer = await eased();
       expect(longer * 30).toBeCloseTo(Math.round(longer * 30), 9);
-      expect((await dofsAt(page, [2.4], 2.9))[0][arm]).not.toBeCloseTo(before[4][arm], 3);
+      await expect.poll(async () => (await dofsAt(page, [2.4], 2.9))[0][arm]).not.toBeCloseTo(before[4][arm], 3);
       expectSame((await shown(page)).dofs, posed, 12);
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       // By keyboard, a frame a press.

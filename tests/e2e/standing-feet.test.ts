@@ -67,14 +67,14 @@ it('the walker’s foot that stands holds while its root is moved by an arrow an
         expect(now.dofs[1]).toBeLessThan(dofs[1] - 0.01);
         // The body goes along the arrow and nowhere else.
         expect([now.dofs[0], ...now.dofs.slice(2, 6)]).toEqual([dofs[0], ...dofs.slice(2, 6)]);
-        expect(await foot.moved()).toBeLessThan(HOLDS);
+        await expect.poll(foot.moved).toBeLessThan(HOLDS);
       });
       const before = await shown(page);
       await dragBody(page, { body: 'hips', toward: [0.8, 0.6], text: /^rz/, by: [14, 14] }, async () => {
         const now = await shown(page);
         expect(apart(turnOf(now.worlds, hips), turnOf(before.worlds, hips))).toBeGreaterThan(0.02);
         expect(place(now, hips)).toEqual(place(before, hips));
-        expect(await foot.moved()).toBeLessThan(HOLDS);
+        await expect.poll(foot.moved).toBeLessThan(HOLDS);
       });
 
       // High above the floor nothing stands.
@@ -89,7 +89,7 @@ it('the walker’s foot that stands holds while its root is moved by an arrow an
       await dragBody(page, down, async () => {
         const fell = from - (await shown(page)).dofs[1];
         expect(fell).toBeGreaterThan(0.01);
-        expect(await high.moved()).toBeCloseTo(fell, 9);
+        await expect.poll(high.moved).toBeCloseTo(fell, 9);
       });
     },
     { walking: true },
@@ -108,7 +108,7 @@ describeShared('a capture’s hips', () => {
       });
       const foot = await lowerFoot(page, ['LeftFoot', 'RightFoot']);
       await dragBody(page, { body: 'Hips', toward: [0, -1], text: /^(ty|py|Yposition)/, by: [0, 10] }, async () => {
-        expect(await foot.moved()).toBeLessThan(HOLDS * size);
+        await expect.poll(foot.moved).toBeLessThan(HOLDS * size);
       });
     }));
 });
