@@ -10,10 +10,11 @@ import { draco } from './plugins/draco.ts';
 import { givenFiles } from './plugins/given-files.ts';
 import { manual } from './plugins/manual.ts';
 import { offline } from './plugins/offline.ts';
+import { openingSample } from './plugins/opening-sample.ts';
 import { policy } from './plugins/policy.ts';
 
 const page: UserConfig = {
-  plugins: [manual(), offline()],
+  plugins: [openingSample(), manual(), offline()],
   build: {
     sourcemap: true,
     // Size before gzip: three.js alone has 600 kB, 147 kB gzipped.

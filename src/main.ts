@@ -3,7 +3,7 @@ import { beginAutosave } from './app/autosave/begin.ts';
 import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';
 import { SampleDisplay } from './app/example-display.ts';
-import { fetchSample, listSamples } from './app/examples.ts';
+import { fetchOpening, fetchSample, listSamples } from './app/examples.ts';
 import { Faults } from './app/faults.ts';
 import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
@@ -69,7 +69,11 @@ const opener = new Opener({
 });
 const timeline = new Timeline();
 const compareWorker = new WorkerClient(spawnWorker);
-const samples = listSamples(document.baseURI);
+/** Listed with the menus, after the first picture. */
+let list = () => {};
+const samples = new Promise<void>((resolve) => {
+  list = resolve;
+}).then(() => listSamples(document.baseURI));
 const unsaved = new Unsaved(store);
 const handles = new DiskHandles();
 
@@ -161,9 +165,13 @@ const opening = named.length ? opener.open((signal) => fetchFiles(named, documen
 const setActions = (all: typeof actions) => {
   actions = all;
 };
-const rest = restOfPage(root, opening, ({ mountWorkbench }) =>
-  mountWorkbench(root, workbench, { theme, setActions }, forever),
-);
+const rest = restOfPage(root, opening, {
+  beside() {
+    list();
+    return samples;
+  },
+  mount: ({ mountWorkbench }) => mountWorkbench(root, workbench, { theme, setActions }, forever),
+});
 window.marrow = scriptingApi(workbench, opener, rest);
 onLaunched((files) => void opener.open(() => files), window);
 void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles, timeline.review) }, opening);
@@ -195,7 +203,13 @@ function compare(dumps: readonly DumpFile[]): void {
 function openSample() {
   return opener.open(
     async (signal) => {
-      const [first] = await samples;
+      const read = await fetchOpening(document.baseURI, signal);
+      if (read) {
+        sampleDisplay.show(read.shows);
+        for (const text of read.texts) handles.set(text.path, text);
+        return { read: read.files };
+      }
+      const [first] = await listSamples(document.baseURI);
       if (!first) return [];
       sampleDisplay.show(first.shows);
       return fetchSample(first, document.baseURI, signal);

@@ -101,6 +101,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   fflate: ['formats', 'import', 'export', 'io', 'app'],
   // Decoders of compressed glTF.
   meshoptimizer: ['import'],
+  'virtual:opening-sample': ['app'],
   'virtual:draco': ['import'],
   'node:': ['cli'],
 };

@@ -43,8 +43,14 @@ export interface OpenedFiles {
   readonly files: readonly ParsedFile[];
 }
 
+/** Files that were read before. */
+export interface ReadFiles {
+  readonly read: readonly ParsedFile[];
+}
+
+type Found = readonly GivenFile[] | ReadFiles;
 /** Finds the files; may have to fetch them or walk folders first. */
-export type FindFiles = (signal: AbortSignal) => Promise<readonly GivenFile[]> | readonly GivenFile[];
+export type FindFiles = (signal: AbortSignal) => Promise<Found> | Found;
 
 export interface OpenOptions {
   /** The page's first character: no undo step, and replaced by anything that is opened. */
@@ -100,22 +106,23 @@ export class Opener {
     const cancel = () => abort.abort(new DOMException('Open cancelled.', 'AbortError'));
     loading.set({ label: 'files', done: 0, of: 0, cancel });
     try {
-      const files = await find(abort.signal);
+      const found = await find(abort.signal);
       abort.signal.throwIfAborted();
-      if (files.length === 0) return [];
+      const [files, read] = 'read' in found ? [[], found.read] : [found, []];
+      if (files.length + read.length === 0) return [];
       for (const listener of this.givenListeners) listener(files);
       // Fetched while the files are read: what is opened is told before it is drawn, which may take longest.
       const isNoticed = options.reloads === undefined && !options.asOpeningSample;
       const noticing = isNoticed ? import('../files/open/unseen-changes.ts').catch(() => undefined) : undefined;
-      const output = await worker.run(
-        'parse',
-        // The worker doesn't need the handles.
-        { files: files.map(({ path, blob }) => ({ path, blob })), before: await this.earlierFiles() },
-        {
-          signal: abort.signal,
-          onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
-        },
-      );
+      // The worker doesn't need the handles.
+      const input = { files: files.map(({ path, blob }) => ({ path, blob })), before: await this.earlierFiles() };
+      const output: ParseOutput =
+        read.length > 0
+          ? { files: read, broken: [], diagnostics: [], facts: [], keeps: [] }
+          : await worker.run('parse', input, {
+              signal: abort.signal,
+              onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
+            });
       for (const file of files) if (output.keeps.includes(file.path)) this.before.set(file.path, file);
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;

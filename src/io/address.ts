@@ -62,15 +62,19 @@ export function fetchFiles(
       if (!response.ok)
         throw new FetchError(`"${address}" could not be fetched: the server answered ${response.status}.`);
       const version = response.headers.get('etag') ?? response.headers.get('last-modified') ?? undefined;
-      const path = decoded(url.pathname.replace(/^\//, ''));
       return {
-        path,
+        path: pathOf(url),
         blob: await bodyOf(response, address, signal),
         address: url.href,
         ...(version !== undefined && { version }),
       };
     }),
   );
+}
+
+/** The path that a file of an address has. */
+export function pathOf({ pathname }: URL): string {
+  return decoded(pathname.replace(/^\//, ''));
 }
 
 /** Reading files takes several times as much memory. */

@@ -100,9 +100,10 @@ export class StoredPage {
   private async fetchFile(path: string): Promise<Response> {
     const address = this.browser.scope + path;
     const integrity = this.files[path];
-    // What the page has just loaded is in the browser's HTTP cache; if that is outdated, the server is asked.
+    // What the page has just loaded is in the browser's HTTP cache, and is asked for no second time, even by hosts that
+    // don't say how long it may be kept; if it is of another version, the server is asked.
     const response = await this.browser
-      .fetch(address, { integrity })
+      .fetch(address, { integrity, cache: 'force-cache' })
       .catch(() => this.browser.fetch(address, { integrity, cache: 'reload' }));
     if (!response.ok) throw new Error(`${address} answered ${response.status}.`);
     return storable(response);

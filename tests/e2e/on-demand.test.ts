@@ -1,40 +1,17 @@
-/** What the page loads first, what it loads later, and what happens if that fails. */
+/** What the page loads later, and what happens if that fails; what it loads first is in `first-load.test.ts`. */
 import { readdirSync, readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
 import { strFromU8, unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
 
 const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
-/** Script before the first character is visible, gzipped, without the worker that reads its files. */
-const MAX_BYTES = 260_000;
-
 const shown = (page: Page, name: string) =>
   page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
 
-/** The scripts named in the HTML, with their static imports. */
-function firstScripts(): readonly string[] {
-  const html = readFileSync(join(DIST, 'index.html'), 'utf8');
-  const found = new Set([...html.matchAll(/(?:src|href)="\.\/([^"]+\.js)"/g)].map((m) => m[1]));
-  for (const file of found) {
-    const text = readFileSync(join(DIST, file), 'utf8');
-    const imports = text.matchAll(/(?:\bfrom|\bimport)\s*["'](\.[^"']+\.js)["']/g);
-    for (const [, path] of imports) found.add(join(dirname(file), path));
-  }
-  return [...found];
-}
-
 describe('the page', () => {
-  it('begins with less than 260 kB of script, gzipped', () => {
-    const scripts = firstScripts();
-    expect(scripts.some((file) => file.includes('three'))).toBe(true);
-    const bytes = scripts.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, file))).length, 0);
-    expect(bytes).toBeLessThan(MAX_BYTES);
-  });
-
   it('the page has writers without readers, and its worker readers without writers until texts are compared', () => {
     const scripts = readdirSync(join(DIST, 'assets')).filter((file) => file.endsWith('.js'));
     const having = (text: string) =>

@@ -17,6 +17,7 @@ import { expect } from 'vitest';
 import { launchChromium } from './chromium.ts';
 import type { Firefox } from './firefox.ts';
 import { type ExtraFiles, type StaticServer, serveFolder } from './server.ts';
+import { stillPage } from './still.ts';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const SUB_PATH = '/some/where/marrow/';
@@ -58,6 +59,8 @@ export interface OpenPage {
   readonly problems: readonly string[];
   /** Replaces files next to the page. */
   serve(files: ExtraFiles): void;
+  /** What the server was asked for, below `url`. */
+  asked(): readonly string[];
   /** Ends the page's server, for this test. */
   stopServer(): Promise<void>;
   /** Does something that saves a file by download, and returns it. */
@@ -71,15 +74,6 @@ export interface DownloadedFile {
   readonly text: string;
   readonly bytes: Uint8Array;
 }
-
-/**
- * A page that draws only on changes: playback costs a second of CPU time per second, and the first frames of a skinned
- * character four more.
- */
-const STILL: ExtraFiles = {
-  'samples/samples.json': JSON.stringify([{ id: 'post', label: 'Post', description: '', files: ['post.skel'] }]),
-  'samples/post.skel': 'balljoint post { boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }',
-};
 
 /** For screenshots Playwright adds an empty inline style to pages in Firefox, which the policy refuses. */
 const OF_SCREENSHOTS = /refused by the policy: style-src-elem inline|blocked an inline style \(style-src-elem\)/;
@@ -125,7 +119,8 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
   const serving = servers.get(folder) ?? serveFolder(folder, SUB_PATH);
   servers.set(folder, serving);
   const server = await serving;
-  server.serve(options.files ?? {}, options.walking ? {} : STILL);
+  const still = options.walking ? {} : await stillPage(folder);
+  server.serve(options.files ?? {}, still);
 
   const context = await browser.newContext({
     viewport: options.size ?? { width: 1280, height: 800 },
@@ -149,14 +144,15 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       return another;
     };
     const page = await openAnother(options.query);
-    const serve = (files: ExtraFiles) => server.serve(files, options.walking ? {} : STILL);
+    const serve = (files: ExtraFiles) => server.serve(files, still);
     const stopServer = () => {
       servers.delete(folder);
       return server.close();
     };
     const download = (act: () => Promise<unknown>) =>
       options.firefox ? downloadedInto(options.firefox.downloads, act) : downloadedBy(page, act);
-    await body({ page, url: server.url, problems, serve, stopServer, download, openAnother });
+    const asked = () => server.asked;
+    await body({ page, url: server.url, problems, serve, asked, stopServer, download, openAnother });
     const own = options.firefox && OF_SCREENSHOTS;
     const unexpected = problems.filter((problem) => !options.expected?.test(problem) && !own?.test(problem));
     if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);

@@ -15,6 +15,8 @@ export interface StaticServer {
   readonly url: string;
   /** Replaces the extra files, for a test's `?files=`. If two have the same path, the first is served. */
   serve(...extra: readonly ExtraFiles[]): void;
+  /** Paths asked for since the extra files were replaced. */
+  readonly asked: readonly string[];
   close(): Promise<void>;
 }
 
@@ -37,10 +39,12 @@ const TYPES: Readonly<Record<string, string>> = {
 /** @param subPath begins and ends with `/` */
 export async function serveFolder(folder: string, subPath: string): Promise<StaticServer> {
   let extra: readonly ExtraFiles[] = [];
+  let asked: string[] = [];
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     if (!pathname.startsWith(subPath)) return void response.writeHead(404).end();
     const path = decodeURIComponent(pathname.slice(subPath.length)) || 'index.html';
+    asked.push(pathname.slice(subPath.length));
     const headers = { ...HEADERS, 'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream' };
 
     const given = extra.find((files) => Object.hasOwn(files, path))?.[path];
@@ -59,6 +63,10 @@ export async function serveFolder(folder: string, subPath: string): Promise<Stat
     url: `http://127.0.0.1:${address.port}${subPath}`,
     serve(...files) {
       extra = files;
+      asked = [];
+    },
+    get asked() {
+      return asked;
     },
     close: () =>
       new Promise((resolve) => {

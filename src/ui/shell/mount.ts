@@ -1,4 +1,5 @@
 /** Builds the page around a workbench and its first frame. */
+import '../styles/rest.css';
 import type { CommandInfo } from '../../edit/commands/all.ts';
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';

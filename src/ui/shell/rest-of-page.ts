@@ -18,14 +18,18 @@ export interface RestOfPage {
 /** Maximum delay while a large file is read. */
 const PATIENCE_MS = 2000;
 
-/**
- * @param firstPicture resolves when the document has its initial content
- * @param mount builds the page
- */
+export interface RestParts {
+  /** Fetches what else is needed to mount it. */
+  beside(): Promise<unknown>;
+  /** Builds the page. */
+  mount(rest: Rest): MountedPage;
+}
+
+/** @param firstPicture resolves when the document has its initial content */
 export function restOfPage(
   root: HTMLElement,
   firstPicture: Promise<unknown>,
-  mount: (rest: Rest) => MountedPage,
+  { beside, mount }: RestParts,
 ): RestOfPage {
   const waiting = new AbortController();
   const early: Event[] = [];
@@ -33,7 +37,8 @@ export function restOfPage(
   let fetching: Promise<MountedPage | undefined> | undefined;
   const fetchAndMount = async () => {
     try {
-      page = mount(await import('./mount.ts'));
+      const [rest] = await Promise.all([import('./mount.ts'), beside()]);
+      page = mount(rest);
     } catch (error) {
       const why = sentenceOf(error);
       // There is no message line yet.

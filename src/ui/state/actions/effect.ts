@@ -18,7 +18,6 @@ function noticeable({
   loading,
   comparing,
   guide,
-  manual,
 }: Workbench): readonly unknown[] {
   return [
     store.document,
@@ -30,7 +29,6 @@ function noticeable({
     loading.get(),
     comparing.get(),
     guide.get(),
-    manual.get(),
     settings.get(),
     timeline.view.get(),
     timeline.autoKey.get(),

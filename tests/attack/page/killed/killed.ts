@@ -1,6 +1,7 @@
 /** The browser is killed while someone works: what comes back is whole, and lacks no more than the last two seconds. */
 import { fileURLToPath } from 'node:url';
 import { serveFolder } from '../../../helpers/server.ts';
+import { stillPage } from '../../../helpers/still.ts';
 import type { Attack, Attempt } from '../../attack.ts';
 import { AUTOSAVE, DOWNLOAD, SAVE } from './large.ts';
 import { MANY_KEYS } from './many-keys.ts';
@@ -13,11 +14,6 @@ const MAX_LOST_MS = 2000;
 const WORKS: readonly Work[] = [AUTOSAVE, SAVE, EDIT, DRAG, DOWNLOAD, TABS, MANY_KEYS];
 /** Kills of one profile, each after the work of the one before was restored. */
 const KILLS = 6;
-const EXAMPLE = {
-  'samples/samples.json': JSON.stringify([{ id: 'post', label: 'Post', description: '', files: ['post.skel'] }]),
-  'samples/post.skel': 'balljoint post { boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }',
-};
-
 /** Of one kind of work. */
 interface Tally {
   kills: number;
@@ -30,7 +26,7 @@ export const killed: Attack = {
   shows: 'after a SIGKILL of browser or renderer the work is whole, and lacks no more than two seconds; so are files',
   async run(attempt) {
     const server = await serveFolder(DIST, '/marrow/');
-    server.serve(EXAMPLE);
+    server.serve(await stillPage(DIST));
     const tallies = new Map<string, Tally>();
     try {
       for (let i = 0; attempt.goesOn(); i++) {
