@@ -69,6 +69,13 @@ it('the walker’s foot that stands holds while its root is moved by an arrow an
         expect([now.dofs[0], ...now.dofs.slice(2, 6)]).toEqual([dofs[0], ...dofs.slice(2, 6)]);
         await expect.poll(foot.moved).toBeLessThan(HOLDS);
       });
+      // Further up than the leg is long the foot leaves the floor, and the back isn't bent to keep it there.
+      await dragBody(page, { ...down, by: [0, -60] }, async () => {
+        const now = await shown(page);
+        const own = [dofs, now.dofs].map((all) => all.slice(6, 15));
+        expect(own[1]).toEqual(own[0]);
+        await expect.poll(foot.moved).toBeGreaterThan(0.05);
+      });
       const before = await shown(page);
       await dragBody(page, { body: 'hips', toward: [0.8, 0.6], text: /^rz/, by: [14, 14] }, async () => {
         const now = await shown(page);

@@ -3,6 +3,7 @@ import type { Pin } from '../../../model/ik.ts';
 import type { DofValue } from '../../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
+import { bendsWith, limbOf, union } from '../limb.ts';
 import { ikProblem } from '../problem.ts';
 import { ikOf, ikPinsOf, type PinTarget } from '../set-up.ts';
 import { solve } from '../solve.ts';
@@ -28,7 +29,7 @@ export class BesidePins {
    * @param changed indices into the character's DOFs, all of one joint or the root
    * @param shown the character's DOFs at the start of the change; copied
    * @param held targets of its pins and of the feet that stand, by id
-   * @param standing feet that hold without a pin: then nothing bends but what is below the changed joint
+   * @param standing feet that hold without a pin: then nothing bends but the limbs of what holds
    */
   constructor(
     character: Character,
@@ -49,8 +50,11 @@ export class BesidePins {
     );
     this.stiffness = handStiffness(character, skeleton, joint);
     for (const dof of changed) this.stiffness[dof] = Infinity;
-    // The body goes where its handle is dragged, and nowhere else.
-    if (standing.length > 0) this.stiffness.fill(Infinity, 0, firstDof[joint + 1]);
+    if (standing.length === 0) return;
+    // The body goes where its handle is dragged, and nowhere else: its legs bend, and not its back.
+    const bends = bendsWith(skeleton, union(ikOf(this.character).pins.map((pin) => limbOf(skeleton, pin.joint))));
+    for (let dof = 0; dof < this.stiffness.length; dof++)
+      if (dof < firstDof[joint + 1] || !bends(dof)) this.stiffness[dof] = Infinity;
   }
 
   /** The changed DOFs at their values, with those that adapt to them. */
