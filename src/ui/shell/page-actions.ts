@@ -1,7 +1,7 @@
 /** Actions for panels, theme, units and help. */
 import { jointName } from '../../model/skeleton/joint-name.ts';
 import { VERSION } from '../../model/version.ts';
-import { needsCharacter } from '../state/actions/needs.ts';
+import { needs } from '../state/actions/needs.ts';
 import { selectedJoint } from '../state/joints/selected-joint.ts';
 import { onDemand } from '../state/on-demand.ts';
 import { isPanelOpen, openPanel } from '../state/panels/panels.ts';
@@ -70,7 +70,10 @@ export const PAGE_ACTIONS: readonly Action[] = [
     menu: 'View',
     section: 3,
     also: 'facts matrices numbers copy',
-    refuses: needsCharacter,
+    refuses: needs('Select a joint or vertex first.', ({ store }: Uses<'store'>) => {
+      const { joint, vertex } = store.selection;
+      return (joint ?? vertex) !== undefined;
+    }),
     run(wb) {
       openPanel(wb, 'inspector', true);
       wb.settings.update((s) => ({ ...s, folds: { ...s.folds, 'inspector/facts': true } }));

@@ -38,6 +38,8 @@ export class DofSections {
     this.root = makeSection('root', 'Root translation', true);
     this.morphs = makeSection('morphs', 'Morphs', true);
     this.all = makeSection('all', 'All DOFs', false);
+    for (const section of [this.joint, this.root]) section.domElement.classList.add('short-names');
+    this.morphs.domElement.classList.add('morph-names');
     this.all.domElement.classList.add('long-names');
     // At the bottom: inserting a line above would move the slider away from the pointer.
     gui.domElement.append(this.note);

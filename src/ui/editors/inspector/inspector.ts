@@ -56,7 +56,8 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joints);
     if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
     write(empty, 'hidden', target !== undefined);
-    factsSection.show(target !== undefined);
+    const { joint, vertex } = wb.store.selection;
+    factsSection.show(target !== undefined && (joint ?? vertex) !== undefined);
     shown = next;
     character.update(target);
     dofs.showUnkeyed(target);

@@ -76,8 +76,8 @@ function makeView(
   if (character?.skeleton && joint !== undefined && character.skeleton.joints[joint]) {
     return factsOfJoint(wb, character, joint);
   }
-  const text = 'Select a joint or vertex to see and copy its matrices, limits and weights.';
-  return { element: element('p', { class: 'empty' }, text), fill: () => {} };
+  // The section is hidden.
+  return { element: element('div'), fill: () => {} };
 }
 
 function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Character, index: number): FactView {

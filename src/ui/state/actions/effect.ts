@@ -18,6 +18,7 @@ function noticeable({
   loading,
   comparing,
   guide,
+  manual,
 }: Workbench): readonly unknown[] {
   return [
     store.document,
@@ -29,6 +30,7 @@ function noticeable({
     loading.get(),
     comparing.get(),
     guide.get(),
+    manual.get(),
     settings.get(),
     timeline.view.get(),
     timeline.autoKey.get(),
