@@ -6,7 +6,6 @@ import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
-import { type IconName, icon } from '../../widgets/icons.ts';
 import type { Observable } from '../../widgets/observable.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
@@ -23,9 +22,7 @@ const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: s
 export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const state = wb.posing.rig;
   const adding = keepsFocusElsewhere(
-    button('Add joints', { class: 'tool' }, wideOrNarrow('Add joints', 'joint', '+'), () =>
-      tryById(wb, 'rigging.addJoints'),
-    ),
+    button('Add joints', { class: 'tool' }, 'Add joints', () => tryById(wb, 'rigging.addJoints')),
   );
   setActionTooltip(wb, adding, 'rigging.addJoints', 'Add joints: each click adds a child to the selected joint');
   const text = element('span');
@@ -38,8 +35,8 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
     // In little room it only shows while adding joints or dragging.
     hint.classList.toggle('is-known', !readout && !state.adding.get());
   };
-  const skin = segments(wb.posing.rigSkin, 'Skin', 'skin', RIG_SKINS, SKIN_TEXT);
-  const children = segments(state.children, 'Children', 'bones', RIG_CHILDREN, CHILDREN_TEXT);
+  const skin = segments(wb.posing.rigSkin, 'Skin', RIG_SKINS, SKIN_TEXT);
+  const children = segments(state.children, 'Children', RIG_CHILDREN, CHILDREN_TEXT);
   const controls = element('div', { class: 'rig-controls' }, group(adding), skin.element, children.element, hint);
   whileShown(wb.posing, controls, () => {
     for (const part of [{ show }, skin, children]) part.show();
@@ -76,21 +73,10 @@ function group(...children: HTMLElement[]): HTMLElement {
   return element('div', { class: 'rig-group tools' }, ...children);
 }
 
-/** A text if there is room; else an icon with a sign. */
-function wideOrNarrow(text: string, name: IconName, sign = ''): HTMLElement {
-  return element(
-    'span',
-    { class: 'rig-text' },
-    element('span', { class: 'is-wide' }, text),
-    element('span', { class: 'is-narrow' }, icon(name), sign),
-  );
-}
-
 /** A labelled choice of two. If only the current one is visible, it switches to the other. */
 function segments<T extends string>(
   value: Observable<T>,
   name: string,
-  iconName: IconName,
   choices: readonly T[],
   texts: Readonly<Record<T, readonly [text: string, tip: string]>>,
 ): { readonly element: HTMLElement; show(): void } {
@@ -112,7 +98,7 @@ function segments<T extends string>(
   const whole = element(
     'div',
     { class: 'rig-group tools', role: 'radiogroup', 'aria-label': name },
-    element('span', { class: 'rig-name', 'aria-hidden': 'true', tooltip: name }, wideOrNarrow(name, iconName)),
+    element('span', { class: 'rig-name', 'aria-hidden': 'true' }, name),
     ...buttons,
   );
   whole.addEventListener('keydown', (event) => {
