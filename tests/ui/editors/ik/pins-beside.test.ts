@@ -1,7 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
-import { besidePins } from '../../../../src/ui/editors/ik/pins-beside.ts';
-import { documentOf } from '../../builders.ts';
+import { compileSkeleton } from '../../../../src/evaluate/kinematics.ts';
+import type { Vec3 } from '../../../../src/math/vec3.ts';
+import type { Joint, Skeleton } from '../../../../src/model/skeleton/skeleton.ts';
+import { besidePins, type Standing } from '../../../../src/ui/editors/ik/pins-beside.ts';
+import { character, documentOf, joint } from '../../builders.ts';
 import { apart, body, FORE_L, HAND_L, HAND_R, ikPage } from './ik-page.ts';
 
 /** Of a body that is 6 wide. */
@@ -74,5 +77,61 @@ describe('a DOF set while pins hold', () => {
     page.stop();
     page = ikPage(documentOf(body({ ik: { pins: [], stiff: [{ joint: FORE_L }], rootIsFree: true } })));
     expect(besidePins(page.wb, 'c1', [0])).toBeUndefined();
+  });
+});
+
+describe('feet that stand', () => {
+  const bone = (name: string, parent: number, offset: Vec3): Joint => ({ ...joint(name, parent), offset });
+  /** A root with hips on bent legs, and a trunk. */
+  const WALKER: Skeleton = {
+    name: 'walker',
+    joints: [
+      bone('root', -1, [0, 0, 0]),
+      bone('hips', 0, [0, 1.8, 0]),
+      bone('chest', 1, [0, 0.5, 0]),
+      bone('head', 2, [0, 0.5, 0]),
+      bone('thigh_l', 1, [0.2, 0, 0]),
+      bone('shin_l', 4, [0, -0.9, 0.2]),
+      bone('foot_l', 5, [0, -0.9, -0.2]),
+      bone('thigh_r', 1, [-0.2, 0, 0]),
+      bone('shin_r', 7, [0, -0.9, 0.2]),
+      bone('foot_r', 8, [0, -0.9, -0.2]),
+    ],
+  };
+  const [ROOT, HIPS, CHEST, , , , FOOT_L, , , FOOT_R] = WALKER.joints.keys();
+  let told: (Standing | undefined)[];
+  beforeEach(() => {
+    told = [];
+    page.stop();
+    page = ikPage(documentOf(character({ skeleton: WALKER })));
+  });
+  const beside = (dofs: readonly number[], by?: number) =>
+    besidePins(page.wb, 'c1', dofs, by, (standing) => void told.push(standing));
+
+  it('hold while a handle moves the body: their legs bend, and nothing else', () => {
+    const held = beside([TY], ROOT);
+    const changed = held?.at([{ index: TY, value: -0.2 }]) ?? [];
+    const { firstDof } = compileSkeleton(WALKER);
+    const bent = WALKER.joints.flatMap((_, j) =>
+      changed.some(({ index, value }) => index >= firstDof[j] && index < firstDof[j + 1] && value !== 0) ? [j] : [],
+    );
+    expect(bent).toEqual([4, 5, 6, 7, 8, 9]);
+    const gesture = page.wb.store.begin('Move');
+    const before = [FOOT_L, FOOT_R].map((foot) => page.placeOf(foot));
+    gesture.preview(setDofs.run(gesture.base, { characterId: 'c1', dofs: changed, timeSeconds: 0 }));
+    expect(page.placeOf(HIPS)[1]).toBeCloseTo(1.6, 12);
+    [FOOT_L, FOOT_R].forEach((foot, i) => {
+      expect(apart(page.placeOf(foot), before[i])).toBeLessThan(1e-3);
+    });
+    held?.over();
+    expect(told.map((standing) => standing?.feet.map((pin) => pin.joint))).toEqual([[FOOT_L, FOOT_R], undefined]);
+  });
+
+  it('don’t hold for sliders, for joints that don’t carry the body, and in the air', () => {
+    expect(beside([TY])).toBeUndefined();
+    expect(beside([compileSkeleton(WALKER).firstDof[CHEST]], CHEST)).toBeUndefined();
+    page.wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: TY, value: 0.5 }], timeSeconds: 0 });
+    expect(beside([TY], ROOT)).toBeUndefined();
+    expect(told).toEqual([]);
   });
 });
