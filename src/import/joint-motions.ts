@@ -16,7 +16,7 @@ import { eulerRotation, fitRotation, QUATERNION_ROTATION, type RotationDofs, typ
 import { NOISE } from './noise.ts';
 import { visited } from './quaternion-curve.ts';
 import { lockedness } from './rotations.ts';
-import type { AxisCurves, QuaternionCurve, SceneMove, SceneNode } from './scene.ts';
+import type { AxisCurves, SceneMove, SceneNode } from './scene.ts';
 
 /** The type of joint of a node, at rest, with how its takes become channels. */
 export interface JointMotion {
@@ -46,19 +46,19 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
     curves?.some((curve, axis) => curve !== undefined && departs(curve, values[axis], tolerance)) ?? false;
   const isTranslated = role === 'hips' || moves.some((move) => movesBy(move.translation, translation, lengthNoise));
   const isScaled = scale.some((s) => s !== 1) || moves.some((move) => movesBy(move.scale, scale, scaleNoise));
-  const isTurning = moves.some(({ rotation }) => {
-    if (!rotation) return false;
-    if (rotation.kind === 'euler') return movesBy(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE);
-    return turns(rotation.curve, rest);
-  });
+  const paths = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [visited(rotation.curve)] : []));
+  const isTurning =
+    paths.some((path) => turns(path, rest)) ||
+    moves.some(
+      ({ rotation }) => rotation?.kind === 'euler' && movesBy(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE),
+    );
   const isTurned =
     role !== undefined ||
     isTurning ||
     Math.hypot(rest[0], rest[1], rest[2]) > 1e-12 ||
     (euler?.angles.some((a) => a !== 0) ?? false);
-  const curves = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [rotation.curve] : []));
-  const clearest = euler?.order ?? clearestOrder(rest, curves);
-  const isLocked = !euler && isTurning && worstOf(rest, curves, clearest) > LOCKED;
+  const clearest = euler?.order ?? clearestOrder(rest, paths);
+  const isLocked = !euler && isTurning && worstOf(rest, paths, clearest) > LOCKED;
   const isQuaternion = isLocked && !isTranslated && !isScaled;
   const dofs: RotationDofs = isQuaternion ? QUATERNION_ROTATION : eulerRotation(clearest);
   const angles = restDofs(node, rest, dofs);
@@ -145,11 +145,10 @@ function departs(channel: Channel, value: number, tolerance: number): boolean {
   return false;
 }
 
-/** Whether a curve ever leaves a rotation. */
-function turns(curve: QuaternionCurve, rest: Float64Array): boolean {
-  const all = visited(curve);
-  for (let o = 0; o < all.length; o += 4) {
-    const [x, y, z, w] = [all[o], all[o + 1], all[o + 2], all[o + 3]];
+/** Whether a path of quaternions ever leaves a rotation. */
+function turns(path: Float64Array, rest: Float64Array): boolean {
+  for (let o = 0; o < path.length; o += 4) {
+    const [x, y, z, w] = [path[o], path[o + 1], path[o + 2], path[o + 3]];
     const sign = x * rest[0] + y * rest[1] + z * rest[2] + w * rest[3] < 0 ? -1 : 1;
     const apart = Math.hypot(x - sign * rest[0], y - sign * rest[1], z - sign * rest[2], w - sign * rest[3]);
     if (2 * apart > NOISE) return true;
@@ -157,13 +156,13 @@ function turns(curve: QuaternionCurve, rest: Float64Array): boolean {
   return false;
 }
 
-function clearestOrder(rest: Float64Array, curves: readonly QuaternionCurve[]): EulerOrder {
-  const worst = (order: EulerOrder) => worstOf(rest, curves, order);
+function clearestOrder(rest: Float64Array, paths: readonly Float64Array[]): EulerOrder {
+  const worst = (order: EulerOrder) => worstOf(rest, paths, order);
   if (worst('xyz') < CLEAR) return 'xyz';
   return EULER_ORDERS.reduce((best, order) => (worst(order) < worst(best) ? order : best));
 }
 
 /** The nearest that a rotation comes to gimbal lock in an order. */
-function worstOf(rest: Float64Array, curves: readonly QuaternionCurve[], order: EulerOrder): number {
-  return curves.reduce((most, curve) => Math.max(most, lockedness(order, visited(curve))), lockedness(order, rest));
+function worstOf(rest: Float64Array, paths: readonly Float64Array[], order: EulerOrder): number {
+  return paths.reduce((most, path) => Math.max(most, lockedness(order, path)), lockedness(order, rest));
 }

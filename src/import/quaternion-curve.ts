@@ -1,44 +1,52 @@
 /** Rotations on a curve of quaternions, at and between its keys. */
 import { slerp } from '../math/slerp.ts';
-import { perObject } from '../model/per-object.ts';
 import type { QuaternionCurve } from './scene.ts';
 
-/** Unit quaternions of the keys, 4 each. */
-const unitsOf = perObject(({ values }: QuaternionCurve): Float64Array => {
-  const units = values.slice();
-  for (let o = 0; o < units.length; o += 4) {
-    for (let k = 0; k < 4; k++) from[k] = units[o + k];
+const from = new Float64Array(4);
+const to = new Float64Array(4);
+
+/** Scratch: unit quaternions of the keys of one curve, 4 each. A curve is asked for again and again before another. */
+let units = new Float64Array(256);
+let unitsAreOf: QuaternionCurve | undefined;
+
+function unitsOf(curve: QuaternionCurve): Float64Array {
+  if (curve === unitsAreOf) return units;
+  const { values } = curve;
+  if (units.length < values.length) units = new Float64Array(2 * values.length);
+  for (let o = 0; o < values.length; o += 4) {
+    for (let k = 0; k < 4; k++) from[k] = values[o + k];
     normalize(from);
     for (let k = 0; k < 4; k++) units[o + k] = from[k];
   }
+  unitsAreOf = curve;
   return units;
-});
+}
 
-/** Unit quaternions at the keys and halfway between them, 4 each. */
-export const visited = perObject((curve: QuaternionCurve): Float64Array => {
+/** Unit quaternions at the keys of a curve and halfway between them, 4 each. */
+export function visited(curve: QuaternionCurve): Float64Array {
   const out = new Float64Array(4 * (2 * curve.times.length - 1));
   const q = new Float64Array(4);
   for (let i = 0; 4 * i < out.length; i++) {
     rotationWithin(curve, i >> 1, (i & 1) / 2, q);
-    out.set(q, 4 * i);
+    for (let k = 0; k < 4; k++) out[4 * i + k] = q[k];
   }
   return out;
-});
+}
 
 /** The rotation of a curve between two of its keys. @param part 0 to 1 */
 export function rotationWithin(curve: QuaternionCurve, key: number, part: number, q: Float64Array): void {
   const { times, values, interpolation, slopesIn: ins, slopesOut: outs } = curve;
   const [a, b] = [4 * key, 4 * Math.min(key + 1, times.length - 1)];
   if (interpolation === 'step' || a === b || part === 0) {
-    const units = unitsOf(curve);
-    for (let k = 0; k < 4; k++) q[k] = units[a + k];
+    const own = unitsOf(curve);
+    for (let k = 0; k < 4; k++) q[k] = own[a + k];
     return;
   }
   if (interpolation === 'linear' || !ins || !outs) {
-    const units = unitsOf(curve);
+    const own = unitsOf(curve);
     for (let k = 0; k < 4; k++) {
-      from[k] = units[a + k];
-      to[k] = units[b + k];
+      from[k] = own[a + k];
+      to[k] = own[b + k];
     }
     slerp(from, to, part, q);
   } else {
@@ -55,9 +63,6 @@ export function rotationAt(curve: QuaternionCurve, key: number, part: number, q:
   if (part === 1) rotationWithin(curve, key + 1, 0, q);
   else rotationWithin(curve, key, part, q);
 }
-
-const from = new Float64Array(4);
-const to = new Float64Array(4);
 
 /** Makes a quaternion of any length one of length 1. */
 export function normalize(q: Float64Array): void {
