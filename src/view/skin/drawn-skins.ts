@@ -94,16 +94,17 @@ export class DrawnSkins {
       this.instances.delete(mesh);
       return;
     }
-    const batch = this.batchOf(mesh.shared, drawing);
     const heatJoint = drawing.heatJoint ?? NO_JOINT;
     if (before) {
       before.heatJoint = heatJoint;
-      if (before.batch === batch) return;
+      if (before.batch.key === keyOf(mesh.shared, drawing)) return;
+      // First: the new batch takes over what the old one may leave.
       this.leave(before);
-      before.batch = batch;
-      batch.instances.push(before);
+      before.batch = this.batchOf(mesh.shared, drawing);
+      before.batch.instances.push(before);
       return;
     }
+    const batch = this.batchOf(mesh.shared, drawing);
     const placement = this.placements.allocate(TEXELS);
     const instance = { mesh, batch, placement, heatJoint, depth: 0 };
     this.instances.set(mesh, instance);
@@ -147,11 +148,11 @@ export class DrawnSkins {
     this.placements.writeMatrices(placement + MATRIX_TEXELS, mesh.matrixWorld.elements);
   }
 
-  private batchOf(shared: SharedSkin, { material, edges, depth }: SkinDrawing): SkinBatch {
-    const ids = [material].flat().map(({ id }) => id);
-    const key = [shared.geometry.id, edges ? 'edges' : 'surface', depth ? 'casts' : '', ...ids].join(' ');
+  private batchOf(shared: SharedSkin, drawing: SkinDrawing): SkinBatch {
+    const key = keyOf(shared, drawing);
     const known = this.batches.get(key);
     if (known) return known;
+    const { material, edges, depth } = drawing;
     const batch = new SkinBatch(key, shared, material, edges, depth, this.skeleton);
     this.batches.set(key, batch);
     this.object.add(batch.object);
@@ -166,6 +167,12 @@ export class DrawnSkins {
     batch.dispose();
     this.batches.delete(batch.key);
   }
+}
+
+/** The same for all that are drawn with one call. */
+function keyOf({ geometry }: SharedSkin, { material, edges, depth }: SkinDrawing): string {
+  const ids = [material].flat().map(({ id }) => id);
+  return [geometry.id, edges ? 'edges' : 'surface', depth ? 'casts' : '', ...ids].join(' ');
 }
 
 /** A skin at one placement. */
