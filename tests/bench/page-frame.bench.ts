@@ -9,15 +9,16 @@
 import { existsSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { bench, describe } from 'vitest';
+import { median } from '../../src/evaluate/retarget/ground.ts';
 import { findChromium } from '../helpers/chromium.ts';
 import { withPage } from '../helpers/page.ts';
 import { bareCrowd } from './bare-crowd.ts';
+import { capture } from './capture.ts';
 
 const CHARACTERS = 50;
 const JOINTS = 70;
 const FRAMES = 1200;
 const FRAME_SECONDS = 1 / 120;
-const WIDTH = 3 + 3 * JOINTS;
 /** Bare loops per frame of a measurement with them. */
 const LOOPS = 4;
 const WINDOWS = 9;
@@ -25,70 +26,14 @@ const WINDOW_MS = 1500;
 /** Another build of the page, measured alternately with the one in `dist/`. */
 const COMPARED = process.env.MARROW_COMPARED;
 
-/** Pseudorandom numbers from 0 to 1, the same in every run. */
-function noise(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) | 0;
-    return (state >>> 0) / 2 ** 32;
-  };
-}
-
-const parentOf = (j: number) => (j === 0 ? -1 : Math.floor((j - 1) / 2));
-const offsetOf = (j: number) => (j === 0 ? [0, 90, 0] : [j % 2 ? 6 : -6, j < 8 ? 12 : -7, 1]);
-
-function joint(j: number): string {
-  const below = Array.from({ length: JOINTS }, (_, k) => k).filter((k) => parentOf(k) === j);
-  const positions = j === 0 ? '6 Xposition Yposition Zposition' : '3';
-  const inside = [
-    `OFFSET ${offsetOf(j).join(' ')}`,
-    `CHANNELS ${positions} Zrotation Xrotation Yrotation`,
-    ...(below.length > 0 ? below.map(joint) : ['End Site\n{\nOFFSET 0 -5 0\n}']),
-  ];
-  return `${j === 0 ? 'ROOT' : 'JOINT'} joint${j}\n{\n${inside.join('\n')}\n}`;
-}
-
-/** Oscillating joints, each at its own pace, up to 4° per frame. */
-function rows(): number[][] {
-  const random = noise(7);
-  const swings = Array.from({ length: WIDTH }, () => ({
-    reach: 5 + 30 * random(),
-    hertz: 0.2 + 1.8 * random(),
-    phase: 2 * Math.PI * random(),
-    middle: 40 * random() - 20,
-  }));
-  return Array.from({ length: FRAMES }, (_, f) =>
-    swings.map(({ reach, hertz, phase, middle }) => {
-      const value = middle + reach * Math.sin(2 * Math.PI * hertz * f * FRAME_SECONDS + phase);
-      return Number(value.toFixed(4));
-    }),
-  );
-}
-
-/** Joints in file order. */
-function inOrder(j = 0): number[] {
-  return [
-    j,
-    ...Array.from({ length: JOINTS }, (_, k) => k)
-      .filter((k) => k > 0 && parentOf(k) === j)
-      .flatMap(inOrder),
-  ];
-}
-
-const values = rows();
-const bvh = `HIERARCHY\n${joint(0)}\nMOTION\nFrames: ${FRAMES}\nFrame Time: ${FRAME_SECONDS}\n${values.map((row) => row.join(' ')).join('\n')}\n`;
+const take = capture(7, { joints: JOINTS, frames: FRAMES, frameSeconds: FRAME_SECONDS });
 
 /** Waits for the crowd, and installs bare loops: `window.bareLoops` of them per frame. */
 async function awaitCrowd(page: Page): Promise<void> {
   await page.waitForFunction((count) => window.marrow?.characters().length === count, CHARACTERS);
   // Panels are created when the page is idle.
   await page.locator('.lil-gui').first().waitFor({ state: 'attached' });
-  const order = inOrder();
-  const crowd = {
-    parent: order.map((j) => order.indexOf(parentOf(j))),
-    offsets: order.flatMap(offsetOf),
-    frameSeconds: FRAME_SECONDS,
-  };
+  const crowd = { parent: take.parents, offsets: take.offsets, frameSeconds: FRAME_SECONDS };
   await page.evaluate(
     ([source, given, motion, characters, frames]) => {
       const make = new Function(`return ${source}`)();
@@ -104,7 +49,7 @@ async function awaitCrowd(page: Page): Promise<void> {
       };
       requestAnimationFrame(frame);
     },
-    [bareCrowd.toString(), crowd, values.flat(), CHARACTERS, FRAMES] as const,
+    [bareCrowd.toString(), crowd, take.rows.flat(), CHARACTERS, FRAMES] as const,
   );
 }
 
@@ -137,10 +82,6 @@ class Measured {
     const ratio = median(this.page.map((ms, i) => ms / this.bare[i]));
     return `${page.toFixed(2)} ms of script a frame, a bare loop ${bare.toFixed(2)} ms: ${ratio.toFixed(2)} times`;
   }
-}
-
-function median(numbers: readonly number[]): number {
-  return numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
 }
 
 /** Milliseconds of script per frame, over a period of playback with so many bare loops each. */
@@ -181,7 +122,7 @@ const options = {
   size: { width: 700, height: 500 },
   before: drawNothing,
   query: `?files=${takes}`,
-  files: Object.fromEntries(takes.map((name) => [name, bvh])),
+  files: Object.fromEntries(takes.map((name) => [name, take.bvh])),
 };
 
 describe.skipIf(!hasChromium())(

@@ -28,22 +28,26 @@ export interface FoundChromium {
   readonly from: string;
 }
 
-/**
- * Software rendering, the same on every machine; no sandbox, for root in containers; and no requests by the browser
- * itself, so that a test only sees the page's.
- */
-export const CHROMIUM_FLAGS: readonly string[] = [
-  '--no-sandbox',
+/** Software rendering, the same on every machine. */
+const IN_SOFTWARE: readonly string[] = [
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
   // Only WebGL is drawn by SwiftShader; for the page itself the browser's own software renderer is faster.
   '--disable-gpu-compositing',
+];
+
+/** No sandbox, for root in containers; and no requests by the browser itself, so that a test only sees the page's. */
+const ALWAYS: readonly string[] = [
+  '--no-sandbox',
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
   '--no-first-run',
 ];
+
+/** Those of tests. */
+export const CHROMIUM_FLAGS: readonly string[] = [...ALWAYS, ...IN_SOFTWARE];
 
 const NOT_FOUND =
   'No Chromium found: install Chrome or Chromium, run "npx playwright install chromium", ' +
@@ -61,13 +65,24 @@ export function findChromium(): FoundChromium {
   return found;
 }
 
+export interface LaunchOptions {
+  /** In a window. */
+  readonly headed?: boolean;
+  /** False: by whatever the browser finds, with the flags given. */
+  readonly inSoftware?: boolean;
+}
+
 /** Launches the browser found by `findChromium`. */
-export function launchChromium(extraFlags: readonly string[] = []): Promise<Browser> {
+export function launchChromium(
+  extraFlags: readonly string[] = [],
+  { headed = false, inSoftware = true }: LaunchOptions = {},
+): Promise<Browser> {
   const { path, env: extra } = findChromium();
   const environment = Object.fromEntries(
     Object.entries({ ...env, ...extra }).flatMap(([name, value]) => (value === undefined ? [] : [[name, value]])),
   );
-  return chromium.launch({ executablePath: path, env: environment, args: [...CHROMIUM_FLAGS, ...extraFlags] });
+  const args = [...(inSoftware ? CHROMIUM_FLAGS : ALWAYS), ...extraFlags];
+  return chromium.launch({ executablePath: path, env: environment, headless: !headed, args });
 }
 
 function asked(): FoundChromium | undefined {
