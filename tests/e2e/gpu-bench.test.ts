@@ -1,0 +1,47 @@
+/** What `npm run bench -- gpu` measures with, in software: that both pages draw and every frame of them is seen. */
+import { fileURLToPath } from 'node:url';
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { Pages, type Reference } from '../bench/gpu/pages.ts';
+import { builtPeer } from '../bench/gpu/peer/build.ts';
+import { SMALL, scenesOf } from '../bench/gpu/scenes/scenes.ts';
+import { launchChromium } from '../helpers/chromium.ts';
+import { type StaticServer, serveFolder } from '../helpers/server.ts';
+
+let browser: Browser;
+let server: StaticServer;
+let pages: Pages;
+
+beforeAll(async () => {
+  browser = await launchChromium();
+  server = await serveFolder(fileURLToPath(new URL('../../dist', import.meta.url)), '/');
+  pages = new Pages(browser, server, await builtPeer(), 0.01, false);
+});
+
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+it('frames of the built page are seen whole, with their script, and how long its files took to open', async () => {
+  const scene = scenesOf(SMALL).find(({ name }) => name === 'morphs');
+  if (!scene) throw new Error('There is no such scene.');
+  const { frames, openingMs } = await pages.marrow(scene);
+  expect(frames.whole.length).toBeGreaterThanOrEqual(5);
+  expect(Math.min(...frames.whole, openingMs ?? 0)).toBeGreaterThan(0);
+  expect(Math.max(...frames.script)).toBeGreaterThan(0);
+});
+
+it('three.js alone draws the walker that the built page writes, on a canvas as large, and the tentacle', async () => {
+  const reference = await pages.reference();
+  expect(reference.size.width).toBeGreaterThan(800);
+  const small: Reference = { ...reference, size: { width: 160, height: 120 } };
+  for (const scene of [
+    { kind: 'walkers', count: 2 },
+    { kind: 'tentacle', vertices: 2000 },
+  ] as const) {
+    const { whole, script } = await pages.threeAlone(scene, small);
+    expect(whole.length).toBeGreaterThanOrEqual(5);
+    expect(script.length).toBeGreaterThanOrEqual(whole.length - 1);
+  }
+});
