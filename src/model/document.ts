@@ -147,6 +147,11 @@ export function shownClip(character: Character): ChannelClip | undefined {
   return character.clips[character.shownClip];
 }
 
+/** Whether a take moves it, its own or a retargeted one: else its file pose is shown at any time. */
+export function isMoved(character: Character): boolean {
+  return character.driver !== undefined || shownClip(character) !== undefined;
+}
+
 /** Whether a character is a BVH figure as it is, so that its file holds all of it. */
 export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
   return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;

@@ -7,7 +7,7 @@
  *     channels    rows `time value …`; pairs of a channel; lists with their times
  */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, isMoved, shownClip, shownSkin } from '../../model/document.ts';
 import type { Dump, DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../../model/dump.ts';
 import { vertexCount } from '../../model/skin.ts';
 import type { FrameKind, FrameTarget, MatrixLayout, Origins, SolverTask, Targets } from '../compare/targets.ts';
@@ -280,7 +280,7 @@ class Fit {
     const own = this.goals.filter((goal) => goal.time === undefined || goal.time === time);
     const dump = this.fileNames.length - 1;
     const isSame = (f: number) =>
-      this.frames[f].time === time &&
+      this.isSameTime(this.frames[f].time, time) &&
       (this.frames[f].solver ? Object.values(this.sources[f]).includes(dump) : own.length === 0);
     const known = [...this.frames.keys()].find(isSame);
     if (known !== undefined) return this.frames[known];
@@ -289,6 +289,11 @@ class Fit {
     this.frames.push(frame);
     this.sources.push({});
     return frame;
+  }
+
+  /** What nothing moves is in its file pose at 0 s: programs print `time 0` there. */
+  private isSameTime(a: FrameTime, b: FrameTime): boolean {
+    return a === b || (!isMoved(this.character) && (a ?? 0) === (b ?? 0));
   }
 
   private put(kind: FrameKind, values: Float64Array, time: FrameTime, line: number): void {

@@ -25,7 +25,7 @@
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
-import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { type Character, type Document, findCharacter, isMoved } from '../../model/document.ts';
 import { sentenceOf } from '../../model/failure.ts';
 import type { Comparison, FrameComparison } from '../../teaching/compare/compare.ts';
 import { DEFAULT_TOLERANCE } from '../../teaching/compare/errors.ts';
@@ -215,9 +215,10 @@ export class DumpComparison {
   /** Pauses, and shows the time of a frame; does nothing for the file pose of a character with a take. */
   goTo(index: number): void {
     const { character } = this;
-    const time = this.state.get().result?.comparison.frames[index]?.time;
-    if (!character || time === undefined) return;
-    this.goToTime(time);
+    const frame = this.state.get().result?.comparison.frames[index];
+    if (!character || !frame) return;
+    const { time = isMoved(character) ? undefined : 0 } = frame;
+    if (time !== undefined) this.goToTime(time);
   }
 
   /** @param time of the character's clip */

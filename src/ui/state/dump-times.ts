@@ -1,6 +1,6 @@
 /** Times of dumps, and of a character's clip, beside those of the transport. */
 import type { Playback } from '../../edit/playback.ts';
-import { type Character, shownClip } from '../../model/document.ts';
+import { type Character, isMoved } from '../../model/document.ts';
 import { isUntimed } from '../../model/dump.ts';
 import type { NamedDump } from '../../teaching/dump/fit-dump.ts';
 import type { Observable } from '../widgets/observable.ts';
@@ -26,23 +26,23 @@ export function clipTimeShown({ transport }: Clock, character: Character | undef
   return transport.get().timeSeconds + offsetOf(character);
 }
 
-function isMoved(character: Character): boolean {
-  return character.driver !== undefined || shownClip(character) !== undefined;
-}
-
-/** The frame nearest to the time shown, within half a frame of the transport; −1 if there is none. */
+/**
+ * The frame nearest to the time shown, within half a frame of the transport; −1 if there is none. What nothing moves is
+ * in one pose at all times: its nearest frame is shown however far it is.
+ */
 export function frameShown(
   wb: Clock,
   character: Character,
   frames: readonly { readonly time: number | undefined }[],
 ): number {
-  const now = clipTimeShown(wb, character);
-  if (now === undefined) return frames.findIndex(({ time }) => time === undefined);
+  const { timeSeconds, framesPerSecond } = wb.transport.get();
+  const isStill = !isMoved(character);
+  const now = timeSeconds + offsetOf(character);
   let best = -1;
   // A little more, so that a time between two frames is always shown with one of them.
-  let distance = (0.5 + 1e-6) / wb.transport.get().framesPerSecond;
-  frames.forEach(({ time }, i) => {
-    const own = time === undefined ? Number.POSITIVE_INFINITY : Math.abs(time - now);
+  let distance = isStill ? Number.POSITIVE_INFINITY : (0.5 + 1e-6) / framesPerSecond;
+  frames.forEach(({ time = isStill ? 0 : Number.POSITIVE_INFINITY }, i) => {
+    const own = Math.abs(time - now);
     if (own > distance || (own === distance && best >= 0)) return;
     best = i;
     distance = own;

@@ -131,6 +131,32 @@ describe('a comparison with dumps', () => {
     expect(resting.comparing.shown.get()?.frame).toMatchObject({ agrees: true });
   });
 
+  it('shows time 0 without a take as the file pose, at once and at any time; numbers without a time replace it', async () => {
+    const still = { ...crawler, shownClip: -1 };
+    const { comparing, settled, at } = comparisonOf(still, [dump('mine.txt', [0], NO_PARENT)], 0.9);
+    await settled();
+    expect(comparing.shown.get()?.frame).toMatchObject({ time: 0, agrees: false });
+    at(2);
+    expect(comparing.shown.get()?.index).toBe(0);
+    await comparing.add([dump('pasted.txt', [undefined])]);
+    expect(comparing.state.get()).toMatchObject({ replaced: ['mine.txt'], dumps: [{ fileName: 'pasted.txt' }] });
+    expect(comparing.shown.get()?.frame.agrees).toBe(true);
+    await comparing.add([dump('again.txt', [0])]);
+    expect(comparing.state.get().replaced).toEqual(['pasted.txt']);
+  });
+
+  it('shows the nearest of several times without a take, which are of the same pose', async () => {
+    const { comparing, settled, at } = comparisonOf({ ...crawler, shownClip: -1 }, [dump('mine.txt', [0, 1.5])]);
+    await settled();
+    expect(comparing.shown.get()?.index).toBe(0);
+    comparing.goTo(1);
+    expect(comparing.shown.get()?.frame.time).toBe(1.5);
+    at(1.4);
+    expect(comparing.shown.get()?.index).toBe(1);
+    comparing.goTo(0);
+    expect(comparing.shown.get()?.index).toBe(0);
+  });
+
   it('goes by the time of the clip, wherever it starts on the timeline', async () => {
     const { comparing, settled, store, transport } = comparisonOf(crawler, [dump('mine.txt', [0.5])], 0.5);
     await settled();
