@@ -73,8 +73,12 @@ export interface JointHandles {
 export function sameHandle(a: HandleId | undefined, b: HandleId | undefined): boolean {
   if (!a || !b) return a === b;
   if (a.kind === 'dof') return b.kind === 'dof' && a.dof === b.dof;
-  if ('axis' in a) return a.kind === b.kind && 'axis' in b && a.axis === b.axis;
-  return a.kind === b.kind;
+  return a.kind === b.kind && axisOf(a) === axisOf(b);
+}
+
+/** The axis of the gizmo that a handle is about, along, or across; undefined for one of a DOF, or of none. */
+export function axisOf(id: HandleId): 0 | 1 | 2 | undefined {
+  return id.kind === 'own' || id.kind === 'along' || id.kind === 'across' ? id.axis : undefined;
 }
 
 /**

@@ -67,8 +67,21 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
     else time.begin();
     show();
   });
-  region.addEventListener('pointerenter', () => time.hold(true));
-  region.addEventListener('pointerleave', () => time.hold(false));
+  // Who reaches for it, by mouse or keyboard, finds it there.
+  let hasPointer = false;
+  const hold = () => time.hold(hasPointer || region.contains(document.activeElement));
+  for (const [type, has] of [
+    ['pointerenter', true],
+    ['pointerleave', false],
+  ] as const) {
+    region.addEventListener(type, () => {
+      hasPointer = has;
+      hold();
+    });
+  }
+  region.addEventListener('focusin', hold);
+  // The focus has left by then.
+  region.addEventListener('focusout', () => queueMicrotask(hold));
   show();
   return region;
 }

@@ -2,7 +2,7 @@
  * The handles of the selected pin: arrows move it along an axis, squares in a plane, and rings turn what it holds. While
  * they are there, the selected joint has none of its own.
  */
-import type { HandleId, JointHandles } from '../../../evaluate/handles/joint-handles.ts';
+import { axisOf, type HandleId, type JointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import { type PinAxes, pinAxes, pinHandles } from '../../../evaluate/handles/pin-handles.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
@@ -172,10 +172,11 @@ export class PinGizmo {
 }
 
 function meaning(id: HandleId): string {
-  if (!('axis' in id)) return '';
-  const others = NAMES.filter((_, k) => k !== id.axis);
+  const axis = axisOf(id);
+  if (axis === undefined) return '';
+  const others = NAMES.filter((_, k) => k !== axis);
   if (id.kind === 'across') return `along ${others.join(' and ')}`;
-  return `${id.kind === 'own' ? 'about' : 'along'} ${NAMES[id.axis]}`;
+  return `${id.kind === 'own' ? 'about' : 'along'} ${NAMES[axis]}`;
 }
 
 /** `+0.230`. */

@@ -1,7 +1,7 @@
 /** Drags a handle of a pin: what each position of the pointer makes of it, and in words. */
 import { DraggedValue } from '../../../evaluate/handles/dragged-value.ts';
 import type { Handle, HandleId, JointHandles, PlaneHandle } from '../../../evaluate/handles/joint-handles.ts';
-import { sameHandle } from '../../../evaluate/handles/joint-handles.ts';
+import { axisOf, sameHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { add, type Vec3 } from '../../../math/vec3.ts';
 import { planeMeasure, type Sight, slideMeasure, turnMeasure } from '../../../view/gizmo/pointer-measures.ts';
 import { wantsOf } from '../fk/movers.ts';
@@ -47,25 +47,26 @@ export function pinWay(
 }
 
 function axisWay(
-  { id, axis, centre, kind }: Handle,
+  { id, axis: direction, centre, kind }: Handle,
   hand: HandPull,
   sight: Sight,
   { clientX, clientY }: CanvasPointer,
   size: number,
   snaps: PinSnaps,
 ): PinWay | undefined {
-  if (!('axis' in id)) return undefined;
+  const axis = axisOf(id);
+  if (axis === undefined) return undefined;
   const isTurn = kind === 'turn';
   const from = hand.hand;
   const measure = isTurn
-    ? turnMeasure(sight, axis, centre, size, clientX, clientY)
-    : slideMeasure(sight, axis, centre, clientX, clientY);
+    ? turnMeasure(sight, direction, centre, size, clientX, clientY)
+    : slideMeasure(sight, direction, centre, clientX, clientY);
   const value = new DraggedValue(0, FREE, isTurn ? snaps.angle : snaps.length, true);
   return (now) => {
     const by = value.by(measure(now.clientX, now.clientY), wantsOf(now)).value;
-    if (isTurn) hand.turn(axis, by);
-    else hand.to(add(from, axis, by));
-    return [{ axis: id.axis, by }];
+    if (isTurn) hand.turn(direction, by);
+    else hand.to(add(from, direction, by));
+    return [{ axis, by }];
   };
 }
 
@@ -76,7 +77,8 @@ function planeWay(
   { clientX, clientY }: CanvasPointer,
   { length }: PinSnaps,
 ): PinWay | undefined {
-  if (!('axis' in id)) return undefined;
+  const axis = axisOf(id);
+  if (axis === undefined) return undefined;
   const from: Vec3 = hand.hand;
   const measure = planeMeasure(sight, axes, centre, clientX, clientY);
   const values = axes.map(() => new DraggedValue(0, FREE, length, true));
@@ -85,8 +87,8 @@ function planeWay(
     const [a, b] = values.map((value, i) => value.by(by[i], wantsOf(now)).value);
     hand.to(add(add(from, axes[0], a), axes[1], b));
     return [
-      { axis: (id.axis + 1) % 3, by: a },
-      { axis: (id.axis + 2) % 3, by: b },
+      { axis: (axis + 1) % 3, by: a },
+      { axis: (axis + 2) % 3, by: b },
     ];
   };
 }
