@@ -17,9 +17,10 @@ type Work = (nowMs: number) => void;
 
 const PHASES: readonly FramePhase[] = ['advance', 'show', 'number', 'draw'];
 const WAITING: Record<FramePhase, Work[]> = { advance: [], show: [], number: [], draw: [] };
-/** Numbers change at most this often: ten times a second, and in one of ten frames. */
+/** Numbers change at most this often: ten times a second, and in one of ten frames; where frames are slow, each second. */
 const NUMBERS_MS = 100;
 const NUMBERS_FRAMES = 10;
+const NUMBERS_LATE_MS = 1000;
 let isAsked = false;
 let isRunning = false;
 /** Since numbers have changed. */
@@ -68,7 +69,8 @@ function runAll(nowMs: number): void {
 function isTimeForNumbers(nowMs: number): boolean {
   // Also if the clock was set back.
   const elapsedMs = Math.abs(nowMs - numbersMs);
-  if (WAITING.number.length === 0 || frames < NUMBERS_FRAMES || elapsedMs < NUMBERS_MS) return false;
+  const isDue = elapsedMs >= NUMBERS_LATE_MS || (elapsedMs >= NUMBERS_MS && frames >= NUMBERS_FRAMES);
+  if (WAITING.number.length === 0 || !isDue) return false;
   frames = 0;
   numbersMs = nowMs;
   return true;

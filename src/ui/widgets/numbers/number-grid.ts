@@ -30,7 +30,7 @@ export interface GridOptions {
 
 const COPIED_MS = 700;
 /** Characters that fit into a quarter of the narrowest inspector. */
-const CHARACTERS = 8;
+const CHARACTERS = 7;
 
 export class NumberGrid {
   readonly element: HTMLTableElement;
