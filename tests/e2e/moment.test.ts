@@ -88,9 +88,26 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       const eased = () => end.getAttribute('aria-valuenow').then(Number);
       await expect.poll(eased).toBeCloseTo(0.4, 9);
       const box = await end.boundingBox();
-      const ruler = await page.getByRole('slider', { name: 'Time', exact: true }).boundingBox();
-      if (!box || !ruler) throw new Error('The ruler is not shown.');
+      const other = await page.getByRole('slider', { name: 'Ease out' }).boundingBox();
+      if (!box || !other) throw new Error('The band is not shown.');
+      const perPixel = 0.7 / (other.x - box.x);
       const grip = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+      // Beside an end the ruler is pressed, also where its label is; and a click on an end goes there too.
+      const ruler = page.getByRole('slider', { name: 'Time', exact: true });
+      const time = () => ruler.getAttribute('aria-valuenow').then(Number);
+      for (const [by, y] of [
+        [8, grip.y],
+        [12, box.y - 5],
+        [0, grip.y],
+      ] as const) {
+        await page.mouse.move(grip.x, grip.y);
+        await page.mouse.move(grip.x + by, y);
+        await page.mouse.down();
+        await page.mouse.up();
+        await expect.poll(async () => Math.abs((await time()) - 2.5 - by * perPixel)).toBeLessThan(1 / 59);
+        await page.evaluate(() => window.marrow.seek(2.9));
+      }
+      await expect.poll(save).toEqual(saved);
       const pull = async (by: number) => {
         await page.mouse.move(grip.x, grip.y);
         await page.mouse.down();

@@ -1,6 +1,7 @@
 /**
  * The moment that the last step has keyed, as a band on the ruler: it rises where the pose is eased in and falls where it
  * is eased out. Dragging an end, or arrow keys on it, key the moment anew with that easing, in place of the last step.
+ * A click on an end is one on the ruler.
  */
 import { keyForMoment } from '../../../edit/commands/moment.ts';
 import type { Gesture } from '../../../edit/store.ts';
@@ -12,7 +13,8 @@ import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
-import { timeAt, timeX } from '../../widgets/time/time-window.ts';
+import { secondsPerPixel, snapTime, timeAt, timeX } from '../../widgets/time/time-window.ts';
+import { scrubFrames } from '../timeline/scrub-frames.ts';
 
 type Parts = Uses<'store' | 'transport' | 'timeline' | 'messages'>;
 type Side = keyof Easing;
@@ -25,6 +27,8 @@ const SIDES: readonly (readonly [side: Side, label: string, way: 1 | -1])[] = [
 /** Frames of an arrow key, and with Shift. */
 const FRAMES = 1;
 const MORE_FRAMES = 10;
+/** A press that moves less is a click. */
+const TREMBLE_PIXELS = 3;
 
 interface End {
   readonly side: Side;
@@ -88,6 +92,10 @@ export function momentBand(wb: Parts, ruler: HTMLElement): void {
     }
   };
   const showSoon = oncePerFrame(show);
+  const seek = (seconds: number, shift: boolean) => {
+    const timeSeconds = snapTime(seconds, secondsPerPixel(strip()), scrubFrames(wb, shift));
+    transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  };
 
   for (const { side, way, handle } of ends) {
     const ease = (made: MomentEdit, seconds: number) => {
@@ -106,6 +114,7 @@ export function momentBand(wb: Parts, ruler: HTMLElement): void {
       handle.classList.add('is-dragged');
       followPointer(handle, event, {
         move: (at) => {
+          if (!edit && Math.abs(at.clientX - event.clientX) < TREMBLE_PIXELS) return;
           edit ??= new MomentEdit(wb, moment);
           if (!edit.isOver) ease(edit, way * (secondsAt(at) - beside - args.timeSeconds));
         },
@@ -117,7 +126,8 @@ export function momentBand(wb: Parts, ruler: HTMLElement): void {
         },
         over: (_, release) => {
           handle.classList.remove('is-dragged');
-          if (release) edit?.commit();
+          if (!edit && release) seek(secondsAt(release), release.shiftKey);
+          else if (release) edit?.commit();
           else edit?.cancel();
           edit = undefined;
           show();
