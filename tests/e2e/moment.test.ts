@@ -53,13 +53,33 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       const walked = (await shown(page)).dofs;
       await drag(page, 'hand_l', [0.07, 0, 0], [30, -90]);
       const posed = (await shown(page)).dofs;
-      await page.keyboard.press('k');
       const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
+      // From the inspector, where the focus is again once it is closed.
+      await page.getByRole('textbox', { name: /^rx\b/ }).first().focus();
+      await page.keyboard.press('Enter');
+      await page.keyboard.press('k');
+      await dialog.waitFor();
+      await page.keyboard.press('Escape');
+      await dialog.waitFor({ state: 'detached' });
+      const focused = () => page.evaluate(() => document.activeElement?.getAttribute('data-region'));
+      await expect.poll(focused).toBe('inspector');
+      await page.keyboard.press('k');
       await dialog.getByText(/so it comes once every 6.4\u00a0s/).waitFor();
-      const easeIn = dialog.getByRole('textbox', { name: 'Ease in in seconds' });
+      // The ring of the first answer, which has the focus, isn't below the dialog's head.
+      const first = dialog.getByRole('button', { name: 'For a moment' });
+      await expect.poll(() => first.evaluate((card) => card.matches(':focus-visible'))).toBe(true);
+      const ring = await first.evaluate((card) => {
+        const { outlineOffset, outlineWidth } = getComputedStyle(card);
+        return Number.parseFloat(outlineOffset) + Number.parseFloat(outlineWidth);
+      });
+      expect(ring).toBeLessThanOrEqual(0);
+      const easeIn = dialog.getByRole('textbox', { name: 'Ease in, seconds' });
+      // A refused number applies nothing.
+      await easeIn.fill('0');
+      await easeIn.press('Enter');
+      await page.locator('.message-text', { hasText: 'Ease in must be at least 0.001 s.' }).waitFor();
       await easeIn.fill('0.4');
       await easeIn.press('Enter');
-      await dialog.getByRole('button', { name: 'For a moment' }).click();
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       expectSame((await shown(page)).dofs, posed, 12);

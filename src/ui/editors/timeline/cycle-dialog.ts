@@ -52,12 +52,13 @@ function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[]
   const { moment } = question;
   if (!moment) return [];
   const { easing } = wb.timeline;
+  const answer = () => moment.answer(easing.get());
   const made = card(
     wb,
     'For a moment',
     momentText(question, wb.transport.get().range),
     () => moment.show(easing.get()),
-    () => moment.answer(easing.get()),
+    answer,
   );
   setAttribute(made, 'autofocus', '');
   const fields = easingFields(
@@ -67,6 +68,7 @@ function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[]
       attempt(wb.messages, () => moment.show(next));
     },
     (reason) => wb.messages.note(reason, 'warning'),
+    () => attempt(wb.messages, answer),
   );
   return [made, fields];
 }

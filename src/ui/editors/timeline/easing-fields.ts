@@ -10,24 +10,40 @@ const SPAN = [0.05, 2] as const;
 const STEP = 0.05;
 const LEAST = 0.001;
 
-/** @param changed called with each change @param refuse told why a number wasn't taken */
+/**
+ * @param changed called with each change
+ * @param refuse told why a number wasn't taken
+ * @param enter called on Enter in a number's field, once the number is taken
+ */
 export function easingFields(
   start: Easing,
   changed: (easing: Easing) => void,
   refuse: (reason: string) => void,
+  enter: () => void,
 ): HTMLElement {
   let easing = start;
   const row = (side: keyof Easing, label: string) => {
     const slider = element('input', { type: 'range', min: SPAN[0], max: SPAN[1], step: STEP, 'aria-label': label });
+    let isRefused = false;
+    const refused = (reason: string) => {
+      isRefused = true;
+      refuse(reason);
+    };
     const field = new NumberField({
-      label: `${label} in seconds`,
+      label: `${label}, seconds`,
       text: shown,
       step: STEP,
       commit(value) {
         if (value >= LEAST) set(value);
-        else refuse(`${label} must be at least ${LEAST} s.`);
+        else refused(`${label} must be at least ${LEAST} s.`);
       },
-      refuse,
+      refuse: refused,
+    });
+    field.element.addEventListener('focus', () => {
+      isRefused = false;
+    });
+    field.element.addEventListener('keydown', ({ key }) => {
+      if (key === 'Enter' && !isRefused) enter();
     });
     const show = () => {
       slider.value = String(easing[side]);

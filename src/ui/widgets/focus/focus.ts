@@ -36,6 +36,8 @@ export function focusRegion(region: HTMLElement, from?: HTMLElement): void {
   };
   region.addEventListener('keydown', back, { signal });
   const left = () => {
+    // A dialog gives the focus back when it closes.
+    if (document.querySelector(':modal')) return;
     until.abort();
     // A click on its empty parts would focus it.
     region.removeAttribute('tabindex');
