@@ -193,4 +193,57 @@ describeShared('another program’s numbers', () => {
 
       await expectDrawn(page);
     }));
+
+  it('without a take, numbers of time 0 are marked at once; Ctrl+V compares from anywhere, and Enter selects', () =>
+    withPage(async ({ page }) => {
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+      const paste = async (text: string) => {
+        await page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
+        await page.keyboard.press('ControlOrMeta+v');
+      };
+      await dropFiles(page, [
+        { name: 'wasp.skel', bytes: sharedBytes('data/cse169/wasp.skel') },
+        { name: 'mine.txt', bytes: `time 0\n${printed([undefined], [22])}` },
+      ]);
+      await says(page, /^First wrong: wing_/);
+      await legend(page).getByText('own error').waitFor();
+      await expect
+        .poll(() =>
+          banner(page)
+            .getByRole('button', { name: /^Go to/ })
+            .count(),
+        )
+        .toBe(0);
+
+      const panel = page.locator('.compare');
+      const selected = page.locator('[role=treeitem][aria-selected=true]', { hasText: 'wing_' });
+      const grid = panel.getByRole('grid', { name: 'Joints' });
+      for (const key of ['Enter', 'Space']) {
+        await page.evaluate(() => window.marrow.run('select.nothing'));
+        await selected.waitFor({ state: 'detached' });
+        await grid.focus();
+        await page.keyboard.press(key);
+        await selected.waitFor();
+      }
+
+      await page.getByRole('application', { name: 'Viewport' }).focus();
+      await paste(printed([undefined]));
+      await says(page, /^pasted\.txt instead of mine\.txt\. All agree/);
+      // Clicked buttons let go of the focus: no field of the tab has it.
+      const asks = page.getByRole('button', { name: 'Paste numbers' });
+      await asks.click();
+      await asks.click();
+      await paste(printed([undefined], [22]));
+      await says(page, /^First wrong: wing_/);
+      await paste('x');
+      await page.getByText('Expected numbers to compare on the clipboard, found other text.').waitFor();
+
+      await asks.click();
+      const field = panel.getByLabel(/^Print your world matrices/);
+      await expect.poll(() => field.evaluate((own) => own === document.activeElement)).toBe(true);
+      await paste(printed([undefined]));
+      await expect.poll(() => field.inputValue()).toBe(printed([undefined]));
+      await page.keyboard.press('ControlOrMeta+Enter');
+      await says(page, /^All agree/);
+    }));
 });

@@ -26,7 +26,8 @@ import {
 } from './compared-rows.ts';
 import { Detail, type JointNumbers, jointNumbersIn } from './detail.ts';
 import { Findings } from './findings.ts';
-import { compareText, startPage } from './start.ts';
+import { listenToPaste } from './paste-keys.ts';
+import { startPage } from './start.ts';
 import { ComparedTable } from './table.ts';
 
 type Parts = Uses<'comparing' | 'store' | 'transport' | 'timeline' | 'posing' | 'files' | 'messages'>;
@@ -71,6 +72,8 @@ class ComparePanel implements TimelineTab {
   /** The field for numbers is shown over the comparison. */
   private asksForNumbers = false;
   private visible = false;
+  /** While it is visible. */
+  private pasting: AbortController | undefined;
   private kind: RowKind = 'joints';
   private numbers: JointNumbers = 'world';
   /** Of the vertex, normal or channel; joints are selected on the page. */
@@ -103,9 +106,11 @@ class ComparePanel implements TimelineTab {
     );
     const act = (label: string, tooltip: string, run: () => void) =>
       button(label, { class: 'tool text-tool', tooltip }, label, run);
-    this.paste = act('Paste numbers', 'Or press Ctrl+V in this panel', () => {
+    this.paste = act('Paste numbers', 'Or press Ctrl+V while this tab is shown', () => {
       this.asksForNumbers = !this.asksForNumbers;
       this.show();
+      // Earlier text is replaced by what is pasted.
+      if (this.asksForNumbers) this.start.querySelector('textarea')?.select();
     });
     this.tools = element(
       'div',
@@ -115,14 +120,6 @@ class ComparePanel implements TimelineTab {
     );
     this.element.append(this.start, this.body);
     this.element.addEventListener('keydown', (event) => this.onKey(event));
-    this.element.addEventListener('paste', (event) => {
-      if (isTextField(event.target instanceof Element ? event.target : null)) return;
-      const text = event.clipboardData?.getData('text/plain') ?? '';
-      if (text.trim() === '') return;
-      event.preventDefault();
-      event.stopPropagation();
-      compareText(wb, text);
-    });
     wb.comparing.subscribe((comparing) => this.follow(comparing));
     wb.store.subscribe((now, before) => {
       if (now.document !== before.document || now.selection !== before.selection) this.showSoon();
@@ -134,7 +131,11 @@ class ComparePanel implements TimelineTab {
   setVisible(visible: boolean): void {
     if (visible === this.visible) return;
     this.visible = visible;
-    if (visible) this.showSoon();
+    this.pasting?.abort();
+    if (!visible) return;
+    this.pasting = new AbortController();
+    listenToPaste(this.wb, this.pasting.signal);
+    this.showSoon();
   }
 
   // This tab shows no time to fit.

@@ -2,6 +2,7 @@
  * A table of what was compared: a windowed list with a header that sorts. The focus is on the table.
  *
  *     ↑ ↓ Home End Page Up Page Down     to another row, which is selected
+ *     Enter Space                        the row that is shown is selected
  */
 import { type JointMark, MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
 import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
@@ -125,7 +126,8 @@ export class ComparedTable {
 
   private onKey(event: KeyboardEvent): void {
     if (event.target !== this.element || event.altKey || event.ctrlKey || event.metaKey) return;
-    const to = rowAfterKey(event.key, this.place, this.rows.length, this.list.page);
+    const isChosen = event.key === 'Enter' || event.key === ' ';
+    const to = isChosen ? this.place : rowAfterKey(event.key, this.place, this.rows.length, this.list.page);
     const row = to === undefined ? undefined : this.rows[to];
     if (!row) return;
     event.preventDefault();
