@@ -104,7 +104,10 @@ describeShared('another program’s numbers', () => {
         ...WASP.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
         { name: 'mine@1.5.txt', bytes: sharedBytes('conformance/compare/d008.txt') },
       ]);
-      await says(page, 'First wrong: hip_03_r. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 23 joints.');
+      await says(
+        page,
+        'First wrong: hip_03_r. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 16 wrong joints.',
+      );
       const { undo } = await page.evaluate(() => window.marrow.steps());
       await marked(page, 'tail_04', 'agrees');
       await marked(page, 'hip_03_r', 'own error');
@@ -236,7 +239,8 @@ describeShared('another program’s numbers', () => {
       await paste(printed([undefined], [22]));
       await says(page, /^First wrong: wing_/);
       await paste('x');
-      await page.getByText('Expected numbers to compare on the clipboard, found other text.').waitFor();
+      const refusal = 'Expected numbers to compare on the clipboard, found other text.';
+      await page.locator('.message-line').getByText(refusal).waitFor();
 
       await asks.click();
       const field = panel.getByLabel(/^Print your world matrices/);

@@ -105,7 +105,7 @@ function resultText(
           `First wrong${of}${whereFirst(comparison, firstTime, hereAgrees, wrong)}: ${placeText(placed.first, character)}.`,
         ]
       : []),
-    ...causeSentences(comparison, placed, placed && names[placed.dump]),
+    ...causeSentences(result, placed, placed && names[placed.dump]),
     ...unexplainedSentences(comparison, isOfSeveral),
   ];
   const channelTime = placed?.frame === -1 && placed.first.time !== time ? placed.first.time : undefined;
@@ -156,11 +156,11 @@ export function placeText({ what, index, name, time }: FirstWrong, { skeleton }:
  * @param file the dump that it is in, of several
  */
 function causeSentences(
-  comparison: Comparison,
+  result: ComparedResult,
   placed: PlacedFirst | undefined,
   file: string | undefined,
 ): readonly string[] {
-  const { causes } = comparison;
+  const { causes } = result.comparison;
   const isOfPlaced = ({ about }: Cause) =>
     !about ||
     (about.kinds.some((kind) => placed?.kinds.includes(kind)) &&
@@ -172,7 +172,7 @@ function causeSentences(
   // The dump was just named.
   const isNamed = file !== undefined && best.about?.files.join() === file;
   const about = best.about && !isNamed ? `In the ${subjectText(best.about, best.about.files.length > 0)}: ` : '';
-  const explains = `${explainsText(best, comparison)}${equalText(best, causes)}`;
+  const explains = `${explainsText(best, result)}${equalText(best, causes)}`;
   return [`${about}${best.sentences.join(' ')}`, explains, ...more];
 }
 
@@ -191,9 +191,12 @@ function equalText(best: Cause, causes: readonly Cause[]): string {
   return told.length === 1 ? ` Equally: ${told[0]}` : ` ${told.length} others explain it equally; see Compare.`;
 }
 
-/** `Explains all 23 joints.`, `Explains 20 of 23 joints.` */
-export function explainsText(cause: Cause, { compared }: Comparison): string {
-  const { explains, of, frames } = cause;
+const JOINT_KINDS = ['world', 'local', 'positions'] as const;
+
+/** `Explains all 23 joints.`, `Explains all 19 wrong joints.`, `Explains 20 of 23 joints.` */
+export function explainsText(cause: Cause, { comparison, tolerance }: ComparedResult): string {
+  const { explains, of, frames, about } = cause;
+  const { compared } = comparison;
   const noun = explainedNoun(cause, compared);
   const many = noun === 'vertex' ? 'vertices' : `${noun}s`;
   const times = frames.length;
@@ -201,6 +204,13 @@ export function explainsText(cause: Cause, { compared }: Comparison): string {
   const isEven = times > 1 && of % times === 0;
   const at = times > 1 ? ` at ${isEven && explains === of ? 'all ' : ''}${times} times` : '';
   if (explains < of) return `Explains ${explains} of ${of} ${of === 1 ? noun : many}${at}.`;
+  // Those that are right are explained too, which is no news.
+  const isOfAll = JOINT_KINDS.every((kind) => compared[kind] === 0 || !about || about.kinds.includes(kind));
+  const errors = noun === 'joint' && isOfAll ? frames.map((frame) => comparison.frames[frame]?.jointErrors ?? []) : [];
+  const wrong = errors.reduce((sum, each) => sum + each.filter((error) => !(error <= tolerance)).length, 0);
+  if (wrong > 0 && wrong < of) {
+    return wrong === 1 ? `Explains the only wrong ${noun}.` : `Explains all ${wrong} wrong ${many}${at}.`;
+  }
   const count = isEven ? of / times : of;
   return count === 1 ? `Explains the only ${noun}${at}.` : `Explains all ${count} ${many}${at}.`;
 }

@@ -1,7 +1,7 @@
 /** The mistakes that explain what was found: what was done, what should be done, and how much it explains. */
-import type { Comparison } from '../../../teaching/compare/compare.ts';
 import { areEqual, beginText, subjectText, unexplainedSentences } from '../../../teaching/compare/compared-text.ts';
 import type { Cause } from '../../../teaching/search/found-causes.ts';
+import type { ComparedResult } from '../../state/dump-comparison.ts';
 import { element } from '../../widgets/dom.ts';
 import { explainsText, numberText } from './banner-text.ts';
 
@@ -9,14 +9,15 @@ import { explainsText, numberText } from './banner-text.ts';
  * @param newest names of the dumps that were given last: what is about them comes first
  * @param hasSeveral dumps, so that they are named
  */
-export function causesList(comparison: Comparison, newest: readonly string[], hasSeveral: boolean): HTMLElement {
+export function causesList(result: ComparedResult, newest: readonly string[], hasSeveral: boolean): HTMLElement {
+  const { comparison } = result;
   const list = element('div', { class: 'compare-causes' });
   const isNew = ({ about }: Cause) => about?.files.some((file) => newest.includes(file)) ?? false;
   const causes = [...comparison.causes.filter(isNew), ...comparison.causes.filter((cause) => !isNew(cause))];
   if (areEqual(causes)) {
     list.append(element('p', { class: 'faint' }, 'Each of these explains it; these numbers can’t tell them apart.'));
   }
-  list.append(...causes.map((cause) => causeBlock(cause, comparison)));
+  list.append(...causes.map((cause) => causeBlock(cause, result)));
   const unexplained = unexplainedSentences(comparison, hasSeveral);
   list.append(...unexplained.map((sentence) => element('p', { class: 'compare-sentence' }, sentence)));
   if (causes.length === 0 && !comparison.agrees && unexplained.length > 0) {
@@ -25,7 +26,7 @@ export function causesList(comparison: Comparison, newest: readonly string[], ha
   return list;
 }
 
-function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
+function causeBlock(cause: Cause, result: ComparedResult): HTMLElement {
   const { code, detail, alternatives, sentences, formulas, residual, about } = cause;
   return element(
     'article',
@@ -37,7 +38,7 @@ function causeBlock(cause: Cause, comparison: Comparison): HTMLElement {
     element(
       'p',
       { class: 'faint' },
-      `${explainsText(cause, comparison)} The largest remaining error is ${numberText(residual)}. `,
+      `${explainsText(cause, result)} The largest remaining error is ${numberText(residual)}. `,
       element('code', { tooltip: detail || undefined }, code),
     ),
   );

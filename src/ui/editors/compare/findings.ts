@@ -79,7 +79,7 @@ export class Findings {
     const { comparison, targets } = result;
     const { frames, layout, compared } = comparison;
     const hasSeveral = (targets.origins?.fileNames.length ?? 1) > 1;
-    this.found.append(causesList(comparison, newest, hasSeveral));
+    this.found.append(causesList(result, newest, hasSeveral));
     this.element.scrollTop = 0;
     if (frames.length > 1)
       this.times.append(...frames.slice(0, MAX_TIMES).map((_, i) => this.timeButton(comparison, i)));
