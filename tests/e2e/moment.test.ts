@@ -63,6 +63,14 @@ it('a hand dragged up and keyed waves for a moment of the walk, which goes on as
       await dialog.waitFor({ state: 'detached' });
       const focused = () => page.evaluate(() => document.activeElement?.getAttribute('data-region'));
       await expect.poll(focused).toBe('inspector');
+      // By the word that one would look for.
+      await page.keyboard.press('Control+k');
+      await page.getByRole('combobox', { name: 'Find a command' }).fill('wave');
+      await page.getByRole('option', { name: 'Key for a moment…' }).waitFor();
+      await page.keyboard.press('Enter');
+      await page.getByRole('dialog', { name: 'Key for a moment' }).waitFor();
+      await page.keyboard.press('Escape');
+      await expect.poll(() => page.getByRole('dialog').count()).toBe(0);
       await page.keyboard.press('k');
       await dialog.getByText(/so it comes once every 6.4\u00a0s/).waitFor();
       // The ring of the first answer, which has the focus, isn't below the dialog's head.

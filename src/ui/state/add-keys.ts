@@ -16,6 +16,7 @@ import { keyForMoment } from '../../edit/commands/moment.ts';
 import type { KeyOptions } from '../../edit/key-dofs.ts';
 import { changedCyclesOf, type OutsideCycle } from '../../edit/keys/cycle.ts';
 import { type KeyedPose, keyedPose } from '../../edit/keys/keyed-pose.ts';
+import type { Gesture } from '../../edit/store.ts';
 import { type Document, findCharacter, shownClip } from '../../model/document.ts';
 import type { CycleQuestion, Easing, KeyedMoment } from './cycle-question.ts';
 import type { Uses } from './workbench.ts';
@@ -58,38 +59,22 @@ export function addKeys<A>(
     store.apply(command, args('lengthen'));
     return;
   }
+  const { shown, close, ask } = asking(wb, command.label(before, args('lengthen')));
   // At the time that is shown, all answers give this pose.
-  const shown = store.begin(command.label(before, args('lengthen')), 'tried');
   shown.preview(longer);
-  const close = () => {
-    const isOpen = !shown.closed;
-    shown.cancel();
-    if (cycleQuestion.get() === question) cycleQuestion.set(undefined);
-    return isOpen;
-  };
   const { timeSeconds } = wb.transport.get();
   const pose = keyedPose(before, documentIn(longer), timeSeconds);
-  const question: CycleQuestion = {
+  ask({
     ...found,
     timeSeconds,
-    ...(pose && {
-      moment: {
-        show: (easing) => shown.preview(keyForMoment.run(before, momentArgs(wb, pose, easing))),
-        answer(easing) {
-          if (!close()) return;
-          store.apply(keyForMoment, momentArgs(wb, pose, easing));
-          keepMoment(wb, momentArgs(wb, pose, easing));
-        },
-      },
-    }),
+    ...(pose && { moment: momentAsked(wb, pose, before, shown, close) }),
     show: (how) => shown.preview(command.run(before, args(how))),
     answer(how) {
       // Something else has happened meanwhile, and the keys may be of what is no more.
       if (close()) store.apply(command, args(how));
     },
     cancel: close,
-  };
-  cycleQuestion.set(question);
+  });
 }
 
 /**
@@ -104,38 +89,70 @@ export function askForMoment(
   before: Document,
   undoes: boolean,
 ): void {
-  const { store } = wb;
-  const { cycleQuestion } = wb.timeline;
   const character = findCharacter(before, pose.characterId);
   if (!character) return;
-  cycleQuestion.get()?.cancel();
-  store.settle();
-  const { timeSeconds } = wb.transport.get();
-  const shown = store.begin(keyForMoment.label(before, momentArgs(wb, pose, wb.timeline.easing.get())), 'tried');
-  const close = () => {
-    const isOpen = !shown.closed;
-    shown.cancel();
-    if (cycleQuestion.get() === question) cycleQuestion.set(undefined);
-    return isOpen;
-  };
-  const question: CycleQuestion = {
+  wb.timeline.cycleQuestion.get()?.cancel();
+  wb.store.settle();
+  const { shown, close, ask } = asking(wb, keyForMoment.label(before, momentArgs(wb, pose, wb.timeline.easing.get())));
+  ask({
     character,
     changed: [],
-    timeSeconds,
-    moment: {
-      show: (easing) => shown.preview(keyForMoment.run(before, momentArgs(wb, pose, easing))),
-      answer(easing) {
-        if (!close()) return;
-        if (undoes) store.undo();
-        store.apply(keyForMoment, momentArgs(wb, pose, easing));
-        keepMoment(wb, momentArgs(wb, pose, easing));
-      },
-    },
+    timeSeconds: wb.transport.get().timeSeconds,
+    moment: momentAsked(wb, pose, before, shown, close, undoes),
     show() {},
     answer() {},
     cancel: close,
+  });
+}
+
+/** @returns what the question is shown by, and what ends it, which returns whether it was open */
+function asking({ store, timeline: { cycleQuestion } }: Uses<'store' | 'timeline'>, label: string) {
+  const shown = store.begin(label, 'tried');
+  let asked: CycleQuestion | undefined;
+  const close = () => {
+    const isOpen = !shown.closed;
+    shown.cancel();
+    if (cycleQuestion.get() === asked) cycleQuestion.set(undefined);
+    return isOpen;
   };
-  cycleQuestion.set(question);
+  const ask = (question: CycleQuestion) => {
+    asked = question;
+    cycleQuestion.set(question);
+  };
+  return { shown, close, ask };
+}
+
+function momentAsked(
+  wb: Uses<'store' | 'timeline' | 'transport'>,
+  pose: KeyedPose,
+  before: Document,
+  shown: Gesture,
+  close: () => boolean,
+  undoes = false,
+): CycleQuestion['moment'] {
+  return {
+    easing: usualEasing(wb, pose, before),
+    show: (easing) => shown.preview(keyForMoment.run(before, momentArgs(wb, pose, easing))),
+    answer(easing) {
+      if (!close()) return;
+      if (undoes) wb.store.undo();
+      const args = momentArgs(wb, pose, easing);
+      wb.store.apply(keyForMoment, args);
+      keepMoment(wb, args);
+    },
+  };
+}
+
+/** Beside the last moment it ends at that one's pose, which stays as it was made. */
+function usualEasing(wb: Uses<'timeline' | 'transport'>, { characterId }: KeyedPose, document: Document): Easing {
+  const { easeIn, easeOut } = wb.timeline.easing.get();
+  const last = wb.timeline.moment.get();
+  const isThere = last?.clip && last.args.characterId === characterId && clipOf(document, last.args) === last.clip;
+  const since = isThere ? wb.transport.get().timeSeconds - last.args.timeSeconds : 0;
+  return {
+    easeIn: since > 0 ? Math.min(easeIn, wholeFrames(wb, since)) : easeIn,
+    easeOut: since < 0 ? Math.min(easeOut, wholeFrames(wb, -since)) : easeOut,
+  };
 }
 
 /** What the last step has keyed for a moment, so that it can be eased otherwise. */

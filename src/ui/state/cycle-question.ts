@@ -29,6 +29,8 @@ export interface CycleQuestion {
   readonly timeSeconds: number;
   /** The same values for a moment, eased in and out; absent if the keys aren't one pose. */
   readonly moment?: {
+    /** To begin with. */
+    readonly easing: Easing;
     /** Previews it, until another answer is previewed. */
     show(easing: Easing): void;
     /** One step. Throws a `CommandError` if refused. */

@@ -78,6 +78,32 @@ describe('keys outside a cycle', () => {
     expect(wb.store.document.characters[0]).toBe(posed);
   });
 
+  it('a moment beside the last is eased from its pose on, which stays', () => {
+    const pose = (timeSeconds: number, value: number) => {
+      wb.transport.update((p) => ({ ...p, timeSeconds }));
+      wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value }], timeSeconds });
+      runAction(wb, 'key.forMoment');
+      return asked().moment;
+    };
+    pose(2, 3)?.answer({ easeIn: 0.3, easeOut: 0.3 });
+    const before = pose(1.9, 4);
+    expect(before?.easing).toEqual({ easeIn: 0.3, easeOut: 0.1 });
+    asked().cancel();
+    const beside = pose(2.2, -3);
+    expect(beside?.easing).toEqual({ easeIn: 0.2, easeOut: 0.3 });
+    beside?.answer(beside.easing);
+    const { times, values } = keysOf(channels()[0]);
+    expect([3, 3.2].map((time) => values[times.findIndex((t) => Math.abs(t - time) < 1e-9)])).toEqual([3, -3]);
+    // The last one is that now, and what is further away is eased as ever.
+    expect(pose(2.3, 3)?.easing.easeIn).toBe(0.1);
+    asked().cancel();
+    expect(pose(4, 3)?.easing).toEqual({ easeIn: 0.3, easeOut: 0.3 });
+    asked().cancel();
+    // Nor does what was undone count.
+    while (wb.store.undoLabel) wb.store.undo();
+    expect(pose(2.3, 3)?.easing.easeIn).toBe(0.3);
+  });
+
   it('change nothing when the dialog is closed, nor when the document changes meanwhile', () => {
     keyNow(wb, 'c1');
     wb.dialog.set(undefined);

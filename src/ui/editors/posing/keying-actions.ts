@@ -4,11 +4,13 @@ import { createClip, duplicateClip, removeClip, setClipRange } from '../../../ed
 import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
+import { unkeyedAt } from '../../../edit/unkeyed.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { NO_JOINT, needs, needsSkeleton } from '../../state/actions/needs.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
+import { askForMoment } from '../../state/add-keys.ts';
 import { selectedJointsOf, selectedJointsText } from '../../state/joints/selected-joint.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
@@ -56,6 +58,22 @@ export const KEYING_ACTIONS: readonly Action[] = [
     shortcuts: ['Ctrl+Alt+K'],
     refuses: needsSkeleton,
     run: (wb) => withJoints(wb, (character, dofs) => keyAndTell(wb, character, dofs)),
+  },
+  {
+    id: 'key.forMoment',
+    also: 'wave gesture ease',
+    label: 'Key for a moment…',
+    group: 'Keys',
+    menu: 'Keys',
+    refuses: needs(
+      'There are no unkeyed changes at the current time: pose a joint first.',
+      (wb) => unkeyedNow(wb).size > 0,
+    ),
+    run: (wb) =>
+      withCharacter(wb, ({ id: characterId }) => {
+        const dofs = [...unkeyedNow(wb)].map(([index, value]) => ({ index, value }));
+        askForMoment(wb, { characterId, dofs }, wb.store.document, false);
+      }),
   },
   {
     id: 'key.deleteHere',
@@ -246,6 +264,11 @@ function keyAndTell(
   const isOffered = keyNow(wb, character.id, dofs);
   if (isOffered || wb.store.document !== before) return;
   wb.messages.note(`These values are already keyed at ${shown(wb.transport.get().timeSeconds)} s.`);
+}
+
+function unkeyedNow(wb: Uses<'store' | 'transport'>): ReadonlyMap<number, number> {
+  const character = currentCharacter(wb);
+  return character ? unkeyedAt(character, wb.transport.get().timeSeconds) : new Map();
 }
 
 function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {

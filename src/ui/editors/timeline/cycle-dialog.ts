@@ -51,20 +51,21 @@ function card(wb: Uses<'messages'>, name: string, detail: string, show: () => vo
 function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
   const { moment } = question;
   if (!moment) return [];
-  const { easing } = wb.timeline;
-  const answer = () => moment.answer(easing.get());
+  let { easing } = moment;
+  const answer = () => moment.answer(easing);
   const made = card(
     wb,
     'For a moment',
     momentText(question, wb.transport.get().range),
-    () => moment.show(easing.get()),
+    () => moment.show(easing),
     answer,
   );
   setAttribute(made, 'autofocus', '');
   const fields = easingFields(
-    easing.get(),
+    easing,
     (next) => {
-      easing.set(next);
+      easing = next;
+      wb.timeline.easing.set(next);
       attempt(wb.messages, () => moment.show(next));
     },
     (reason) => wb.messages.note(reason, 'warning'),

@@ -107,6 +107,7 @@ describe('keying from the menu', () => {
     const driven = clip([0, 1], channel(0, 1));
     const { wb } = workbench(documentOf({ ...bare, clips: [driven], shownClip: 0 }));
     expect(enabled(wb)).not.toContain('key.dropUnkeyed');
+    expect(enabled(wb)).not.toContain('key.forMoment');
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0 });
     runAction(wb, 'key.dropUnkeyed');
     expect(wasp(wb).unkeyed).toBeUndefined();
