@@ -66,6 +66,19 @@ it('checking a program is followed from the character to the corrected numbers',
       { name: 'mine.txt', bytes: '1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n1 0 0 0 0 1 0 0 0 0 1 0 0 2 0 1\n' },
     ]);
     await expect.poll(() => next(page, name)).toBe('Click a joint');
+    // It covers neither what was found, beside it or above it, nor the choice of what is drawn.
+    const isClear = async () => {
+      const boxes = [guide(page, name), page.locator('.compare-banner'), page.locator('.compare-choices')];
+      const [card, found, choices] = await Promise.all(boxes.map((each) => each.boundingBox()));
+      if (!card || !found || !choices) return false;
+      const isBeside = card.x + card.width <= found.x || card.y + card.height <= found.y;
+      return isBeside && choices.y + choices.height <= card.y;
+    };
+    await expect.poll(isClear).toBe(true);
+    const size = page.viewportSize();
+    await page.setViewportSize({ width: 760, height: 720 });
+    await expect.poll(isClear).toBe(true);
+    if (size) await page.setViewportSize(size);
     await page.getByRole('treeitem', { name: /^b/ }).click();
     await expect.poll(() => next(page, name)).toBe('Correct your program,');
     await dropFiles(page, [
