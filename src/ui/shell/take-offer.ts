@@ -1,11 +1,11 @@
-/** Offers a first take at the foot of the viewport, while there is none. */
+/** Offers a first take at the foot of the viewport, while there is none and so nothing is below the viewport. */
 
 import { currentCharacter, tryById } from '../state/actions/action.ts';
-import { hasAnyTake } from '../state/panels/panels.ts';
+import { isBarShown } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
 import { button, element, write } from '../widgets/dom.ts';
 
-export function takeOffer(wb: Uses<'store' | 'actions' | 'posing'>): HTMLElement {
+export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing'>): HTMLElement {
   const offer = element(
     'section',
     { class: 'offer', 'aria-label': 'Take' },
@@ -13,12 +13,13 @@ export function takeOffer(wb: Uses<'store' | 'actions' | 'posing'>): HTMLElement
     button('New take', { class: 'offer-accept' }, 'New take', () => tryById(wb, 'take.new')),
   );
   const show = () => {
-    const { document } = wb.store;
-    const isRig = wb.posing.mode.get() === 'rig';
-    write(offer, 'hidden', hasAnyTake(document) || !currentCharacter(wb)?.skeleton || isRig);
+    write(offer, 'hidden', isBarShown(wb) || !currentCharacter(wb)?.skeleton || wb.posing.mode.get() === 'rig');
   };
   wb.store.subscribe((now, before) => {
     if (now !== before) show();
+  });
+  wb.settings.subscribe((now, before) => {
+    if (now.panels !== before.panels) show();
   });
   wb.posing.mode.subscribe(show);
   show();

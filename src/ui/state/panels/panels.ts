@@ -3,7 +3,6 @@
  * at most one open, and the timeline a drawer below it; initially all are closed. On phones and upright tablets all three
  * are sheets below the viewport, at most one open.
  */
-import type { Document } from '../../../model/document.ts';
 import type { Settings } from '../settings.ts';
 import type { Uses } from '../workbench.ts';
 
@@ -27,12 +26,9 @@ export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
 
 /** Whether transport and timeline are on the page: without any take there is nothing to play, unless a tab is open. */
 export function isBarShown({ store, settings }: Uses<'store' | 'settings'>): boolean {
-  return isPanelOpen(settings.get(), 'timeline') || hasAnyTake(store.document);
-}
-
-/** Whether anything can be played. */
-export function hasAnyTake({ characters }: Document): boolean {
-  return characters.some((c) => c.clips.length > 0 || c.driver !== undefined);
+  return (
+    isPanelOpen(settings.get(), 'timeline') || store.document.characters.some((c) => c.clips.length > 0 || c.driver)
+  );
 }
 
 export function openPanel(wb: Uses<'settings'>, panel: PanelName, open: boolean): void {
