@@ -89,15 +89,22 @@ describe('a frame', () => {
   it('in which only the camera moves uploads no pose and draws no shadow', () =>
     withPage(
       async ({ page }) => {
-        const moving = await playing(page);
         await page.evaluate(() => window.marrow.pause());
         await untilStill(page);
+        let seconds = 0.5;
+        const moving = usual(
+          await framesWhile(page, FRAMES, () => {
+            seconds += 0.01;
+            return page.evaluate((time) => window.marrow.seek(time), seconds);
+          }),
+        );
         const turning = usual(
           await framesWhile(page, FRAMES, () => page.evaluate(() => window.marrow.run('view.orbitLeft'))),
         );
         expect(turning.draws).toBe(moving.draws - 1);
-        // Where the instances are, seen from the new place.
-        expect(turning.uploadedBytes).toBeLessThanOrEqual(4096);
+        // Where the instances are, seen from the new place, and the grid's numbers.
+        expect(turning.uploads).toBeLessThanOrEqual(2);
+        expect(turning.uploadedBytes).toBeLessThanOrEqual(2 * 4096);
       },
       { ...OPTIONS, size: SIZE },
     ));
