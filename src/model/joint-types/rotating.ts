@@ -17,6 +17,12 @@ function rotations(order: EulerOrder | AxisPair): readonly Rotation[] {
   return [...order].reverse().map((axis) => `r${axis}` as Rotation);
 }
 
+/** `Rz·Ry·Rx (xyz)`: the letters alone are read as Rx·Ry·Rz. */
+function orderText(order: EulerOrder | AxisPair): string {
+  const factors = [...order].reverse().map((axis) => `R${axis}`);
+  return `${factors.join('·')} (${order})`;
+}
+
 /** The ball joint: three Euler angles rx ry rz in radians, whatever the order in which they are applied. */
 export const BALL: JointType<MotionOf<'ball'>> = {
   keyword: 'balljoint',
@@ -32,7 +38,7 @@ export const BALL: JointType<MotionOf<'ball'>> = {
   factors: ({ order }) => rotations(order),
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: ({ order }) => `balljoint, order ${order}`,
+  text: ({ order }) => `balljoint, ${orderText(order)}`,
 };
 
 /** The universal joint: two rotations in radians, about the two axes of its order. */
@@ -50,7 +56,7 @@ export const UNIVERSAL: JointType<MotionOf<'universal'>> = {
   factors: ({ order }) => rotations(order),
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: ({ order }) => `universaljoint, order ${order}`,
+  text: ({ order }) => `universaljoint, ${orderText(order)}`,
 };
 
 /** The quaternion joint: four DOFs x y z w without unit, normalised before use, so that no limits apply. */
@@ -89,5 +95,5 @@ export const FREE: JointType<MotionOf<'free'>> = {
   factors: ({ order }) => ['tx', 'ty', 'tz', ...rotations(order)],
   carriesCharacter: () => true,
   mirrored: (motion) => motion,
-  text: ({ order }) => `freejoint, order ${order}`,
+  text: ({ order }) => `freejoint, ${orderText(order)}`,
 };

@@ -10,6 +10,7 @@ import {
   JOINT_TYPES,
   MOTION_KINDS,
   motionOfKind,
+  motionText,
   parameterOf,
 } from '../../../src/model/skeleton/joint-types.ts';
 import { EULER_ORDERS, type Motion, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
@@ -28,6 +29,11 @@ describe('another kind of joint', () => {
     expect(motionOfKind('free', { kind: 'ball', order: 'zxy' })).toEqual({ kind: 'free', order: 'zxy' });
     expect(motionOfKind('universal', { kind: 'ball', order: 'zxy' })).toEqual({ kind: 'universal', order: 'zx' });
     expect(motionOfKind('ball', { kind: 'universal', order: 'yz' })).toEqual({ kind: 'ball', order: 'yzx' });
+  });
+
+  it('tells the order with the product that it means', () => {
+    expect(motionText({ kind: 'ball', order: 'xyz' }, String)).toBe('balljoint, Rz·Ry·Rx (xyz)');
+    expect(motionText({ kind: 'universal', order: 'yz' }, String)).toBe('universaljoint, Rz·Ry (yz)');
   });
 
   it('takes BVH’s order the other way round: it lists what is multiplied from left to right', () => {
