@@ -10,7 +10,7 @@ import { type Character, type Document, findCharacter, shownClip, shownSkin } fr
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
 import type { Look } from './look.ts';
-import type { DrawnSkin } from './picking/picking.ts';
+import type { PickableSkin } from './picking/picking.ts';
 import { nodesFor, type PosedSkeleton, sizesFor } from './skeleton/drawn-skeletons.ts';
 import type { Tints } from './theme.ts';
 
@@ -133,7 +133,7 @@ export class ShownCharacters {
   }
 
   /** The visible skins, to be picked: not those that a look draws as bones. */
-  skins(look?: Look): DrawnSkin[] {
+  pickableSkins(look?: Look): PickableSkin[] {
     return this.visible.flatMap(({ view, character }) =>
       look?.bones && look.characterId === character.id
         ? []

@@ -15,7 +15,7 @@ import type { Annotations } from './names/annotations.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
 import { Highlight } from './picking/highlight.ts';
-import type { DrawnSkin } from './picking/picking.ts';
+import type { PickableSkin } from './picking/picking.ts';
 import { Grid } from './scene/grid.ts';
 import { Stage } from './scene/stage.ts';
 import type { Screen } from './screen.ts';
@@ -213,8 +213,8 @@ export class ShownDocument {
   }
 
   /** The skins that are drawn, to be picked. */
-  get pickableSkins(): readonly DrawnSkin[] {
-    return this.display.skin === 'hidden' ? [] : this.characters.skins(this.look);
+  get pickableSkins(): readonly PickableSkin[] {
+    return this.display.skin === 'hidden' ? [] : this.characters.pickableSkins(this.look);
   }
 
   /** Updates the matrices of everything drawn from the current poses. Returns false if nothing has moved since. */

@@ -38,7 +38,7 @@ export interface Hit {
 }
 
 /** A skin as it is drawn at one placement. */
-export interface DrawnSkin {
+export interface PickableSkin {
   readonly characterId: string;
   readonly placement: number;
   readonly mesh: MarrowSkinnedMesh;
@@ -50,7 +50,7 @@ export interface PickScene {
   readonly width: number;
   readonly height: number;
   readonly skeletons: SkeletonDrawing;
-  readonly skins: readonly DrawnSkin[];
+  readonly skins: readonly PickableSkin[];
   /** Whether skins hide the joints inside; otherwise joints are picked through them. */
   readonly skinsAreOpaque: boolean;
 }
@@ -65,7 +65,7 @@ const SKIN_REACH = 4;
 type Pickable =
   | { readonly kind: 'joints' }
   | { readonly kind: 'bones' }
-  | { readonly kind: 'skin'; readonly skin: DrawnSkin };
+  | { readonly kind: 'skin'; readonly skin: PickableSkin };
 
 export class Picker {
   private readonly target = new WebGLRenderTarget(SIZE, SIZE, {
@@ -136,7 +136,7 @@ export class Picker {
   }
 
   /** Draws the mesh in another material and restores its own. */
-  private drawSkin(skin: DrawnSkin, camera: Camera): void {
+  private drawSkin(skin: PickableSkin, camera: Camera): void {
     const { mesh } = skin;
     const material = this.materialFor(mesh);
     const { material: own } = mesh;
