@@ -33,6 +33,7 @@ function noticeable({
     manual.get(),
     settings.get(),
     timeline.view.get(),
+    timeline.cycleQuestion.get(),
     timeline.autoKey.get(),
     timeline.copied,
     timeline.outsideCycle.get(),
