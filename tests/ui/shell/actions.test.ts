@@ -211,6 +211,12 @@ describe('searchActions', () => {
   it('the search finds playing by the words of the list of shortcuts', () => {
     expect(searchActions(posed().wb, 'play or pause')[0]?.id).toBe('play.toggle');
   });
+
+  it.each(['rotate', 'turn'])('the search finds the keys that %s a joint', (word) => {
+    expect(searchActions(posed().wb, word).map(({ id }) => id)).toEqual(
+      expect.arrayContaining(['posing.more', 'posing.less']),
+    );
+  });
 });
 
 describe('findActions', () => {

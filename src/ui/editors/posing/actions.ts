@@ -104,7 +104,17 @@ function dofKey(id: string, label: string, shortcuts: readonly string[], run: (w
       hasDofs(wb) ? 'Select a joint with DOFs first.' : 'DOFs are rotated in Pose and FK modes.',
     (wb: Uses<'store' | 'posing'>) => hasDofs(wb) && activeDof(wb) !== undefined,
   );
-  return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, refuses, run };
+  return {
+    id,
+    label,
+    also: 'rotate turn bend joint',
+    group: 'Pose',
+    shortcuts,
+    panel: 'viewport',
+    repeats: true,
+    refuses,
+    run,
+  };
 }
 
 function gizmoSize(what: 'larger' | 'smaller', label: string, key: string, factor: number): Action {
