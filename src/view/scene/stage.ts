@@ -81,8 +81,10 @@ export class Stage {
   private readonly centre = new Vector3();
   private readonly near = new Box3();
   private readonly away = new Vector3();
-  /** What the shadow map was last fitted to: centre, radius and depth. */
-  private readonly fitted = new Float64Array(5);
+  /** Centre, radius and depth that the shadow map was last fitted to. */
+  private readonly fitted = new Vector3();
+  private fittedRadius = 0;
+  private fittedDepth = 0;
 
   constructor(private readonly renderer: WebGLRenderer) {
     renderer.toneMapping = NeutralToneMapping;
@@ -174,7 +176,12 @@ export class Stage {
     key.shadow.normalBias = 2.5 * texel;
     key.shadow.bias = -texel / camera.far;
 
-    if (this.isFitNew(centre.x, centre.y, centre.z, radius, camera.far)) this.moveCasters();
+    if (!this.fitted.equals(centre) || radius !== this.fittedRadius || camera.far !== this.fittedDepth) {
+      this.fitted.copy(centre);
+      this.fittedRadius = radius;
+      this.fittedDepth = camera.far;
+      this.moveCasters();
+    }
 
     // Where the light through the box's centre meets the ground.
     const reach = radius / KEY.y;
@@ -185,13 +192,6 @@ export class Stage {
     const shader = ground.material.userData.uniforms;
     // Height above the ground that counts as far, as a part of the map's depth: half a "foot" of the box's height.
     shader.lifted.value = (0.07 * radius) / KEY.y / camera.far;
-  }
-
-  private isFitNew(...fit: readonly number[]): boolean {
-    const { fitted } = this;
-    if (fit.every((x, i) => x === fitted[i])) return false;
-    fitted.set(fit);
-    return true;
   }
 
   /** Whether what is inside of a sphere may throw a shadow on the ground that is drawn. */

@@ -123,7 +123,7 @@ export class DrawnSkins {
     if (this.havePlacesChanged || !this.seenFrom.equals(matrixWorldInverse)) {
       this.havePlacesChanged = false;
       this.seenFrom.copy(matrixWorldInverse);
-      for (const instance of this.instances.values()) this.place(instance);
+      this.instances.forEach(this.place);
     }
     frustum.setFromProjectionMatrix(toClip.multiplyMatrices(camera.projectionMatrix, matrixWorldInverse));
     for (const batch of this.batches.values()) batch.arrange(matrixWorldInverse, mayCast);
@@ -142,11 +142,11 @@ export class DrawnSkins {
     this.object.removeFromParent();
   }
 
-  private place({ mesh, placement }: Instance): void {
+  private readonly place = ({ mesh, placement }: Instance): void => {
     toView.multiplyMatrices(this.seenFrom, mesh.matrixWorld);
     this.placements.writeMatrices(placement, toView.elements);
     this.placements.writeMatrices(placement + MATRIX_TEXELS, mesh.matrixWorld.elements);
-  }
+  };
 
   private batchOf(shared: SharedSkin, drawing: SkinDrawing): SkinBatch {
     const key = keyOf(shared, drawing);
@@ -161,9 +161,8 @@ export class DrawnSkins {
 
   private leave(instance: Instance): void {
     const { batch } = instance;
-    const { instances } = batch;
-    instances.splice(instances.indexOf(instance), 1);
-    if (instances.length > 0) return;
+    batch.remove(instance);
+    if (batch.instances.length > 0) return;
     batch.dispose();
     this.batches.delete(batch.key);
   }
@@ -190,8 +189,9 @@ interface Instance {
 class SkinBatch {
   readonly object: BatchSurface | BatchLines;
   readonly instances: Instance[] = [];
-  /** Those that are drawn, in order. */
+  /** Those that are drawn, in order, and how many: it keeps its length, so that no frame allocates. */
   private readonly drawn: Instance[] = [];
+  private drawnCount = 0;
   private readonly isFarFirst: boolean;
 
   constructor(
@@ -218,7 +218,7 @@ class SkinBatch {
   arrange(view: Matrix4, mayCast: MayCast | undefined): void {
     const { drawn, instances, object } = this;
     const casts = object.castShadow ? mayCast : undefined;
-    drawn.length = 0;
+    let count = 0;
     for (let i = 0; i < instances.length; i++) {
       const instance = instances[i];
       const { mesh } = instance;
@@ -228,17 +228,24 @@ class SkinBatch {
       const e = view.elements;
       instance.depth = -(e[2] * x + e[6] * y + e[10] * z + e[14]);
       // Nearly sorted: they were in the last frame.
-      let at = drawn.length;
+      let at = count++;
       for (; at > 0 && this.comesBefore(instance, drawn[at - 1]); at--) drawn[at] = drawn[at - 1];
       drawn[at] = instance;
     }
-    object.visible = drawn.length > 0;
+    this.drawnCount = count;
+    object.visible = count > 0;
     if (!object.visible) return;
     // As three.js sorts batches.
-    const [first] = drawn;
+    const first = drawn[0];
     object.boundingSphere.copy(first.mesh.sphere).applyMatrix4(first.mesh.matrixWorld);
-    if (placedOf(object.geometry).count < drawn.length) this.grow(drawn.length);
+    if (placedOf(object.geometry).count < count) this.grow(count);
     this.write();
+  }
+
+  remove(instance: Instance): void {
+    this.instances.splice(this.instances.indexOf(instance), 1);
+    // Nothing keeps what is gone.
+    this.drawn.length = 0;
   }
 
   dispose(): void {
@@ -261,12 +268,12 @@ class SkinBatch {
   }
 
   private write(): void {
-    const { drawn, object } = this;
+    const { drawn, drawnCount, object } = this;
     const placed = placedOf(object.geometry);
     const { array } = placed;
-    object.geometry.instanceCount = drawn.length;
+    object.geometry.instanceCount = drawnCount;
     let hasChanged = false;
-    for (let i = 0; i < drawn.length; i++) {
+    for (let i = 0; i < drawnCount; i++) {
       const { mesh, placement, heatJoint } = drawn[i];
       const { firstMatrix, firstWeight } = mesh.skeleton;
       const o = INSTANCE_STRIDE * i;
