@@ -295,6 +295,23 @@ it('a key outside the cycle is given up by escape, set inside the cycle, or leng
     { walking: true },
   ));
 
+it('a key of another panel than the active one says where it belongs', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      // A click in the tree has selected an arm, and the focus is there.
+      const dofs = () => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
+      const before = await dofs();
+      await page.keyboard.press('+');
+      await page.getByText('Increase active DOF by a step: point at the viewport, or press F6').first().waitFor();
+      await expect.poll(dofs).toEqual(before);
+      await page.locator('.viewport canvas[role=application]').focus();
+      await page.keyboard.press('+');
+      await expect.poll(dofs).not.toEqual(before);
+    },
+    { walking: true },
+  ));
+
 it('a key acts in the panel under the mouse, which is marked, and never on keys that nobody points at', () =>
   withPage(
     async ({ page }) => {
@@ -311,7 +328,10 @@ it('a key acts in the panel under the mouse, which is marked, and never on keys 
       await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
       await expect.poll(() => timeline.getAttribute('data-active')).toBeNull();
       await page.keyboard.press('Delete');
-      await page.getByText('Delete selected keys: point at the timeline to use this key.').first().waitFor();
+      await page
+        .getByText('Delete selected keys: point at the timeline, or press F6 until it has the focus, to use this key.')
+        .first()
+        .waitFor();
       await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
 
       // Back in the timeline it is the timeline's again.

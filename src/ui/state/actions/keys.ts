@@ -44,6 +44,8 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
     return;
   }
   if (!action) {
+    const other = event.key.length === 1 && !event.repeat ? ofAnotherPanel(wb, meant) : undefined;
+    if (other) tellElsewhere(wb, other);
     // The browser would select the whole page; allowed only in text meant to be copied.
     if (pressed.includes('Ctrl+A') && !isInCopiedText(target)) event.preventDefault();
     return;
@@ -75,10 +77,24 @@ function isUsedUnderPointer(event: KeyboardEvent): boolean {
   return true;
 }
 
-/** A key of the panel that was left with the mouse does nothing there unseen. */
+/** What a key would do in a panel that isn't the active one. */
+function ofAnotherPanel(
+  wb: Uses<'actions'>,
+  meant: (panel: string | undefined) => Action | undefined,
+): Action | undefined {
+  const panels = new Set(actionsOf(wb).map(({ panel }) => panel));
+  for (const panel of panels) {
+    const action = meant(panel);
+    if (action && isEnabled(wb, action)) return action;
+  }
+  return undefined;
+}
+
+/** A key of a panel that isn't the active one does nothing there unseen. */
 function tellElsewhere(wb: Uses<'actions'>, action: Action): void {
   const name = action.panel === 'viewport' ? 'viewport' : action.panel === 'outliner' ? 'outliner' : 'timeline';
-  wb.actions.page.messages.note(`${actionLabel(wb, action)}: point at the ${name} to use this key.`);
+  const how = `point at the ${name}, or press F6 until it has the focus, to use this key.`;
+  wb.actions.page.messages.note(`${actionLabel(wb, action)}: ${how}`);
 }
 
 /** Whether the focus is in text meant to be copied, or some of it is selected. */
