@@ -12,6 +12,8 @@ const server = await createServer({
   configFile: false,
   logLevel: 'warn',
   appType: 'custom',
+  // Nothing of the page is served.
+  optimizeDeps: { noDiscovery: true },
   server: { middlewareMode: true, hmr: false, ws: false, watch: null },
 });
 const module = await createServerModuleRunner(server.environments.ssr, { hmr: false }).import(file);
