@@ -6,7 +6,7 @@
  * power of the rotation in between; where that is still too far, a key is added halfway, and so on.
  */
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
-import { type Channel, FIXED_TANGENT, LINEAR, restChannel } from '../model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, LINEAR, NO_EXTRAPOLATION, restChannel } from '../model/takes/clip.ts';
 import { hermite, normalize, rotationAt, rotationWithin } from './quaternion-curve.ts';
 import { writeAnglesNear, writeQuaternion } from './rotations.ts';
 import type { QuaternionCurve } from './scene.ts';
@@ -116,8 +116,7 @@ class FittedKeys {
       if (isLinear && values.every((value) => value === values[0])) return restChannel(values[0]);
       return {
         kind: 'keys',
-        extrapolateIn: 'constant',
-        extrapolateOut: 'constant',
+        ...NO_EXTRAPOLATION,
         times,
         values,
         tangentsIn: { kinds: kindsIn, slopes: this.column(this.slopesIn, d) },

@@ -7,7 +7,7 @@
  * that the curve is smooth there too. This costs an extra key per two thousand frames, and lets the page respond in
  * between.
  */
-import { FIXED_TANGENT, type KeyedChannel, SMOOTH } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel, NO_EXTRAPOLATION, SMOOTH } from '../../model/takes/clip.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
 const PIECE_FRAMES = 2048;
@@ -62,8 +62,7 @@ function smoothChannel(times: Float64Array, values: Float64Array): KeyedChannel 
   const side = () => ({ kinds: new Uint8Array(times.length).fill(SMOOTH), slopes: new Float64Array(times.length) });
   return {
     kind: 'keys',
-    extrapolateIn: 'constant',
-    extrapolateOut: 'constant',
+    ...NO_EXTRAPOLATION,
     times,
     values,
     tangentsIn: side(),

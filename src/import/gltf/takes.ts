@@ -7,7 +7,14 @@
  */
 import { rateOfTimes } from '../../evaluate/samples/frame-rate.ts';
 import { perObject } from '../../model/per-object.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR } from '../../model/takes/clip.ts';
+import {
+  type Channel,
+  FIXED_TANGENT,
+  FLAT,
+  type KeyedChannel,
+  LINEAR,
+  NO_EXTRAPOLATION,
+} from '../../model/takes/clip.ts';
 import type { Budget } from '../budget.ts';
 import { firstNotFinite } from '../finite.ts';
 import { ImportError, type Remarks } from '../imported.ts';
@@ -186,7 +193,7 @@ function sorted(sampler: Sampler, called: string, remarks: Remarks): Sampler {
 function channelOf(sampler: Sampler, at: number): Channel {
   const { interpolation, times, width, values } = sampler;
   const n = times.length;
-  const constant = { kind: 'keys', extrapolateIn: 'constant', extrapolateOut: 'constant' } as const;
+  const constant = { kind: 'keys', ...NO_EXTRAPOLATION } as const;
   if (interpolation === 'step') {
     const stepTimes = new Float64Array(2 * n - 1);
     const stepValues = new Float64Array(2 * n - 1);

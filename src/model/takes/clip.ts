@@ -99,7 +99,8 @@ export function repeats(extrapolation: Extrapolation): boolean {
   return extrapolation !== 'constant' && extrapolation !== 'linear';
 }
 
-const NO_EXTRAPOLATION = { extrapolateIn: 'constant', extrapolateOut: 'constant' } as const;
+/** Of a channel that holds its first and last value. */
+export const NO_EXTRAPOLATION = { extrapolateIn: 'constant', extrapolateOut: 'constant' } as const;
 
 /**
  * Shared by all sampled channels of captures, so that a message to the page with thousands of channels contains it
