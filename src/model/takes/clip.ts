@@ -99,7 +99,7 @@ export function repeats(extrapolation: Extrapolation): boolean {
   return extrapolation !== 'constant' && extrapolation !== 'linear';
 }
 
-/** Of a channel that holds its first and last value. */
+/** The extrapolation of a channel that holds its first and last value. */
 export const NO_EXTRAPOLATION = { extrapolateIn: 'constant', extrapolateOut: 'constant' } as const;
 
 /**
