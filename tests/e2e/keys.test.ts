@@ -192,15 +192,20 @@ it('a number typed that is the shown one, or confirmed as it is, is no change to
   withPage(
     async ({ page }) => {
       await openWalker(page);
-      await page.evaluate(() => window.marrow.seek(0.27));
       const rx = page.getByRole('textbox', { name: /^rx\b/ }).first();
       const before = await keys(page);
       const dofs = () => page.evaluate(() => window.marrow.characters()[0].dofs);
+      // Before the next frame: the number is that of the new time all the same.
+      const [focusedNumber, dof] = await rx.evaluate((field: HTMLInputElement) => {
+        window.marrow.seek(0.27);
+        field.focus();
+        return [Number(field.value), Number(field.closest('[data-dof]')?.getAttribute('data-dof'))];
+      });
       const pose = await dofs();
+      expect(focusedNumber).toBeCloseTo((pose[dof] * 180) / Math.PI, 9);
+      await page.keyboard.press('Enter');
       const seen = (await rx.inputValue()).replace('°', '');
       expect(seen).toMatch(/\.\d/);
-      await rx.focus();
-      await page.keyboard.press('Enter');
       await rx.click();
       await page.keyboard.type(seen);
       await page.keyboard.press('Enter');
