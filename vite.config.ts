@@ -12,6 +12,7 @@ import { manual } from './plugins/manual.ts';
 import { offline } from './plugins/offline.ts';
 import { openingSample } from './plugins/opening-sample.ts';
 import { policy } from './plugins/policy.ts';
+import { firefoxPath } from './tests/helpers/firefox-path.ts';
 
 const page: UserConfig = {
   plugins: [openingSample(), manual(), offline()],
@@ -107,6 +108,8 @@ export default defineConfig(({ mode }) => {
         // Two browsers at most, since they draw in software. Processes, so that their browsers end with them. A browser
         // under load may lose an event to a frame: a second try decides, and the run names each test that needed it.
         tests('browser', BROWSER, 2, {
+          exclude: firefoxPath() ? [] : ['tests/e2e/firefox.test.ts'],
+          globalSetup: './tests/helpers/tell-firefox.ts',
           retry: 1,
           pool: 'forks',
           isolate: false,

@@ -1,14 +1,14 @@
 /**
- * Firefox for the browser tests: `MARROW_FIREFOX`, or else an installed one, by its usual path or on PATH. A stock
- * Firefox, driven by Playwright over WebDriver BiDi, without a display; WebGL is drawn in software where there is no GPU.
- * What the protocol lacks, no test for Firefox may use: touch, double clicks, `fill` into fields that wait for `change`,
- * colour schemes (always light) and motion (always reduced).
+ * Firefox for the browser tests: a stock one (`firefox-path.ts`), driven by Playwright over WebDriver BiDi, without a
+ * display; WebGL is drawn in software where there is no GPU. What the protocol lacks, no test for Firefox may use: touch,
+ * double clicks, `fill` into fields that wait for `change`, colour schemes (always light) and motion (always reduced).
  */
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { delimiter, join } from 'node:path';
-import { env, platform } from 'node:process';
+import { join } from 'node:path';
+import { env } from 'node:process';
 import { type Browser, firefox } from 'playwright-core';
+import { firefoxPath } from './firefox-path.ts';
 
 export interface Firefox {
   readonly browser: Browser;
@@ -25,29 +25,15 @@ export type FoundFirefox = Firefox | { readonly missing: string };
  * @throws Error if the one that MARROW_FIREFOX names is not there or doesn't start
  */
 export async function launchFirefox(): Promise<FoundFirefox> {
-  const asked = env.MARROW_FIREFOX;
-  if (asked && !existsSync(asked)) throw new Error(`MARROW_FIREFOX is "${asked}", but there is no such file.`);
-  const path = asked || usualPaths().find((candidate) => existsSync(candidate));
+  const path = firefoxPath();
   if (!path) return { missing: 'Firefox not found' };
   try {
     return await launch(path);
   } catch (error) {
-    if (asked) throw error;
+    if (env.MARROW_FIREFOX) throw error;
     const [why] = String(error).split('\n');
     return { missing: `Firefox (${path}) can’t be used (${why})` };
   }
-}
-
-function usualPaths(): string[] {
-  if (platform === 'darwin') {
-    return ['', env.HOME ?? ''].map((home) => `${home}/Applications/Firefox.app/Contents/MacOS/firefox`);
-  }
-  if (platform === 'win32') {
-    const roots = [env.PROGRAMFILES, env['PROGRAMFILES(X86)'], env.LOCALAPPDATA].filter((root) => root !== undefined);
-    return roots.map((root) => join(root, 'Mozilla Firefox', 'firefox.exe'));
-  }
-  const folders = [...(env.PATH ?? '').split(delimiter), '/usr/bin', '/usr/local/bin', '/snap/bin', '/opt/firefox'];
-  return ['firefox-esr', 'firefox'].flatMap((name) => folders.map((folder) => join(folder, name)));
 }
 
 async function launch(path: string): Promise<Firefox> {

@@ -38,18 +38,21 @@ class FakePointerEvent extends Event {
   }
 }
 
-let stop: AbortController;
+/** Of each page. */
+let stops: AbortController[];
 beforeEach(() => {
   vi.stubGlobal('window', new EventTarget());
   vi.stubGlobal('PointerEvent', FakePointerEvent);
-  stop = new AbortController();
+  stops = [];
 });
 afterEach(() => {
-  stop.abort();
+  for (const stop of stops) stop.abort();
   vi.unstubAllGlobals();
 });
 
 function page(tool: CanvasTool | undefined) {
+  const stop = new AbortController();
+  stops.push(stop);
   const canvas = new FakeCanvas();
   const picked: number[][] = [];
   const claims: boolean[] = [];
