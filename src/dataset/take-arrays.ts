@@ -27,7 +27,7 @@ import type { DataArray, Floats } from './data-array.ts';
 import type { FloatPool, Precision } from './float-pool.ts';
 import { BLOCK } from './joint-rows.ts';
 import { JointTransforms } from './joint-transforms.ts';
-import type { Take } from './take.ts';
+import type { ArrayTake } from './take.ts';
 
 /** Numbers per joint and frame: positions, two quaternions, 6D, velocities. */
 const PER_JOINT = 3 + 4 + 4 + 6 + 3;
@@ -70,7 +70,7 @@ export interface FrameWatcher {
  * @param pool of which the floats are taken: those of one take are overwritten by the next
  * @throws CommandError if they would be too large
  */
-export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher): TakeArrays {
+export function takeArrays(take: ArrayTake, pool: FloatPool, watcher?: FrameWatcher): TakeArrays {
   const { character, skeleton, space, frames, first, count, fps } = take;
   const { joints } = skeleton;
   const J = joints.length;
@@ -142,7 +142,7 @@ export function takeArrays(take: Take, pool: FloatPool, watcher?: FrameWatcher):
   };
 }
 
-function timesOf({ frames, first, count, fps }: Take): Float64Array {
+function timesOf({ frames, first, count, fps }: ArrayTake): Float64Array {
   const out = new Float64Array(count);
   for (let f = 0; f < count; f++) out[f] = frames.startSeconds + (first + f) / fps;
   return out;
@@ -182,7 +182,7 @@ function refuseTooLarge(frameCount: number, perFrame: number, precision: Precisi
 }
 
 /** The joint that moves the character over the ground. */
-function carrierOf({ character, skeleton }: Take): number {
+function carrierOf({ character, skeleton }: ArrayTake): number {
   const { driver } = character;
   if (driver) return retargetCarrier(driver, skeleton);
   const clip = playedClip(character);
@@ -212,7 +212,7 @@ class FootPaths {
   private readonly points: Float64Array;
   private readonly toMetres: Space | undefined;
 
-  constructor(private readonly asked: Take) {
+  constructor(private readonly asked: ArrayTake) {
     const { skeleton, character, frames, space } = asked;
     const { balls, leg } = feetOf(skeleton, character.space);
     this.balls = balls;

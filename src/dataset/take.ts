@@ -38,7 +38,7 @@ export interface TakeOptions {
 }
 
 /** A take that is ready to be sampled. */
-export interface Take {
+export interface ArrayTake {
   readonly character: Character;
   readonly skeleton: Skeleton;
   /** Absent: as in the file. */
@@ -63,7 +63,7 @@ const SAME_FRAME = 1e-6;
  * The take that a character plays, with the options applied: mirrored first, then retargeted, sampled, and cropped.
  * @throws CommandError, in a sentence, if there is nothing to export
  */
-export function takeOf(source: Character, options: TakeOptions): Take {
+export function takeOf(source: Character, options: TakeOptions): ArrayTake {
   const played = options.isMirrored ? mirrored(source) : source;
   const character = options.target ? retargeted(played, options.target) : played;
   const { skeleton, space } = character;
@@ -129,7 +129,10 @@ function sampledAt(character: Character, asked: number | undefined): { readonly 
 }
 
 /** Times are of the nearest frames, both of which are part of the take. @throws CommandError if none is left */
-function croppedTo({ startSeconds, frameSeconds, frameCount }: Frames, crop: Crop = {}): Pick<Take, 'first' | 'count'> {
+function croppedTo(
+  { startSeconds, frameSeconds, frameCount }: Frames,
+  crop: Crop = {},
+): Pick<ArrayTake, 'first' | 'count'> {
   const frameAt = (seconds: number | undefined, otherwise: number) =>
     seconds === undefined ? otherwise : Math.round((seconds - startSeconds) / frameSeconds);
   const first = Math.max(0, frameAt(crop.from, 0));

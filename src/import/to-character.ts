@@ -70,7 +70,7 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
   const skins = meshes.length ? [skinOf(scene, binding, jointsOf, bindingsOf(slots, worlds))] : [];
   const { morphs, weightsOf } = morphsOf(meshes, binding);
   const takeNames = new DistinctNames();
-  const clips = takes.map(
+  const animations = takes.map(
     (take, t): ChannelClip => ({
       name: takeNames.add(cleanFileName(take.name) || `animation_${t}`),
       range: take.range,
@@ -78,7 +78,7 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
       channels: [...jointChannels(joints, slots, motions, take), ...weightsOf(take)],
     }),
   );
-  return { skeleton, skins, morphs, clips, textures: scene.textures, space: statedSpace(metres) };
+  return { skeleton, skins, morphs, clips: animations, textures: scene.textures, space: statedSpace(metres) };
 }
 
 const FIXED: Pick<JointMotion, 'motion' | 'offset' | 'pose'> = {

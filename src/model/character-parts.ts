@@ -6,20 +6,20 @@ import { NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
 /** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
   const { name, skeleton, skins, morphs, clips, poses, parts = NO_MARKS } = character;
-  const takes = skeleton && isBvh(character) ? skeleton : undefined;
+  const capture = skeleton && isBvh(character) ? skeleton : undefined;
   const captured: Part[] = [];
   const animations: Part[] = [];
   clips.forEach((clip, i) => {
     const mark = parts.clips[i];
-    if (takes && !isFrom(mark, 'anim', clip.name)) {
-      captured.push(part('bvh', clip.name, { skeleton: takes, clip }, mark));
+    if (capture && !isFrom(mark, 'anim', clip.name)) {
+      captured.push(part('bvh', clip.name, { skeleton: capture, clip }, mark));
     } else animations.push(part('anim', clip.name, clip, mark));
   });
   // Without a take, the skeleton is saved alone.
-  if (takes && captured.length === 0) captured.push(part('bvh', takes.name, { skeleton: takes }, parts.skeleton));
+  if (capture && captured.length === 0) captured.push(part('bvh', capture.name, { skeleton: capture }, parts.skeleton));
   return [
     ...captured,
-    ...(skeleton && !takes ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
+    ...(skeleton && !capture ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
     ...skins.map((skin, i) => part('skin', skin.name, skin, parts.skins[i])),
     ...morphs.map((morph, i) => part('morph', morph.name, morph, parts.morphs[i])),
     ...animations,

@@ -34,8 +34,8 @@ async function digest(file: GivenBlob): Promise<TakeDigest> {
   const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, output.files, output.broken);
   const problem = [...output.diagnostics, ...diagnostics].find(({ severity }) => severity === 'error');
   if (problem) return { path, problem: `${problem.line > 0 ? `Line ${problem.line}: ` : ''}${problem.message}` };
-  const takes = document.characters.flatMap(({ skeleton, clips, space }): TakeRead[] =>
+  const found = document.characters.flatMap(({ skeleton, clips, space }): TakeRead[] =>
     skeleton ? clips.map((clip) => ({ skeleton, clip, space })) : [],
   );
-  return digestOf(path, takes);
+  return digestOf(path, found);
 }

@@ -7,9 +7,12 @@ import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import { rangeOfClips, startSeconds } from '../../src/model/document.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
-import { character, clip, documentOf } from '../helpers/builders.ts';
+import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
 
-const walking = character({ clips: [clip('walk', [0], [1, 3]), clip('run', [0], [-1, 2])], shownClip: 0 });
+const walking = character({
+  clips: [takeOfValues('walk', [0], [1, 3]), takeOfValues('run', [0], [-1, 2])],
+  shownClip: 0,
+});
 
 function following() {
   const store = new Store();
@@ -84,7 +87,7 @@ it('resets the range for another character without a clip', () => {
 
 function sampled(id: string, frameSeconds: number) {
   const frames = {
-    ...clip(id, [], [0, 10 * frameSeconds]),
+    ...takeOfValues(id, [], [0, 10 * frameSeconds]),
     samples: {
       frameCount: 11,
       frameSeconds,

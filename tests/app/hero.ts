@@ -2,11 +2,12 @@
 
 import { saveCharacter } from '../../src/files/save/saving.ts';
 import type { Character } from '../../src/model/document.ts';
-import { character, clip, skeleton, skin } from '../helpers/builders.ts';
+import { character, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
 import type { pageWith } from './disk.ts';
 
 export const SKEL = saveCharacter(character(), 'skel')[0].text;
-export const ANIM = saveCharacter(character({ clips: [clip('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0].text;
+export const ANIM = saveCharacter(character({ clips: [takeOfValues('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0]
+  .text;
 export const SKIN = saveCharacter(character({ skins: [skin()] }), 'skin')[0].text;
 /** A character with a take, by the names of its files. */
 export const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': ANIM };

@@ -8,13 +8,13 @@ import type { Character } from '../../src/model/document.ts';
 import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
-import { character, clip, skeleton } from '../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 const SKEL = saveCharacter(character(), 'skel')[0].text;
 const animOf = (value: number, name = 'hero_walk') =>
-  saveCharacter(character({ clips: [clip(name, new Array(9).fill(value), [0, 2])] }), 'anim')[0].text;
+  saveCharacter(character({ clips: [takeOfValues(name, new Array(9).fill(value), [0, 2])] }), 'anim')[0].text;
 const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': animOf(0.5) };
 
 async function page(texts: Readonly<Record<string, string>> = HERO) {
@@ -116,7 +116,7 @@ describe('reloading', () => {
     here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
     await here.reloadIt();
     expect(here.store.selection.keys).toEqual(keys);
-    const other = clip('hero_walk', new Array(9).fill(0.5), [0, 2]);
+    const other = takeOfValues('hero_walk', new Array(9).fill(0.5), [0, 2]);
     const text = saveCharacter(
       character({ clips: [{ ...other, channels: other.channels.map((c, i) => (i === 4 ? restChannel() : c)) }] }),
       'anim',
@@ -204,7 +204,11 @@ describe('reloading', () => {
 
   it('reloads a take that was created here and saved', async () => {
     const here = await page();
-    here.change((c) => ({ ...c, clips: [...c.clips, clip('new', new Array(9).fill(1), [0, 3])], shownClip: 1 }));
+    here.change((c) => ({
+      ...c,
+      clips: [...c.clips, takeOfValues('new', new Array(9).fill(1), [0, 3])],
+      shownClip: 1,
+    }));
     const handle = here.disk.put('new.anim', '');
     here.disk.picks = handle;
     await here.saver.saveChanged();

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { renameClip } from '../../src/edit/commands/clips.ts';
 import { addMarkers, removeMarkers } from '../../src/edit/commands/markers.ts';
-import { clip } from '../helpers/builders.ts';
+import { takeOfValues } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
 import { ANIM, HERO, limited, longer, posed, SKEL, SKIN, said } from './hero.ts';
 
@@ -90,7 +90,7 @@ describe('saving what changed', () => {
     page.disk.picks = 'as suggested';
     page.change((c) => ({
       ...c,
-      clips: [clip('hero_new', [1]), ...c.clips].map((own) => ({ ...own, range: [0, 4] })),
+      clips: [takeOfValues('hero_new', [1]), ...c.clips].map((own) => ({ ...own, range: [0, 4] })),
     }));
     await page.saver.saveChanged();
     expect(page.disk.asked).toEqual(['hero_new.anim']);
@@ -132,7 +132,7 @@ describe('saving what changed', () => {
   it('asks for a location once, and then saves there', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = page.disk.put('mine.anim', '');
-    page.change((c) => ({ ...c, clips: [...c.clips, clip('new', new Array(9).fill(1), [0, 3])] }));
+    page.change((c) => ({ ...c, clips: [...c.clips, takeOfValues('new', new Array(9).fill(1), [0, 3])] }));
     await page.saver.saveChanged();
     expect(page.disk.asked).toEqual(['new.anim']);
     expect(page.text('mine.anim')).toContain('range 0 3');

@@ -11,7 +11,17 @@ import { partsOf } from '../../src/model/character-parts.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
 import { type ChannelClip, keysOf } from '../../src/model/takes/clip.ts';
-import { animFile, clip, file, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../helpers/builders.ts';
+import {
+  animFile,
+  file,
+  morph,
+  morphFile,
+  skeleton,
+  skelFile,
+  skin,
+  skinFile,
+  takeOfValues,
+} from '../helpers/builders.ts';
 
 /** A page on which files were opened as the opener does. */
 function opened(...files: ParsedFile[]) {
@@ -49,11 +59,11 @@ const withClip = (edit: (clip: ChannelClip) => ChannelClip) => (c: Character) =>
 
 describe('what is unsaved', () => {
   it('nothing that was just opened is unsaved', () => {
-    expect(opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1]))).names()).toEqual([]);
+    expect(opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1]))).names()).toEqual([]);
   });
 
   it('an edited clip is unsaved until undone', () => {
-    const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     expect(names()).toEqual(['hero_walk.anim']);
     store.undo();
@@ -63,7 +73,7 @@ describe('what is unsaved', () => {
   });
 
   it('a clip changed back and forth is unsaved until undone', () => {
-    const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     change(withClip((c) => moved(c, -1)));
     expect(names()).toEqual(['hero_walk.anim']);
@@ -73,7 +83,10 @@ describe('what is unsaved', () => {
   });
 
   it('nothing is unsaved after undoing to the saved state', () => {
-    const { store, unsaved, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const { store, unsaved, names, change } = opened(
+      ...hero(),
+      animFile('hero_walk.anim', takeOfValues('hero_walk', [1])),
+    );
     const save = () => {
       for (const part of partsOf(store.document.characters[0])) if (part.kind === 'anim') unsaved.written(part);
     };
@@ -86,15 +99,15 @@ describe('what is unsaved', () => {
   });
 
   it('a clip created here, and a renamed one, are unsaved', () => {
-    const { names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
-    change((c) => ({ ...c, clips: [...c.clips, clip('new', [0])] }));
+    const { names, change } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
+    change((c) => ({ ...c, clips: [...c.clips, takeOfValues('new', [0])] }));
     expect(names()).toEqual(['new.anim']);
     change(withClip((c) => ({ ...c, name: `${c.name}2` })));
     expect(names()).toEqual(['hero_walk2.anim', 'new2.anim']);
   });
 
   it('reports when an unsaved part is replaced by a file of its name', () => {
-    const walk = () => animFile('hero_walk.anim', clip('hero_walk', [1]));
+    const walk = () => animFile('hero_walk.anim', takeOfValues('hero_walk', [1]));
     const { open, names, change } = opened(...hero(), walk());
     expect(open(walk())).toEqual([]);
     change(withClip((c) => moved(c)));
@@ -124,15 +137,15 @@ describe('what is unsaved', () => {
     setDof(9, 1);
     expect(names()).toEqual([]);
     setDof(4, 0.5);
-    change((c) => ({ ...c, clips: [clip('hero_walk', new Array(10).fill(0))], shownClip: 0 }));
+    change((c) => ({ ...c, clips: [takeOfValues('hero_walk', new Array(10).fill(0))], shownClip: 0 }));
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
   it('nothing is unsaved for a name, a placement, or another take shown', () => {
     const files = [
       ...hero(),
-      animFile('hero_a.anim', clip('hero_a', [1])),
-      animFile('hero_b.anim', clip('hero_b', [2])),
+      animFile('hero_a.anim', takeOfValues('hero_a', [1])),
+      animFile('hero_b.anim', takeOfValues('hero_b', [2])),
     ];
     const { store, names, change } = opened(...files);
     store.apply(renameCharacter, { characterId: 'c1', name: 'someone' });
@@ -194,15 +207,15 @@ describe('what is unsaved', () => {
   it('unsaved parts have character, kind and index', () => {
     const other = skelFile('b/other.skel', skeleton(2, 'other'));
     const { unsaved, change } = opened(skelFile('a/hero.skel', skeleton()), other);
-    change((c) => ({ ...c, clips: [clip('x', [0])] }), 1);
+    change((c) => ({ ...c, clips: [takeOfValues('x', [0])] }), 1);
     expect(unsaved.current()).toEqual([{ characterId: 'c2', kind: 'anim', index: 0, name: 'x.anim' }]);
   });
 
   it('tells two takes of one name apart', () => {
     const { names, change } = opened(
       skelFile('hero.skel', skeleton()),
-      animFile('a/walk.anim', clip('walk', [1])),
-      animFile('b/walk.anim', clip('walk', [2])),
+      animFile('a/walk.anim', takeOfValues('walk', [1])),
+      animFile('b/walk.anim', takeOfValues('walk', [2])),
     );
     expect(names()).toEqual([]);
     change((c) => ({ ...c, clips: [c.clips[0], moved(c.clips[1])] }));
@@ -216,9 +229,12 @@ describe('what is unsaved', () => {
   });
 
   it('opening a file decides anew what is unsaved, and so does undoing it', () => {
-    const { store, names, change, open } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const { store, names, change, open } = opened(
+      ...hero(),
+      animFile('hero_walk.anim', takeOfValues('hero_walk', [1])),
+    );
     change(withClip((c) => moved(c)));
-    open(animFile('hero_walk.anim', clip('hero_walk', [7])));
+    open(animFile('hero_walk.anim', takeOfValues('hero_walk', [7])));
     expect(names()).toEqual([]);
     store.undo();
     expect(names()).toEqual(['hero_walk.anim']);
@@ -227,7 +243,10 @@ describe('what is unsaved', () => {
 
 describe('saving', () => {
   it('saving makes the written state the saved one', () => {
-    const { store, unsaved, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const { store, unsaved, names, change } = opened(
+      ...hero(),
+      animFile('hero_walk.anim', takeOfValues('hero_walk', [1])),
+    );
     change(withClip((c) => moved(c)));
     const [character] = store.document.characters;
     for (const part of partsOf(character)) if (part.kind === 'anim') unsaved.written(part);
@@ -237,7 +256,7 @@ describe('saving', () => {
   });
 
   it('notifies listeners once per change, and not if nothing changes', async () => {
-    const { unsaved, change, setDof } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const { unsaved, change, setDof } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
     await Promise.resolve();
     const heard: string[][] = [];
     unsaved.parts.subscribe((parts) => heard.push(parts.map(({ name }) => name)));
@@ -250,7 +269,7 @@ describe('saving', () => {
   });
 
   it('saving can be taken down and given back', () => {
-    const first = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    const first = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
     first.change(withClip((c) => moved(c)));
     first.setDof(4, 0.5);
     const store = new Store();

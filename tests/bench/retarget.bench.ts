@@ -11,7 +11,7 @@ import { automaticPairs } from '../../src/evaluate/retarget/match.ts';
 import { retargetPose } from '../../src/evaluate/retarget/retarget-pose.ts';
 import { sourcePose } from '../../src/evaluate/retarget/source-pose.ts';
 import { jointDofCount } from '../../src/model/skeleton/dofs.ts';
-import { driverOf, PARTS, person, take } from '../evaluate/retarget/people.ts';
+import { driverOf, PARTS, person, takeOfRows } from '../evaluate/retarget/people.ts';
 
 const body = person();
 /** With fingers that nothing follows, to have 60 joints. */
@@ -30,7 +30,7 @@ const FRAMES = 240;
 const rows = Array.from({ length: FRAMES }, (_, f) =>
   Array.from({ length: jointDofCount(source) }, (_, d) => (d === 1 ? 0.9 : d < 3 ? 0 : 0.4 * Math.sin(f / 9 + d))),
 );
-const clip = take(source, rows, 1 / 60);
+const clip = takeOfRows(source, rows, 1 / 60);
 const driver = driverOf(source, clip, automaticPairs(source, WALKER_SKELETON));
 const held = planRetarget(driver, WALKER_SKELETON, undefined, true);
 const free = planRetarget(driver, WALKER_SKELETON, undefined, false);

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { saveCharacter } from '../../src/files/save/saving.ts';
-import { character, clip, joint } from '../helpers/builders.ts';
+import { character, joint, takeOfValues } from '../helpers/builders.ts';
 import { command } from '../helpers/command.ts';
 
 let folder = '';
@@ -16,7 +16,7 @@ afterEach(() => rmSync(folder, { recursive: true, force: true }));
 
 const hero = character({
   skeleton: { name: 'hero', joints: [joint(-1), joint(0)] },
-  clips: [clip('walk', [0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0])],
+  clips: [takeOfValues('walk', [0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0])],
   shownClip: 0,
 });
 const [SKEL, ANIM, BVH] = (['skel', 'anim', 'bvh'] as const).map((kind) => saveCharacter(hero, kind)[0].text);

@@ -5,12 +5,12 @@ import { dirname, join, relative } from 'node:path';
 import { zipSync } from 'fflate';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { saveCharacter } from '../../src/files/save/saving.ts';
-import { character, clip, skin } from '../helpers/builders.ts';
+import { character, skin, takeOfValues } from '../helpers/builders.ts';
 import { command } from '../helpers/command.ts';
 import { WALK } from './captures.ts';
 
 let folder = '';
-const hero = character({ skins: [skin()], clips: [clip('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0])] });
+const hero = character({ skins: [skin()], clips: [takeOfValues('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0])] });
 const text = (kind: 'skel' | 'skin' | 'anim') => saveCharacter(hero, kind)[0].text;
 
 beforeAll(() => {

@@ -4,7 +4,7 @@ import { openFiles } from '../../src/files/open/open-files.ts';
 import type { Character, Driver } from '../../src/model/document.ts';
 import type { IkSetup } from '../../src/model/ik.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
-import { character, clip, documentOf, joint, skelFile } from '../helpers/builders.ts';
+import { character, documentOf, joint, skelFile, takeOfValues } from '../helpers/builders.ts';
 
 const HINGE: Motion = { kind: 'hinge', axis: [1, 0, 0] };
 const hinge = (parent: number, name: string, more: Partial<Joint> = {}) =>
@@ -125,7 +125,7 @@ describe('retargeting when a skeleton is read again', () => {
     pairs: LEG.joints.map((_, j) => ({ target: j, source: j })),
     options: { reference: 'rest', plantsFeet: false },
   });
-  const WALK = clip('walk', new Array(6).fill(0));
+  const WALK = takeOfValues('walk', new Array(6).fill(0));
   const after = skeletonOf(hinge(-1, 'hip'), hinge(0, 'foot'));
 
   it('drives the same joints after they were renumbered or removed', () => {

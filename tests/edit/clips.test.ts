@@ -2,10 +2,10 @@ import { describe, expect, it } from 'vitest';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange } from '../../src/edit/commands/clips.ts';
 import { rangeOfKeys } from '../../src/edit/takes.ts';
 import { restChannel } from '../../src/model/takes/clip.ts';
-import { character, clip, clipsFrom, documentOf } from '../helpers/builders.ts';
+import { character, clipsFrom, documentOf, takeOfValues } from '../helpers/builders.ts';
 
-const walk = clip('walk', [1, 2], [0, 1]);
-const run = clip('run', [3], [0, 2]);
+const walk = takeOfValues('walk', [1, 2], [0, 1]);
+const run = takeOfValues('run', [3], [0, 2]);
 const unkeyed = { timeSeconds: 0, dofs: [0], values: [1] };
 const two = documentOf(character({ clips: [walk, run], shownClip: 0, unkeyed }));
 const none = documentOf(character({ pose: [0, 0, 0, 0.5, 0, 0, 0, 0, 0] }));

@@ -5,11 +5,11 @@ import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
 import { argumentsFrom, finiteOnly } from '../../src/edit/schema/door.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Character, Document } from '../../src/model/document.ts';
-import { character, clip, documentOf, joint } from '../helpers/builders.ts';
+import { character, documentOf, joint, takeOfValues } from '../helpers/builders.ts';
 
 const ARM = character({
   skeleton: { name: 'arm', joints: [joint(-1, { name: 'arm' })] },
-  clips: [clip('wave', [0, 1, 2, 3], [0, 2])],
+  clips: [takeOfValues('wave', [0, 1, 2, 3], [0, 2])],
   shownClip: 0,
 });
 const DEFAULTS = { timeSeconds: 0.5, playedRange: [0, 2] as const };

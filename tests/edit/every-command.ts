@@ -12,10 +12,10 @@ import { DEFAULT_SPACE } from '../../src/model/space.ts';
 import { type ChannelClip, restChannel } from '../../src/model/takes/clip.ts';
 import { NO_REVIEW } from '../../src/model/takes/review.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
-import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
+import { character, documentOf, joint, morph, skin, takeOfValues } from '../helpers/builders.ts';
 import { sliding } from './hold/sliding.ts';
 import { channelOf } from './keys/channels.ts';
-import { swinging, take } from './samples/made.ts';
+import { swinging, takeOfColumns } from './samples/made.ts';
 
 export interface EditCase {
   readonly document: Document;
@@ -77,7 +77,7 @@ const CAPTURED = documentOf(swinging());
 /** With a marker and a span. */
 const MARKED = documentOf(
   swinging({
-    ...take((c, t) => c * t),
+    ...takeOfColumns((c, t) => c * t),
     markers: [
       { timeSeconds: 0.5, label: 'step' },
       { timeSeconds: 1, endSeconds: 1.5, label: 'stand' },
@@ -86,7 +86,13 @@ const MARKED = documentOf(
 );
 
 const bee = (id: string, more: Partial<Character> = {}): Character =>
-  character({ id, name: id, clips: [clip(`${id}_walk`, Array<number>(9).fill(0.3), [1, 2])], shownClip: 0, ...more });
+  character({
+    id,
+    name: id,
+    clips: [takeOfValues(`${id}_walk`, Array<number>(9).fill(0.3), [1, 2])],
+    shownClip: 0,
+    ...more,
+  });
 const TWO = documentOf(HERO, bee('c2'));
 const BEES = documentOf(bee('c1'), bee('c2', { placements: [{ ...DEFAULT_PLACEMENT, position: [3, 0, 0] }] }));
 
@@ -316,7 +322,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'samples.split': captured({ timeSeconds: 1 }, { timeSeconds: 0 }),
   'samples.resample': captured({ framesPerSecond: 30 }, { framesPerSecond: 60 }),
   'samples.reverse': {
-    document: documentOf(...CAPTURED.characters, { ...swinging(take(() => 0, 2)), id: 'c2' }),
+    document: documentOf(...CAPTURED.characters, { ...swinging(takeOfColumns(() => 0, 2)), id: 'c2' }),
     args: WHO,
     idle: { characterId: 'c2' },
   },

@@ -5,7 +5,7 @@ import { stepsToForget } from '../../src/edit/history-budget.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
 import type { Samples } from '../../src/model/takes/samples.ts';
-import { character, clip, documentOf } from '../helpers/builders.ts';
+import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
 
 const MEGABYTE = 1e6;
 
@@ -22,7 +22,7 @@ function take(megabytes: number, values = new Float64Array((megabytes * MEGABYTE
     firstChannel: 0,
     interpolation: 'nearest',
   };
-  return documentOf(character({ clips: [{ ...clip('take', [0]), samples }], shownClip: 0 }));
+  return documentOf(character({ clips: [{ ...takeOfValues('take', [0]), samples }], shownClip: 0 }));
 }
 
 function limited(store: Store, megabytes: number): number {

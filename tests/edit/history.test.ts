@@ -5,13 +5,13 @@ import type { Command } from '../../src/edit/command.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
 import { type ChannelClip, keysOf } from '../../src/model/takes/clip.ts';
-import { character, clip, documentOf, skin } from '../helpers/builders.ts';
+import { character, documentOf, skin, takeOfValues } from '../helpers/builders.ts';
 
 const KEYS = 100_000;
 
 /** A clip with one channel of many keys. */
 function longClip(count = KEYS): ChannelClip {
-  const short = clip('long', [0]);
+  const short = takeOfValues('long', [0]);
   const column = () => ({ kinds: new Uint8Array(count), slopes: new Float64Array(count) });
   const times = Float64Array.from({ length: count }, (_, i) => i);
   const channel = { ...short.channels[0], times, values: times.slice(), tangentsIn: column(), tangentsOut: column() };

@@ -11,7 +11,7 @@ import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
 import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/clip.ts';
-import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
+import { character, documentOf, joint, morph, takeOfValues } from '../helpers/builders.ts';
 
 const hip = joint(-1, { name: 'hip', limits: [0, 1, 2].map(() => ({ min: -1, max: 1 })) });
 /** 3 of the root, 3 of the hip, 3 of the leg, a morph. */
@@ -87,7 +87,7 @@ describe('pose.key on a character without animation', () => {
 });
 
 describe('pose.key over a take', () => {
-  const steady = clip('walk', [0, 0, 0, 0, 0, 0]);
+  const steady = takeOfValues('walk', [0, 0, 0, 0, 0, 0]);
   const walking: Character = { ...bare, clips: [steady], shownClip: 0 };
 
   it('changes a key that is there, and leaves it its tangents', () => {

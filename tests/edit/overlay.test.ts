@@ -17,9 +17,9 @@ import {
   findCharacter,
 } from '../../src/model/document.ts';
 import type { Space } from '../../src/model/space.ts';
-import { character, clip, documentOf, joint } from '../helpers/builders.ts';
+import { character, documentOf, joint, takeOfValues } from '../helpers/builders.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';
-import { figure, take } from '../helpers/mocap.ts';
+import { figure, takeOfRoots } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 import { anyCommand, argumentsFor } from './any-command.ts';
 import { Dice, thrown } from './dice.ts';
@@ -30,7 +30,7 @@ const NO_BOX = { min: [0, 0, 0], max: [0, 0, 0] } as const;
 function post(id: string, height: number, more: Partial<Character> = {}): Character {
   const at = (y: number) => ({ offset: [0, y, 0] as const, box: NO_BOX });
   const joints = [joint(-1, { name: id, ...at(0) }), joint(0, { name: `${id} top`, ...at(height) })];
-  const clips = [clip(`${id}_walk`, Array(9).fill(0.3))];
+  const clips = [takeOfValues(`${id}_walk`, Array(9).fill(0.3))];
   return character({ id, name: id, skeleton: { name: id, joints }, clips, shownClip: 0, ...more });
 }
 
@@ -52,7 +52,7 @@ const captured: Document = openFiles(
   [170, 180].map((height, i) => {
     const skeleton = { ...figure({ height }), name: `actor${i}` };
     const source = { name: `actor${i}.bvh`, path: `actor${i}.bvh`, bytes: 1 };
-    const figures = [{ skeleton, clip: { ...take(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
+    const figures = [{ skeleton, clip: { ...takeOfRoots(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
     return { ...capturedContent(figures, source.name).value, source };
   }),
 ).document;

@@ -4,7 +4,7 @@ import { capturedContent } from '../../src/files/captured.ts';
 import { openFiles } from '../../src/files/open/open-files.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { figure, take } from '../helpers/mocap.ts';
+import { figure, takeOfRoots } from '../helpers/mocap.ts';
 
 type Point = readonly [number, number, number];
 
@@ -12,7 +12,7 @@ type Point = readonly [number, number, number];
 function bvh(name: string, ...roots: readonly Point[]): ParsedFile {
   const figures = roots.map((root, i) => {
     const skeleton = { ...figure(), name: i ? `${name}${i}` : name };
-    return { skeleton, clip: { ...take(skeleton, [root]), name: skeleton.name } };
+    return { skeleton, clip: { ...takeOfRoots(skeleton, [root]), name: skeleton.name } };
   });
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
   return { ...capturedContent(figures, source.name).value, source };

@@ -4,7 +4,7 @@ import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts
 import { documentWithoutUnkeyed } from '../../src/edit/unkeyed.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
-import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
+import { character, documentOf, joint, morph, takeOfValues } from '../helpers/builders.ts';
 
 const limited = joint(-1, {
   name: 'hip',
@@ -57,7 +57,11 @@ describe('pose.setDofs', () => {
 
 describe('what is set by hand over a clip', () => {
   const playing = documentOf(
-    character({ skeleton: { name: 's', joints: [limited] }, clips: [clip('walk', [0, 0, 0, 0.5])], shownClip: 0 }),
+    character({
+      skeleton: { name: 's', joints: [limited] },
+      clips: [takeOfValues('walk', [0, 0, 0, 0.5])],
+      shownClip: 0,
+    }),
   );
 
   it('what is set by hand over a clip is no unkeyed change if the keys give that value, and is discarded when it returns to it', () => {
@@ -97,7 +101,7 @@ describe('what is set by hand over a clip', () => {
 });
 
 describe('what is set by hand where a channel has no keys', () => {
-  const take = clip('walk', [0, 0, 0, 0.5]);
+  const take = takeOfValues('walk', [0, 0, 0, 0.5]);
   const channels = [...take.channels, restChannel(0.25), restChannel()];
   const playing = documentOf(
     character({

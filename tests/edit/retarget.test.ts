@@ -15,8 +15,8 @@ import { retargetPlan } from '../../src/evaluate/retarget/make-plan.ts';
 import { type Character, DEFAULT_PLACEMENT, findCharacter, rangeOfClips, shownClip } from '../../src/model/document.ts';
 import { jointDofCount } from '../../src/model/skeleton/dofs.ts';
 import { keysOf } from '../../src/model/takes/clip.ts';
-import { PARTS, person, take } from '../evaluate/retarget/people.ts';
-import { character, clip, documentOf, morph } from '../helpers/builders.ts';
+import { PARTS, person, takeOfRows } from '../evaluate/retarget/people.ts';
+import { character, documentOf, morph, takeOfValues } from '../helpers/builders.ts';
 
 const SOURCE = person();
 /** Nods, turns and moves up and down. */
@@ -27,14 +27,20 @@ const ROWS = Array.from({ length: 12 }, (_, f) => {
 });
 
 function store(): Store {
-  const source = character({ id: 's', name: 'dancer', skeleton: SOURCE, clips: [take(SOURCE, ROWS)], shownClip: 0 });
+  const source = character({
+    id: 's',
+    name: 'dancer',
+    skeleton: SOURCE,
+    clips: [takeOfRows(SOURCE, ROWS)],
+    shownClip: 0,
+  });
   const own = person({ size: 0.6, droop: 0.6, motion: () => ({ kind: 'ball', order: 'xyz' }) });
   const target = character({
     id: 't',
     name: 'walker',
     skeleton: own,
     morphs: [morph('smile')],
-    clips: [clip('own', [...Array<number>(3 + 3 * PARTS.length).fill(0.1), 0.7])],
+    clips: [takeOfValues('own', [...Array<number>(3 + 3 * PARTS.length).fill(0.1), 0.7])],
     shownClip: 0,
   });
   return new Store(documentOf(source, target));

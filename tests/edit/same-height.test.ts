@@ -8,7 +8,7 @@ import { openFiles } from '../../src/files/open/open-files.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { character, documentOf, joint, skelFile } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
-import { figure, take } from '../helpers/mocap.ts';
+import { figure, takeOfRoots } from '../helpers/mocap.ts';
 
 const NO_BOX = { min: [0, 0, 0], max: [0, 0, 0] } as const;
 
@@ -144,7 +144,7 @@ describe('same height', () => {
       const { joints } = figure();
       const scaled = joints.map((j) => ({ ...j, offset: j.offset.map((v) => scale * v) as [number, number, number] }));
       const skeleton = { name: `figure${i}`, joints: scaled };
-      return { skeleton, clip: { ...take(skeleton, [[0, 85 * scale, 0]]), name: skeleton.name } };
+      return { skeleton, clip: { ...takeOfRoots(skeleton, [[0, 85 * scale, 0]]), name: skeleton.name } };
     });
     const source = { name: 'pair.bvh', path: 'pair.bvh', bytes: 1 };
     const capture = { ...capturedContent([tall, small], source.name).value, source };

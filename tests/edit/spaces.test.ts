@@ -10,9 +10,9 @@ import type { ParsedFile } from '../../src/model/files.ts';
 import { jointDofCount } from '../../src/model/skeleton/dofs.ts';
 import { positionsTaken } from '../../src/model/skeleton/position-channels.ts';
 import type { Space } from '../../src/model/space.ts';
-import { BVH_ROOT, take as frames, person } from '../evaluate/retarget/people.ts';
-import { character, clip, documentOf } from '../helpers/builders.ts';
-import { captured, figure, take } from '../helpers/mocap.ts';
+import { BVH_ROOT, takeOfRows as frames, person } from '../evaluate/retarget/people.ts';
+import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
+import { captured, figure, takeOfRoots } from '../helpers/mocap.ts';
 
 const SPACE: Space = { up: 'z', unit: 'inches', lift: 0.25 };
 
@@ -20,7 +20,7 @@ function bvh(name: string, ...roots: readonly (readonly [number, number, number]
   const skeleton = { ...figure(), name };
   const figures = roots.map((root, i) => ({
     skeleton: { ...skeleton, name: i ? `${name}${i}` : name },
-    clip: { ...take(skeleton, [root]), name: i ? `${name}${i}` : name },
+    clip: { ...takeOfRoots(skeleton, [root]), name: i ? `${name}${i}` : name },
   }));
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
   return { ...capturedContent(figures, source.name).value, source };
@@ -63,14 +63,14 @@ describe('a figure of motion capture that is opened', () => {
 
   it('adds its position channels to the offsets where they look meant so, and says so', () => {
     const skeleton = figure({ positionsEverywhere: true });
-    const figures = [{ skeleton, clip: take(skeleton, [[0, 85, 0]], 0) }];
+    const figures = [{ skeleton, clip: takeOfRoots(skeleton, [[0, 85, 0]], 0) }];
     const { value, diagnostics } = capturedContent(figures, 'made.bvh');
     expect(diagnostics.map((d) => d.code)).toEqual(['positions-near-zero']);
     const [opened] = openFiles(EMPTY_DOCUMENT, [{ ...value, source: { name: 'made.bvh', path: 'made.bvh', bytes: 1 } }])
       .document.characters;
     expect(opened.skeleton && positionsTaken(opened.skeleton)).toBe('add');
     // Measured as it is meant: not collapsed.
-    const plain = capturedContent([{ skeleton, clip: take(skeleton, [[0, 85, 0]]) }], '').value;
+    const plain = capturedContent([{ skeleton, clip: takeOfRoots(skeleton, [[0, 85, 0]]) }], '').value;
     expect(opened.space).toEqual(plain.guessed?.space);
   });
 });
@@ -149,7 +149,7 @@ describe('position channels of a character', () => {
   it('position channels of a character have another meaning, and the character is on the ground again', () => {
     const skeleton = figure({ positionsEverywhere: true });
     const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
-    const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]), { space })));
+    const store = new Store(documentOf(captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]), { space })));
     store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' });
     const [{ skeleton: after, space: lifted, clips }] = store.document.characters;
     expect(after?.joints[1].motion).toMatchObject({ positions: 'add' });
@@ -189,7 +189,7 @@ describe('hidden characters', () => {
 describe('what a take plays between frames', () => {
   it('what a take plays between frames is set for its samples, whose values stay', () => {
     const skeleton = figure();
-    const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]))));
+    const store = new Store(documentOf(captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]))));
     store.apply(setInterpolation, { characterId: 'c1', interpolation: 'nearest' });
     expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('nearest');
     store.undo();
@@ -197,7 +197,7 @@ describe('what a take plays between frames', () => {
   });
 
   it('what a take plays between frames is the keys’ own if there are only keys', () => {
-    const store = new Store(documentOf(character({ clips: [clip('walk', [0])], shownClip: 0 })));
+    const store = new Store(documentOf(character({ clips: [takeOfValues('walk', [0])], shownClip: 0 })));
     expect(() => store.apply(setInterpolation, { characterId: 'c1', interpolation: 'cubic' })).toThrow(CommandError);
   });
 });

@@ -4,7 +4,7 @@ import type { Edit } from '../../src/edit/change.ts';
 import type { Command } from '../../src/edit/command.ts';
 import { removeCharacter, renameCharacter } from '../../src/edit/commands/characters.ts';
 import { Store } from '../../src/edit/store.ts';
-import { character, clip, documentOf, skeleton } from '../helpers/builders.ts';
+import { character, documentOf, skeleton, takeOfValues } from '../helpers/builders.ts';
 
 const start = documentOf(character({ name: 'a' }));
 const rename = (name: string) => ({ characterId: 'c1', name });
@@ -248,7 +248,7 @@ describe('Store', () => {
       label: () => 'Rename',
     });
     const played = documentOf(
-      character({ name: 'a', skeleton: skeleton(4), clips: [clip('walk', [1])], shownClip: 0 }),
+      character({ name: 'a', skeleton: skeleton(4), clips: [takeOfValues('walk', [1])], shownClip: 0 }),
     );
     const store = new Store(played);
     store.select({ characterId: 'c1', joint: 3, vertex: 5, keys: [{ channel: 0, indices: [0] }] });
@@ -302,7 +302,7 @@ describe('Store', () => {
   });
 
   it('selects no keys that the selected character does not have, where a command about another changes nothing', () => {
-    const walker = character({ id: 'w', clips: [clip('walk', [1, 2])], shownClip: 0 });
+    const walker = character({ id: 'w', clips: [takeOfValues('walk', [1, 2])], shownClip: 0 });
     const store = new Store(documentOf(walker, character({ id: 'bare' })));
     const selecting: Command<undefined, Edit> = {
       id: 'test.select',

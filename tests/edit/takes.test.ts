@@ -19,14 +19,22 @@ import {
   startSeconds,
 } from '../../src/model/document.ts';
 import { NO_MARKS, UNMARKED } from '../../src/model/part.ts';
-import { character, clip, documentOf, skin } from '../helpers/builders.ts';
+import { character, documentOf, skin, takeOfValues } from '../helpers/builders.ts';
 
 /** A character with a take, as a file of captured motion is one. */
 function take(id: string, range: readonly [number, number] = [0, 1], more: Partial<Character> = {}): Character {
   const source = { name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 };
   const mark = { ...UNMARKED, file: { kind: 'bvh', source, holds: id } } as const;
   const parts = { ...NO_MARKS, skeleton: mark, clips: [mark] };
-  return character({ id, name: id, clips: [clip(id, [0], range)], shownClip: 0, sources: [source], parts, ...more });
+  return character({
+    id,
+    name: id,
+    clips: [takeOfValues(id, [0], range)],
+    shownClip: 0,
+    sources: [source],
+    parts,
+    ...more,
+  });
 }
 
 const three = documentOf(take('a'), take('b', [0.5, 2]), take('c', [-1, 4]));
@@ -48,7 +56,7 @@ describe('takes that are shown', () => {
 
   it('beside others hide nothing, and show another take of their character', () => {
     const document = documentOf(
-      take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])], isHidden: true }),
+      take('a', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])], isHidden: true }),
       take('b'),
     );
     const next = showTakes.run(document, { takes: [{ characterId: 'a', clip: 1 }] });
@@ -62,7 +70,7 @@ describe('takes that are shown', () => {
   });
 
   it('takes that are shown are one of a character at a time', () => {
-    const document = documentOf(take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])] }));
+    const document = documentOf(take('a', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])] }));
     const both = [0, 1].map((c) => ({ characterId: 'a', clip: c }));
     expect(() => showTakes.run(document, { takes: both })).toThrow(CommandError);
     expect(() => showTakes.run(document, { takes: [{ characterId: 'a', clip: 2 }] })).toThrow('no take number 2');
@@ -111,7 +119,7 @@ describe('takes in time', () => {
 describe('takes in space', () => {
   const ids = ['a', 'b', 'c'];
   /** Begins at x, z in its own coordinates. */
-  const at = (id: string, x: number, z: number) => take(id, [0, 1], { clips: [clip(id, [x, 0, z])] });
+  const at = (id: string, x: number, z: number) => take(id, [0, 1], { clips: [takeOfValues(id, [x, 0, z])] });
   const spread = documentOf(at('a', 5, 1), at('b', -3, 0), at('c', 0, 0));
 
   it('takes are placed side by side in rows, no two in one place', () => {
@@ -169,7 +177,10 @@ describe('takes in space', () => {
   });
 
   it('comparing takes of one character shows the first on it', () => {
-    const document = documentOf(take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])] }), take('b'));
+    const document = documentOf(
+      take('a', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])] }),
+      take('b'),
+    );
     const next = overlayTakes.run(document, {
       first: { characterId: 'a', clip: 1 },
       second: { characterId: 'a', clip: 0 },
@@ -189,7 +200,7 @@ describe('takes that were compared', () => {
     take('a', [0, 1], at(1)),
     take('b', [0, 1], at(2)),
     take('c', [0, 1], at(3, { isHidden: true })),
-    take('d', [0, 1], at(4, { clips: [clip('x', [0]), clip('y', [0])] })),
+    take('d', [0, 1], at(4, { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])] })),
   );
   const laid = (...[first, second]: readonly [readonly [string, number], readonly [string, number]]) =>
     overlayTakes.run(document, {
@@ -217,7 +228,7 @@ describe('takes that were compared', () => {
       characters: overlaid.characters
         .filter((c) => c.id !== 'd')
         .map((c) => {
-          if (c.id === 'a') return { ...c, name: 'mine', clips: [clip('a', [0.5], [0, 3])] };
+          if (c.id === 'a') return { ...c, name: 'mine', clips: [takeOfValues('a', [0.5], [0, 3])] };
           if (c.id === 'b') return { ...c, placements: [{ ...DEFAULT_PLACEMENT, scale: 2 }], timeOffsetSeconds: 1 };
           return { ...c, isHidden: false };
         }),
@@ -234,7 +245,9 @@ describe('takes that were compared', () => {
     const overlaid = laid(['d', 1], ['d', 0]);
     const fewer = {
       ...overlaid,
-      characters: overlaid.characters.map((c) => (c.id === 'd' ? { ...c, clips: [...c.clips, clip('z', [0])] } : c)),
+      characters: overlaid.characters.map((c) =>
+        c.id === 'd' ? { ...c, clips: [...c.clips, takeOfValues('z', [0])] } : c,
+      ),
     };
     expect(end(fewer, overlaid).characters[3].shownClip).toBe(1);
   });
@@ -255,7 +268,7 @@ describe('takes that are removed', () => {
   });
 
   it('takes that are removed keep showing the same take, or show the one after it', () => {
-    const clips = ['w', 'x', 'y', 'z'].map((name) => clip(name, [0]));
+    const clips = ['w', 'x', 'y', 'z'].map((name) => takeOfValues(name, [0]));
     const shown = (shownClip: number, ...gone: number[]) => {
       const document = documentOf(take('a', [0, 1], { clips, shownClip }));
       const [after] = removeTakes.run(document, { takes: gone.map((c) => ref('a', c)) }).characters;

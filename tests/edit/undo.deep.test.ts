@@ -12,13 +12,13 @@ import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import { type Document, findCharacter, shownClip } from '../../src/model/document.ts';
 import { type Channel, followingSamples, restChannel } from '../../src/model/takes/clip.ts';
 import type { Samples } from '../../src/model/takes/samples.ts';
-import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
+import { character, documentOf, joint, morph, skin, takeOfValues } from '../helpers/builders.ts';
 import { expectSame, expectStep } from '../helpers/expect-edit.ts';
 import { anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';
 import { Dice, thrown } from './dice.ts';
 import { sliding } from './hold/sliding.ts';
 import { channelOf, channelsOrRest } from './keys/channels.ts';
-import { swinging, take } from './samples/made.ts';
+import { swinging, takeOfColumns } from './samples/made.ts';
 
 /** Like the wasp: a root, a body with limits, wings and legs beside each other. 3 + 15 DOFs and a morph. */
 const WASP = {
@@ -41,7 +41,7 @@ const WASP = {
 const DOFS = 19;
 
 /** Of motion capture, a fifth of a second. */
-const SWING = take((column, seconds) => (column < 3 ? seconds : 30 * Math.sin(2 * seconds + column)), 13);
+const SWING = takeOfColumns((column, seconds) => (column < 3 ? seconds : 30 * Math.sin(2 * seconds + column)), 13);
 
 const NOTHING = 'nothing';
 
@@ -79,7 +79,7 @@ function wasp(animated: readonly Channel[] | undefined): Document {
     morphs: [morph('sting')],
     ...(clips && { clips, shownClip: 0 }),
   });
-  const bee = character({ id: 'b1', name: 'bee', clips: [clip('bee_walk', Array(9).fill(0.3))], shownClip: 0 });
+  const bee = character({ id: 'b1', name: 'bee', clips: [takeOfValues('bee_walk', Array(9).fill(0.3))], shownClip: 0 });
   const others = [
     { ...swinging(SWING), id: 'm1' },
     { ...sliding(0.004), id: 'f1' },

@@ -9,7 +9,7 @@ import { filePose, jointDofCount, rootDofCount } from '../../src/model/skeleton/
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { AXIS_PAIRS, COMPOUND_DOFS, EULER_ORDERS, type Motion, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { characterOf, positionsAt } from '../edit/convert/round-trip.ts';
-import { character, clip, joint } from '../helpers/builders.ts';
+import { character, joint, takeOfValues } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 
 const axis = fc
@@ -49,7 +49,7 @@ function moving(motions: fc.Arbitrary<Motion>): fc.Arbitrary<Character> {
     const count = rootDofCount(skeleton) + jointDofCount(skeleton);
     const keys = fc.array(value, { minLength: count, maxLength: count });
     return fc.tuple(keys, keys).map(([from, to]) => {
-      const take = clip('x_move', from, [0, 1]);
+      const take = takeOfValues('x_move', from, [0, 1]);
       const channels = take.channels.map((channel, c) => ({
         ...channel,
         times: Float64Array.of(0, 1),
@@ -101,7 +101,11 @@ describe('any character as a figure of BVH', () => {
 
   it('gives balls their own angles as channels, what is applied last first', () => {
     const skeleton = { name: 'x', joints: [joint(-1), joint(0, { motion: { kind: 'ball', order: 'yxz' } })] };
-    const who = character({ skeleton, clips: [clip('x', [1, 2, 3, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])], shownClip: 0 });
+    const who = character({
+      skeleton,
+      clips: [takeOfValues('x', [1, 2, 3, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])],
+      shownClip: 0,
+    });
     const { figure } = toBvhFigure(who, framesOf([0, 0], 30));
     expect(figure.skeleton.joints.map(({ motion }) => motion)).toEqual([
       { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'ry', 'rx'], positions: 'replace' },
@@ -128,7 +132,7 @@ describe('any character as a figure of BVH', () => {
     ];
     const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx', 'rz'])] }, rows);
     if (!own.clip) throw new Error('There is a clip.');
-    const channels = own.clip.channels.map((c, i) => (i === 3 ? clip('', [Math.PI]).channels[0] : c));
+    const channels = own.clip.channels.map((c, i) => (i === 3 ? takeOfValues('', [Math.PI]).channels[0] : c));
     const who = characterOf({ ...own, clip: { ...own.clip, channels } });
     const { figure } = toBvhFigure(who, framesFor(who, 30));
     expect(Array.from(figure.clip?.samples?.values ?? [])).toEqual([
@@ -178,7 +182,7 @@ describe('the frames of a clip', () => {
   });
 
   it('leave out what was set by hand over the clip, and the character’s offset in time', () => {
-    const who = character({ clips: [clip('x', new Array(9).fill(0.5))], shownClip: 0, timeOffsetSeconds: 7 });
+    const who = character({ clips: [takeOfValues('x', new Array(9).fill(0.5))], shownClip: 0, timeOffsetSeconds: 7 });
     const touched = { ...who, unkeyed: { timeSeconds: 0, dofs: [3], values: [9] } };
     expect(bakeClip(touched, framesOf([0, 0], 1)).values).toEqual(new Float64Array(9).fill(0.5));
   });

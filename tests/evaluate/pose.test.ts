@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import type { Character } from '../../src/model/document.ts';
-import { character, clip, joint, morph, skeleton, skin } from '../helpers/builders.ts';
+import { character, joint, morph, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
 import { expectClose } from '../helpers/close.ts';
 import { referenceClip, referenceSkeleton } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
@@ -53,7 +53,7 @@ describe('a pose', () => {
   const still = character({ skeleton: skeleton(1), skins: [skin()], morphs: [morph('smile')], pose: set });
   const played = (values: number[], more: Partial<Character> = {}) => ({
     ...still,
-    clips: [clip('walk', values)],
+    clips: [takeOfValues('walk', values)],
     shownClip: 0,
     ...more,
   });
@@ -88,7 +88,7 @@ describe('a pose', () => {
   });
 
   it('adds the character’s own offset to the time', () => {
-    const ramp = clip('walk', [0]);
+    const ramp = takeOfValues('walk', [0]);
     const channels = [
       {
         ...ramp.channels[0],

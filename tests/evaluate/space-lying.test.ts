@@ -8,7 +8,7 @@ import type { Joint, Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
 import { describeShared } from '../helpers/shared.ts';
 import { captured } from './retarget/captures.ts';
-import { BVH_ROOT, PARTS, person, take } from './retarget/people.ts';
+import { BVH_ROOT, PARTS, person, takeOfRows } from './retarget/people.ts';
 
 const COUNT = 12;
 const RIGHT = Math.PI / 2;
@@ -58,7 +58,7 @@ describe.each([
         zUp,
         motion: (part) => (part === 'hips' ? BVH_ROOT : { kind: 'ball', order: 'xyz' }),
       });
-      const clip = take(skeleton, rows(skeleton, POSTURES[posture], zUp, size));
+      const clip = takeOfRows(skeleton, rows(skeleton, POSTURES[posture], zUp, size));
       expect(guessSpace(skeleton, clip)).toMatchObject({ up, unit });
     }
   });

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { carrierOf, groundTravel } from '../../src/evaluate/travel.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
-import { character, clip, skeleton } from '../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';
 import { captured, figure } from '../helpers/mocap.ts';
@@ -85,7 +85,9 @@ describe('the joint that carries a character', () => {
   it('the joint that carries a character is the root if nothing moves, and if there is no clip', () => {
     expect(carrierIn([[3, 4, 5]])).toBe(0);
     expect(carrierOf(character({ skeleton: skeleton(3) }))).toBe(0);
-    expect(carrierOf(character({ skeleton: skeleton(3), clips: [clip('walk', [0, 1, 2])], shownClip: 0 }))).toBe(0);
+    expect(
+      carrierOf(character({ skeleton: skeleton(3), clips: [takeOfValues('walk', [0, 1, 2])], shownClip: 0 })),
+    ).toBe(0);
     expect(carrierOf(character())).toBe(0);
   });
 });

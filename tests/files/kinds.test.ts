@@ -7,7 +7,7 @@ import { WRITERS } from '../../src/files/writers.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { type Joint, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { read } from '../formats/read-in-pieces.ts';
-import { character, clip, joint, morph, skeleton, skin } from '../helpers/builders.ts';
+import { character, joint, morph, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 
 const HINGE: Joint = {
@@ -30,7 +30,7 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, ImportedKind>, FileContent |
   axskel: { kind: 'skel', skeletons: [{ name: 'x', joints: [HINGE], form: 'axis-angle' }] },
   skin: { kind: 'skin', skin: skin() },
   morph: { kind: 'morph', morph: morph('x') },
-  anim: { kind: 'anim', clip: clip('x', [1]) },
+  anim: { kind: 'anim', clip: takeOfValues('x', [1]) },
   rig: { kind: 'rig', rig: { name: 'x', skeleton: 'x.skel', morphs: [] } },
   bvh: {
     kind: 'bvh',
@@ -111,7 +111,7 @@ function writtenAs(name: string, content: FileContent): Uint8Array {
 }
 
 it('the save dialog is told the range that an animation is saved with', () => {
-  const take = { ...clip('walk', [1]), range: [0, 6.4] } as const;
+  const take = { ...takeOfValues('walk', [1]), range: [0, 6.4] } as const;
   const told = WRITERS.anim.detail(character({ clips: [take], shownClip: 0 }), 30);
   expect(told).toContainEqual({ range: [0, 6.4] });
 });

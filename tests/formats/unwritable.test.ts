@@ -3,13 +3,13 @@ import { describe, expect, it } from 'vitest';
 import { saveCharacter } from '../../src/files/save/saving.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { cutMessage, cutText, MAX_SHOWN } from '../../src/model/names/cut-text.ts';
-import { character, clip, joint, morph, skin } from '../helpers/builders.ts';
+import { character, joint, morph, skin, takeOfValues } from '../helpers/builders.ts';
 import { bvhJoint } from '../helpers/bvh.ts';
 import { writeFile } from '../helpers/write-file.ts';
 import { read } from './read-in-pieces.ts';
 
 const ARM = joint(-1, { name: 'arm' });
-const WALK = clip('walk', [0, 1, 2]);
+const WALK = takeOfValues('walk', [0, 1, 2]);
 const SKIN = skin('hero');
 const MORPH = morph('smile');
 

@@ -69,7 +69,11 @@ export function morph(name: string, vertex = 0): Morph {
 }
 
 /** A clip whose channels are constant. */
-export function clip(name: string, values: readonly number[], range: readonly [number, number] = [0, 1]): ChannelClip {
+export function takeOfValues(
+  name: string,
+  values: readonly number[],
+  range: readonly [number, number] = [0, 1],
+): ChannelClip {
   return {
     name,
     range,

@@ -62,7 +62,7 @@ export function figure(options: FigureOptions = {}): Skeleton {
  * A take of the figure: rows of the root's position, everything else standing.
  * @param others what position channels of the other joints hold; their OFFSET where absent
  */
-export function take(skeleton: Skeleton, roots: readonly Point[], others?: number): ChannelClip {
+export function takeOfRoots(skeleton: Skeleton, roots: readonly Point[], others?: number): ChannelClip {
   const scales: number[] = [];
   const row: number[] = [];
   for (const { motion, offset } of skeleton.joints) {

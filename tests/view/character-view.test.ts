@@ -7,7 +7,7 @@ import { filePose } from '../../src/model/skeleton/dofs.ts';
 import type { BvhChannel } from '../../src/model/skeleton/skeleton.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
-import { character, clip, morph, skeleton, skin } from '../helpers/builders.ts';
+import { character, morph, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { heatValuesOf } from '../helpers/heat-values.ts';
@@ -254,7 +254,7 @@ describe('a character in the picture', () => {
   });
 
   it('a character is culled by its current bounds', () => {
-    const model = character({ skins: [skin()], clips: [clip('go', [100])], shownClip: 0 });
+    const model = character({ skins: [skin()], clips: [takeOfValues('go', [100])], shownClip: 0 });
     const view = shown(model);
     const { boundingSphere } = view.skinnedMeshes[0];
     expect(boundingSphere.center.x).toBeCloseTo(100.5, 9);

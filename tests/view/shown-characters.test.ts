@@ -9,13 +9,13 @@ import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, documentOf, joint, skin } from '../helpers/builders.ts';
 import { sharedFigures } from '../helpers/bvh-files.ts';
 import { heatValuesOf } from '../helpers/heat-values.ts';
-import { captured, figure, take } from '../helpers/mocap.ts';
+import { captured, figure, takeOfRoots } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
 const skeleton = figure();
 const space = { up: 'y', unit: 'centimetres', lift: 0 } as const;
-const near = captured(skeleton, take(skeleton, [[0, 85, 0]]), { id: 'near', space });
-const far = captured(skeleton, take(skeleton, [[1000, 85, 0]]), { id: 'far', space });
+const near = captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]), { id: 'near', space });
+const far = captured(skeleton, takeOfRoots(skeleton, [[1000, 85, 0]]), { id: 'far', space });
 
 function shown(...characters: (typeof near)[]): ShownCharacters {
   const all = new ShownCharacters(
@@ -42,7 +42,7 @@ describe('the characters in the picture', () => {
       const away = Math.max(0, 1 - Math.abs(f - 3000) / 250);
       return [3000 * away, 85, 1200 * Math.sin(f / 300)];
     });
-    const clip = take(skeleton, walk);
+    const clip = takeOfRoots(skeleton, walk);
     const all = shown(captured(skeleton, clip, { id: 'walker', space }));
     const framed = new Box3();
     for (const box of all.boundsOfMotion([0, 500], 0)) framed.union(box);
@@ -76,7 +76,7 @@ describe('the characters in the picture', () => {
   it('a character that a broken frame throws kilometres away is framed where it is', () => {
     const thrown = captured(
       skeleton,
-      take(skeleton, [
+      takeOfRoots(skeleton, [
         [0, 85, 0],
         [1e6, 85, 0],
       ]),
@@ -110,7 +110,7 @@ describe('the characters in the picture', () => {
     all.show(documentOf(far), display, {}, 0, true);
     const view = all.get('far')?.view;
     view?.freezeRootMotion(true);
-    const dragged = captured(skeleton, take(skeleton, [[1200, 85, 0]]), { id: 'far', space });
+    const dragged = captured(skeleton, takeOfRoots(skeleton, [[1200, 85, 0]]), { id: 'far', space });
     all.show(documentOf(dragged), display, {}, 0, false);
     all.place(true);
     expect(all.content.max.x).toBeCloseTo(2.102, 6);
@@ -238,7 +238,7 @@ describe('views of characters', () => {
     const { all } = counted();
     const moving = captured(
       skeleton,
-      take(skeleton, [
+      takeOfRoots(skeleton, [
         [0, 85, 0],
         [0, 185, 0],
       ]),

@@ -1,5 +1,5 @@
 /** What the `meta` of an exported take says: where it comes from, and what was done to it. */
-import type { Take } from '../../dataset/take.ts';
+import type { ArrayTake } from '../../dataset/take.ts';
 import { metresPerUnit } from '../../evaluate/space/metres.ts';
 import type { Character } from '../../model/document.ts';
 import { VERSION } from '../../model/version.ts';
@@ -13,7 +13,7 @@ export const LAYOUT = 2;
 /** @param source the take as it was read */
 export function metaOf(
   source: Character,
-  { character, space, skeleton }: Take,
+  { character, space, skeleton }: ArrayTake,
   input: TakeInput,
   hash: string,
   { fps, crop, isRaw, isMirrored, retarget, map }: ExportSettings,

@@ -1,5 +1,5 @@
 /** The review's checks of takes that are exported. */
-import type { Take } from '../../dataset/take.ts';
+import type { ArrayTake } from '../../dataset/take.ts';
 import { runToEnd } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import { isUnlimited } from '../../model/skeleton/skeleton.ts';
@@ -11,7 +11,7 @@ import { takeFrames } from '../../review/frames.ts';
  * What the checks find, as texts: in a take as it was read, at all of its frames; in one that is mirrored or retargeted,
  * in the result, whose joints are others.
  */
-export function flagsOf(take: Take, read: Character): readonly string[] {
+export function flagsOf(take: ArrayTake, read: Character): readonly string[] {
   const { character } = take;
   const { skeleton, clips, shownClip, space } = read;
   if (character !== read) return runToEnd(checkDisplayed(character)).map(flagText);
@@ -22,7 +22,7 @@ export function flagsOf(take: Take, read: Character): readonly string[] {
  * Checks to which the frames of the exported take can be given; undefined if these are other ones than those that were
  * read: mirrored, retargeted, at other times, in another space, or kept within limits.
  */
-export function checkOf(take: Take, read: Character): TakeCheck | undefined {
+export function checkOf(take: ArrayTake, read: Character): TakeCheck | undefined {
   const { character, skeleton, space, frames } = take;
   const { clampsToLimits, unkeyed, driver, timeOffsetSeconds } = character;
   if (character !== read || !space || driver || unkeyed || timeOffsetSeconds !== 0) return undefined;

@@ -35,9 +35,9 @@ export const setClipRange = command({
   run(document, { characterId, clip, range }) {
     return changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
-      const take = c.clips[index];
-      const same = take.range[0] === range[0] && take.range[1] === range[1];
-      return same ? c : withTake(c, index, { ...take, range });
+      const was = c.clips[index];
+      const same = was.range[0] === range[0] && was.range[1] === range[1];
+      return same ? c : withTake(c, index, { ...was, range });
     });
   },
 });
@@ -50,10 +50,10 @@ export const setInterpolation = command({
   run: (document, { characterId, clip, interpolation }) =>
     changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
-      const take = c.clips[index];
-      if (!take.samples) throw new CommandError(`${take.name} has only keys. Their tangents set the interpolation.`);
-      if (take.samples.interpolation === interpolation) return c;
-      return withTake(c, index, { ...take, samples: { ...take.samples, interpolation } });
+      const was = c.clips[index];
+      if (!was.samples) throw new CommandError(`${was.name} has only keys. Their tangents set the interpolation.`);
+      if (was.samples.interpolation === interpolation) return c;
+      return withTake(c, index, { ...was, samples: { ...was.samples, interpolation } });
     }),
 });
 
@@ -85,14 +85,14 @@ export const renameClip = command({
   run: (document, { characterId, clip, name }) =>
     changeCharacter(document, characterId, (c) => {
       const index = takeIndex(c, clip);
-      const take = c.clips[index];
+      const was = c.clips[index];
       const next = name.trim();
-      if (take.name === next) return c;
-      const other = c.clips.find((o) => o !== take && sameName(o.name, next));
+      if (was.name === next) return c;
+      const other = c.clips.find((o) => o !== was && sameName(o.name, next));
       if (other) throw new CommandError(`${c.name} already has a take "${other.name}".`);
       const file = fileInTheWay(c, index, next);
       if (file) throw new CommandError(`${file.name} belongs to another take; saving "${next}" would overwrite it.`);
-      return withTake(c, index, { ...take, name: next });
+      return withTake(c, index, { ...was, name: next });
     }),
 });
 
@@ -103,8 +103,8 @@ export const duplicateClip = command({
   label: (document, args) => `Duplicate ${nameOf(document, args)}`,
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
-      const take: ChannelClip = c.clips[takeIndex(c, clip)];
-      const copy = { ...take, name: uniqueTakeName(c, take.name) };
+      const was: ChannelClip = c.clips[takeIndex(c, clip)];
+      const copy = { ...was, name: uniqueTakeName(c, was.name) };
       return { ...withoutUnkeyed(c), clips: [...c.clips, copy], shownClip: c.clips.length };
     }),
 });
@@ -132,6 +132,6 @@ function takeIndex(character: Character, clip: number | undefined): number {
 
 function nameOf(document: Document, { characterId, clip }: OfTake, length?: number): string {
   const character = requireCharacter(document, characterId);
-  const take = clip === undefined ? shownClip(character) : character.clips[clip];
-  return cutName(take?.name ?? 'take', length);
+  const named = clip === undefined ? shownClip(character) : character.clips[clip];
+  return cutName(named?.name ?? 'take', length);
 }

@@ -98,7 +98,7 @@ export function* resampleSteps(document: Document, args: ResampleSamples): Steps
   const rate = args.framesPerSecond;
   if (!(rate > 0)) throw new CommandError(`The frame rate must be greater than 0, found ${rate}.`);
   const character = requireCharacter(document, args.characterId);
-  return withClip(document, args, yield* resampling(character, ownTake(character), rate));
+  return withNewTake(document, args, yield* resampling(character, ownTake(character), rate));
 }
 
 /** Reverses samples and keys. */
@@ -111,7 +111,7 @@ export const reverseSamples = command({
 
 /** Runs `reverseSamples` in steps, yielding progress every few milliseconds. */
 export function* reverseSteps(document: Document, args: OfSamples): Steps<Document> {
-  return withClip(document, args, yield* reversing(ownTake(requireCharacter(document, args.characterId))));
+  return withNewTake(document, args, yield* reversing(ownTake(requireCharacter(document, args.characterId))));
 }
 
 /** Arguments of smoothing samples, or removing their spikes. */
@@ -154,7 +154,7 @@ export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Doc
   const channels = sampledChannels(clip, args.channels);
   const dofs = characterDofs(skeleton, morphs);
   const smooth = yield* smoothing(clip, dofs, rotations, channels, filter, args.range);
-  return withClip(document, args, smooth);
+  return withNewTake(document, args, smooth);
 }
 
 function checkedFilter({ filter: kind = 'gaussian', sigmaSeconds, frames }: SmoothSamples): SampleFilter {
@@ -211,7 +211,7 @@ export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Co
   }
   requireSamples(clip);
   const report = yield* converting(character, clip, sampledChannels(clip, args.channels), { position, angle });
-  return { edit: { document: withClip(document, args, report.clip), keys: [] }, report };
+  return { edit: { document: withNewTake(document, args, report.clip), keys: [] }, report };
 }
 
 /** The sampled ones of the given channels, or all sampled channels. */
@@ -223,10 +223,10 @@ function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefi
 }
 
 function changed(document: Document, args: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {
-  return withClip(document, args, change(ownTake(requireCharacter(document, args.characterId))));
+  return withNewTake(document, args, change(ownTake(requireCharacter(document, args.characterId))));
 }
 
-function withClip(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
+function withNewTake(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
   return changeCharacter(document, characterId, (c) =>
     sameValue(clip, shownClip(c)) ? c : withTake(c, c.shownClip, clip),
   );

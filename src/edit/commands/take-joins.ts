@@ -169,9 +169,9 @@ export const insertIntoTake = command({
     holdSeconds: optional(number),
     ...HOW_JOINED,
   },
-  label: (document, { into, take }) =>
-    take
-      ? `Insert ${nameOfTake(document, take)} into ${nameOfTake(document, into)}`
+  label: (document, { into, take: inserted }) =>
+    inserted
+      ? `Insert ${nameOfTake(document, inserted)} into ${nameOfTake(document, into)}`
       : `Hold pose in ${nameOfTake(document, into)}`,
   run: (document, args) => runToEnd(insertSteps(document, args)),
 });
@@ -190,11 +190,11 @@ function* insertingTake(
   document: Document,
   character: Character,
   clip: ChannelClip,
-  take: TakeRef,
+  inserted: TakeRef,
   atSeconds: number,
   how: Joined,
 ): Steps<ChannelClip> {
-  const [ref] = takesToChange(document, [take]);
+  const [ref] = takesToChange(document, [inserted]);
   const samples = framesOnly(character, clip);
   const middle = framesLike(character, document, ref, samples);
   const at = firstFrameFrom(samples, atSeconds);

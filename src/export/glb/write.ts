@@ -128,7 +128,7 @@ export function writeGlb(
 /** Index of the first joint's node. */
 const FIRST_JOINT = 1;
 
-interface Take {
+interface WrittenTake {
   readonly motion: TakeMotion;
   readonly keys: readonly TrackKeys[];
 }
@@ -138,7 +138,7 @@ function takesOf(
   options: GlbOptions,
   figure: Figure,
   onProgress?: (progress: GlbProgress) => void,
-): readonly Take[] {
+): readonly WrittenTake[] {
   const { joints, skin, sets, size, tolerance } = figure;
   if (!joints) return [];
   const { driver, clips } = character;
@@ -232,7 +232,7 @@ function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FigureJoints): readonl
 }
 
 /** Animations of all takes: of each property of a node that changes in any of them. */
-function animationsOf(chunk: BinaryChunk, takes: readonly Take[], figure: Figure, meshNode: number) {
+function animationsOf(chunk: BinaryChunk, takes: readonly WrittenTake[], figure: Figure, meshNode: number) {
   const { joints, restPose } = figure;
   if (!joints) return [];
   const restOf = ({ at, width, path }: Track) =>

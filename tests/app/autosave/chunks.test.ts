@@ -11,7 +11,7 @@ import type { Joint } from '../../../src/model/skeleton/skeleton.ts';
 import type { KeyedChannel } from '../../../src/model/takes/clip.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
-import { character, clip, documentOf, skeleton } from '../../helpers/builders.ts';
+import { character, documentOf, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { type MemoryStore, memoryStore } from './memory-store.ts';
 
 function key(value: number, count = 1): KeyedChannel {
@@ -25,7 +25,9 @@ const keys = (count: number) => Array.from({ length: count }, (_, i) => key(i));
 
 function stateOf(...takes: readonly (readonly KeyedChannel[])[]): SessionState {
   return {
-    document: documentOf(character({ clips: takes.map((channels, i) => ({ ...clip(`take ${i}`, []), channels })) })),
+    document: documentOf(
+      character({ clips: takes.map((channels, i) => ({ ...takeOfValues(`take ${i}`, []), channels })) }),
+    ),
     selection: NOTHING_SELECTED,
     transport: DEFAULT_PLAYBACK,
     timeline: DEFAULT_TIMELINE_VIEW,

@@ -10,13 +10,13 @@ import { keysOf } from '../../../src/model/takes/clip.ts';
 import {
   animFile,
   character,
-  clip,
   documentOf,
   file,
   skeleton,
   skelFile,
   skin,
   skinFile,
+  takeOfValues,
 } from '../../helpers/builders.ts';
 import { encodeAll } from './encode-all.ts';
 
@@ -111,7 +111,10 @@ describe('encoding a session', () => {
   });
 
   it('finds parts of files again, unedited ones as the objects read', () => {
-    const read = () => [skelFile('d/hero.skel', skeleton(3)), animFile('d/walk.anim', clip('walk', [1, 2, 3, 4]))];
+    const read = () => [
+      skelFile('d/hero.skel', skeleton(3)),
+      animFile('d/walk.anim', takeOfValues('walk', [1, 2, 3, 4])),
+    ];
     const files = read();
     const origins = new Origins();
     origins.learn([blob('d/hero.skel'), blob('d/walk.anim')], files);

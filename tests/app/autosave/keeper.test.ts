@@ -16,7 +16,7 @@ import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import type { Runs } from '../../../src/worker/client.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
-import { character, clip, documentOf, morph, skin } from '../../helpers/builders.ts';
+import { character, documentOf, morph, skin, takeOfValues } from '../../helpers/builders.ts';
 import { type MemoryStore, memoryStore } from './memory-store.ts';
 
 const SKEL = 'balljoint root {\n\tballjoint tip {\n\t\toffset 0 1 0\n\t}\n}\n';
@@ -60,7 +60,7 @@ function channel(keys: number, first = 0): KeyedChannel {
 }
 
 const animated = (channels: readonly Channel[]) =>
-  documentOf(character({ clips: [{ ...clip('walk', []), channels }], shownClip: 0 }));
+  documentOf(character({ clips: [{ ...takeOfValues('walk', []), channels }], shownClip: 0 }));
 
 async function opened(store: MemoryStore, ...blobs: GivenBlob[]) {
   const origins = new Origins();

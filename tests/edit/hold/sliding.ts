@@ -2,7 +2,7 @@
 import type { Character } from '../../../src/model/document.ts';
 import type { BvhChannel, Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { DEFAULT_BOX, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import { captured, take } from '../../helpers/mocap.ts';
+import { captured, takeOfRoots } from '../../helpers/mocap.ts';
 
 const ROTATIONS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];
 
@@ -37,5 +37,5 @@ export const TWO_LEGS: Skeleton = {
 export function sliding(perFrame: number): Character {
   const path = Array.from({ length: 12 }, (_, f) => [0, 0.92, perFrame * f] as const);
   const space = { up: 'y', unit: 'metres', lift: 0 } as const;
-  return captured(TWO_LEGS, take(TWO_LEGS, path), { space });
+  return captured(TWO_LEGS, takeOfRoots(TWO_LEGS, path), { space });
 }

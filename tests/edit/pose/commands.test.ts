@@ -19,7 +19,7 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { type Document, findCharacter } from '../../../src/model/document.ts';
 import { EULER_ORDERS, type Joint } from '../../../src/model/skeleton/skeleton.ts';
 import { keysOf } from '../../../src/model/takes/clip.ts';
-import { character, clip, documentOf, joint, morph } from '../../helpers/builders.ts';
+import { character, documentOf, joint, morph, takeOfValues } from '../../helpers/builders.ts';
 
 /** Blended angles have passed through a quaternion. */
 const TURNED = 1e-12;
@@ -66,7 +66,7 @@ describe('poses.mirror', () => {
   });
 
   it('poses.mirror is unkeyed over keys, and keyed with auto-key', () => {
-    const keyed = documentOf(character({ skeleton, pose, clips: [clip('walk', pose)], shownClip: 0 }));
+    const keyed = documentOf(character({ skeleton, pose, clips: [takeOfValues('walk', pose)], shownClip: 0 }));
     const next = documentIn(mirrorPose.run(keyed, { ...at, way: 'swap' }));
     expect(next.characters[0].unkeyed?.dofs.length).toBeGreaterThan(0);
     expect(next.characters[0].clips).toBe(keyed.characters[0].clips);

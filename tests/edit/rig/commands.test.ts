@@ -12,7 +12,7 @@ import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { type Character, isBvh } from '../../../src/model/document.ts';
 import { DEFAULT_BOX, type Motion, NO_BOX, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
-import { character, clip, documentOf, skeleton, skin } from '../../helpers/builders.ts';
+import { character, documentOf, skeleton, skin, takeOfValues } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { BODY, body, done, jointsOf, NEAR, named, namesIn, of, worldOf } from './body.ts';
 
@@ -90,14 +90,18 @@ describe('rig.addJoint', () => {
       scales: new Float64Array(6).fill(RADIANS_PER_DEGREE),
       interpolation: 'linear' as const,
     };
-    const sampled = { ...clip('walk', []), channels: followingSamples(pose.map(restChannel), samples), samples };
+    const sampled = {
+      ...takeOfValues('walk', []),
+      channels: followingSamples(pose.map(restChannel), samples),
+      samples,
+    };
     const made = done(
       addJoint,
       documentOf(
         character({
           skeleton: coupled,
           pose,
-          clips: [clip('hero_anim', pose), sampled],
+          clips: [takeOfValues('hero_anim', pose), sampled],
           shownClip: 0,
           skins: [skin('hero', 3)],
           unkeyed: { timeSeconds: 0, dofs: [2, 12], values: [7, 8] },
@@ -227,7 +231,7 @@ describe('rig.remove', () => {
     followed.joints[3] = { ...BODY.joints[3], couples: [{ dof: 'rx', joint: 2, follows: 'ry', gain: 1, offset: 0 }] };
     const hero = character({
       skeleton: followed,
-      clips: [clip('hero_anim', Array(15).fill(0))],
+      clips: [takeOfValues('hero_anim', Array(15).fill(0))],
       shownClip: 0,
       ik: {
         pins: [{ id: 1, joint: 2, point: [0, 0, 0], weight: 1, holdsOrientation: false }],
@@ -281,7 +285,7 @@ describe('rig.reparent', () => {
   });
 
   it('rig.reparent keeps the pivot only where keys drive how it is turned', () => {
-    const turned = clip('hero_anim', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
+    const turned = takeOfValues('hero_anim', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
     const before = body({ clips: [turned], shownClip: 0 });
     const made = done(reparentJoint, before, { ...of(2), parent: 3 });
     expect(made.clips[0].channels.slice(12)).toEqual(turned.channels.slice(9, 12));
@@ -293,7 +297,7 @@ describe('rig.reparent', () => {
   it('rig.reparent keeps a constant channel constant when it ends up between sampled ones', () => {
     const pose = Array.from({ length: 15 }, (_, d) => (d < 12 ? 0 : 0.5));
     const walk = {
-      ...clip('walk', []),
+      ...takeOfValues('walk', []),
       channels: pose.map((rest, c) => (c >= 6 && c < 12 ? SAMPLED : restChannel(rest))),
       samples: {
         frameCount: 2,

@@ -13,7 +13,7 @@ import {
 import type { Character } from '../../../src/model/document.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { keysOf } from '../../../src/model/takes/clip.ts';
-import { character, clip, documentOf } from '../../helpers/builders.ts';
+import { character, documentOf, takeOfValues } from '../../helpers/builders.ts';
 import { BODY, body, done, jointsOf, NEAR, named, namesIn, of, worldOf } from './body.ts';
 
 describe('rig.rename', () => {
@@ -34,7 +34,7 @@ describe('rig.setMotion', () => {
 
   it('rig.setMotion turns the root translation into the DOFs of a root that moves by itself, and back', () => {
     const free: Motion = { kind: 'free', order: 'xyz' };
-    const before = body({ pose, clips: [clip('hero_anim', pose)], shownClip: 0 });
+    const before = body({ pose, clips: [takeOfValues('hero_anim', pose)], shownClip: 0 });
     const made = done(setMotion, before, { ...of(0), motion: free });
     expect(made.pose).toEqual(pose);
     expect(made.clips[0].channels).toEqual(before.characters[0].clips[0].channels);
@@ -48,10 +48,14 @@ describe('rig.setMotion', () => {
     const limited = { ...BODY, joints: [...BODY.joints] };
     limited.joints[1] = { ...BODY.joints[1], limits: [UNLIMITED, { min: -1, max: 1 }, UNLIMITED] };
     const values = pose.map((_, d) => d);
-    const made = done(setMotion, body({ skeleton: limited, pose: values, clips: [clip('a', values)], shownClip: 0 }), {
-      ...of(1),
-      motion: { kind: 'universal', order: 'yz' },
-    });
+    const made = done(
+      setMotion,
+      body({ skeleton: limited, pose: values, clips: [takeOfValues('a', values)], shownClip: 0 }),
+      {
+        ...of(1),
+        motion: { kind: 'universal', order: 'yz' },
+      },
+    );
     expect(made.pose).toEqual([0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 14]);
     expect(made.clips[0].channels.map((c) => keysOf(c).values[0])).toEqual(made.pose);
     expect(jointsOf(made)[1].limits).toEqual([{ min: -1, max: 1 }, UNLIMITED]);

@@ -13,7 +13,7 @@ import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { SAMPLED } from '../../../src/model/takes/clip.ts';
-import { character, clip, documentOf, joint, morph, skin } from '../../helpers/builders.ts';
+import { character, documentOf, joint, morph, skin, takeOfValues } from '../../helpers/builders.ts';
 
 const NEAR = 1e-12;
 const named = (parent: number, name: string, more: Partial<Joint> = {}) => joint(parent, { name, ...more });
@@ -38,7 +38,7 @@ describe('a character that another one’s take moves', () => {
     named(0, 'tail'),
   );
   /** Hip, thigh and knee turn; the other one's tail is static. */
-  const turned = clip('walk', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
+  const turned = takeOfValues('walk', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
   const driven = (own = BODY) => {
     const store = new Store(
       documentOf(

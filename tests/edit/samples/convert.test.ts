@@ -6,7 +6,7 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { shownClip } from '../../../src/model/document.ts';
 import { keysOf } from '../../../src/model/takes/clip.ts';
-import { CHAIN, documentWith, swing, swinging, take, WIDTH } from './made.ts';
+import { CHAIN, documentWith, swing, swinging, takeOfColumns, WIDTH } from './made.ts';
 
 const tolerance = { position: 0.02, angle: 0.02 };
 const args = { characterId: 'c1', tolerance };
@@ -62,7 +62,7 @@ describe('converting samples to keys', () => {
 
   it('takes jumps out of angles before fitting them', () => {
     // Twice around: −180 … 180 as files have it.
-    const turning = take((c, t) => (c === 3 ? ((360 * t + 180) % 360) - 180 : 0));
+    const turning = takeOfColumns((c, t) => (c === 3 ? ((360 * t + 180) % 360) - 180 : 0));
     const { after } = converted(turning);
     const { values } = keysOf(after.channels[3]);
     expect(values[values.length - 1]).toBeCloseTo(4 * Math.PI, 6);
@@ -70,7 +70,7 @@ describe('converting samples to keys', () => {
   });
 
   it('converting samples to keys makes one key of a constant channel', () => {
-    const { after } = converted(take(() => 7));
+    const { after } = converted(takeOfColumns(() => 7));
     expect(after.channels.map((c) => keysOf(c).times.length)).toEqual(new Array(WIDTH).fill(1));
     expect(keysOf(after.channels[0]).values[0]).toBe(7);
   });
@@ -83,7 +83,7 @@ describe('converting samples to keys', () => {
   });
 
   it('converting samples to keys fits long takes piece by piece, as smoothly', () => {
-    const long = take((c, t) => (c === 3 ? 40 * Math.sin(t) : 0), 5000);
+    const long = takeOfColumns((c, t) => (c === 3 ? 40 * Math.sin(t) : 0), 5000);
     const { after, report } = converted(long);
     expect(report.worstAngle.error).toBeLessThanOrEqual(tolerance.angle);
     const { times } = keysOf(after.channels[3]);

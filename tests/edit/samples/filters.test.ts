@@ -14,7 +14,7 @@ import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
 import type { ChannelClip } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
-import { CHAIN, documentWith, swing, take, WIDTH } from './made.ts';
+import { CHAIN, documentWith, swing, takeOfColumns, WIDTH } from './made.ts';
 
 const c1 = { characterId: 'c1' };
 
@@ -52,11 +52,11 @@ const median = (clip: ChannelClip, frames = 3, more: Args = {}) => filter(clip, 
 /** A take of any angles, in degrees, with jumps of whole turns among them. */
 const anyTake = fc
   .array(fc.double({ min: -179, max: 179, noNaN: true }), { minLength: 40 * WIDTH, maxLength: 40 * WIDTH })
-  .map((values) => take((c, t) => values[Math.round(t * 60) * WIDTH + c], 40));
+  .map((values) => takeOfColumns((c, t) => values[Math.round(t * 60) * WIDTH + c], 40));
 
 describe('smoothing within a range', () => {
   it('leaves every bit outside, and passes over little by little inside', () => {
-    const jitter = take((c, t) => swingAt(c, t) + (Math.round(60 * t) % 2 ? 3 : -3));
+    const jitter = takeOfColumns((c, t) => swingAt(c, t) + (Math.round(60 * t) % 2 ? 3 : -3));
     const [whole, part] = [
       filter(jitter, { sigmaSeconds: 0.05 }),
       filter(jitter, { sigmaSeconds: 0.05, range: [0.5, 1.5] }),
@@ -72,7 +72,7 @@ describe('smoothing within a range', () => {
   });
 
   it('adds no turn where the range ends', () => {
-    const turning = take((c, t) => (c >= 3 && c < 6 && c !== 4 ? ((170 + 200 * t + 180) % 360) - 180 : 0));
+    const turning = takeOfColumns((c, t) => (c >= 3 && c < 6 && c !== 4 ? ((170 + 200 * t + 180) % 360) - 180 : 0));
     const part = filter(turning, { sigmaSeconds: 0.03, range: [0.2, 1] });
     for (let frame = 0; frame < 121; frame++) expect(apart(row(part, frame), row(turning, frame))).toBeLessThan(180);
   });
@@ -88,7 +88,7 @@ describe('smoothing within a range', () => {
   it('weighs from 0 to 1, without a seam at the ends of the take', () => {
     fc.assert(
       fc.property(fc.nat(200), fc.nat(200), fc.nat(60), (a, b, reach) => {
-        const range = frameRange(samplesOf(take(() => 0, 201)), [Math.min(a, b) / 60, Math.max(a, b) / 60]);
+        const range = frameRange(samplesOf(takeOfColumns(() => 0, 201)), [Math.min(a, b) / 60, Math.max(a, b) / 60]);
         const weights = Array.from({ length: 201 }, (_, f) => weightAt(range, reach, f));
         expect(weights.every((w, f) => w >= 0 && w <= 1 && w > 0 === (f >= range.first && f < range.end))).toBe(true);
         expect(Math.max(...weights)).toBeGreaterThanOrEqual(range.end - range.first > 1 ? 0.5 : 0);
@@ -122,17 +122,17 @@ describe('the median of a few frames', () => {
   it('takes out spikes of a frame or two, of lengths and of rotations, and leaves every bit away from them', () => {
     const spikes = [20, 50, 51, 90];
     const ramp = (c: number, t: number) => (c + 1) * t;
-    const spiky = take((c, t) => ramp(c, t) + (spikes.includes(Math.round(60 * t)) ? 70 - 3 * c : 0));
+    const spiky = takeOfColumns((c, t) => ramp(c, t) + (spikes.includes(Math.round(60 * t)) ? 70 - 3 * c : 0));
     const clean = median(spiky, 5);
     for (let frame = 0; frame < 121; frame++) {
       if (spikes.every((s) => Math.abs(s - frame) > 2)) expect(row(clean, frame)).toEqual(row(spiky, frame));
       // What the quickest goes in two frames.
-      expect(apart(row(clean, frame), row(take(ramp), frame))).toBeLessThan((2 * WIDTH) / 60 + 1e-9);
+      expect(apart(row(clean, frame), row(takeOfColumns(ramp), frame))).toBeLessThan((2 * WIDTH) / 60 + 1e-9);
     }
   });
 
   it('the median of a few frames keeps monotonic stretches, corners and steps', () => {
-    const step = take((c, t) => (c < 3 ? Math.min(1, t) : t < 0.7 ? 0 : c === 4 ? 40 : 0));
+    const step = takeOfColumns((c, t) => (c < 3 ? Math.min(1, t) : t < 0.7 ? 0 : c === 4 ? 40 : 0));
     const document = documentWith(step);
     const after = clipOf(smoothSamples.run(document, { ...c1, filter: 'median', frames: 7 }));
     expect(rows(after)).toEqual(rows(step));
@@ -165,7 +165,7 @@ describe('the median of a few frames', () => {
   });
 
   it('the median of a few frames keeps to its range, and is one step of undo', () => {
-    const spiky = take((c, t) => swingAt(c, t) + ([20, 60].includes(Math.round(60 * t)) ? 50 : 0));
+    const spiky = takeOfColumns((c, t) => swingAt(c, t) + ([20, 60].includes(Math.round(60 * t)) ? 50 : 0));
     const store = new Store();
     store.apply({ id: 'x', label: () => 'x', run: () => documentWith(spiky) }, {});
     store.apply(smoothSamples, { ...c1, filter: 'median', frames: 3, range: [0.5, 1.5] });
@@ -205,7 +205,7 @@ describe('the Euler filter, of samples', () => {
   });
 
   it('unrolls a continuing turn, changes nothing if nothing jumps, and is undone', () => {
-    const turning = take((c, t) => (c === 3 ? ((90 * t + 170 + 180) % 360) - 180 : 0));
+    const turning = takeOfColumns((c, t) => (c === 3 ? ((90 * t + 170 + 180) % 360) - 180 : 0));
     const store = new Store();
     store.apply({ id: 'x', label: () => 'x', run: () => documentWith(turning) }, {});
     store.apply(eulerFilter, { ...c1, channels: [3, 4, 5] });
@@ -220,7 +220,7 @@ describe('the Euler filter, of samples', () => {
   });
 
   it('takes whole turns alone where not all angles of a joint are given, and says so', () => {
-    const document = documentWith(take((c, t) => (c === 3 ? (t < 1 ? 179 : -179) : 0)));
+    const document = documentWith(takeOfColumns((c, t) => (c === 3 ? (t < 1 ? 179 : -179) : 0)));
     const { edit, notes } = runToEnd(eulerFilterSteps(document, { ...c1, channels: [3] }));
     expect(row(clipOf(edit.document), 100)[3]).toBeCloseTo(181, 10);
     expect(notes).toEqual([expect.stringContaining('only full turns were removed')]);

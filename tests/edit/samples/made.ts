@@ -23,7 +23,11 @@ export const CHAIN: Skeleton = {
 export const WIDTH: number = ROOT.length + 2 * LIMB.length;
 
 /** @param of a value in file units (degrees) for each column and second */
-export function take(of: (column: number, seconds: number) => number, frameCount = 121, rate = 60): ChannelClip {
+export function takeOfColumns(
+  of: (column: number, seconds: number) => number,
+  frameCount = 121,
+  rate = 60,
+): ChannelClip {
   const samples: Samples = {
     frameCount,
     frameSeconds: 1 / rate,
@@ -37,7 +41,7 @@ export function take(of: (column: number, seconds: number) => number, frameCount
   return { name: 'swing', range: [0, (frameCount - 1) / rate], channels, samples };
 }
 
-export const swing: ChannelClip = take((c, t) => (c < 3 ? t * (c + 1) : 30 * Math.sin(2 * t + c)));
+export const swing: ChannelClip = takeOfColumns((c, t) => (c < 3 ? t * (c + 1) : 30 * Math.sin(2 * t + c)));
 
 export function swinging(clip: ChannelClip = swing): Character {
   return character({ id: 'c1', name: 'chain', skeleton: CHAIN, clips: [clip], shownClip: 0, clampsToLimits: false });

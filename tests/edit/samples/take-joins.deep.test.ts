@@ -10,13 +10,13 @@ import type { Samples } from '../../../src/model/takes/samples.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
-import { captured, figure, take } from '../../helpers/mocap.ts';
+import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 
 const WALKER = figure();
 /** 20 frames at 10 FPS that walk along z. */
 const walk = (from: readonly [number, number], perFrame: readonly [number, number], name = 'walk'): ChannelClip => ({
-  ...take(
+  ...takeOfRoots(
     WALKER,
     Array.from({ length: 20 }, (_, f) => [from[0] + perFrame[0] * f, 90, from[1] + perFrame[1] * f] as const),
   ),
@@ -103,7 +103,7 @@ describe('joining takes', () => {
     const swapped = { ...WALKER, joints: [0, 4, 5, 2, 3, 1].map((j) => WALKER.joints[j]) };
     const joints = swapped.joints.map((joint, j) => ({ ...joint, parent: [-1, 0, 1, 0, 3, 0][j] }));
     const other = { ...swapped, joints };
-    const slow = take(
+    const slow = takeOfRoots(
       other,
       Array.from({ length: 11 }, (_, f) => [0, 90, 20 * f] as const),
     );
@@ -123,7 +123,7 @@ describe('joining takes', () => {
       captured(WALKER, walk([0, 0], [0, 1])),
       captured(
         { name: 'other', joints: joints.slice(0, 4) },
-        take({ name: 'o', joints: joints.slice(0, 4) }, [[0, 9, 0]]),
+        takeOfRoots({ name: 'o', joints: joints.slice(0, 4) }, [[0, 9, 0]]),
         { id: 'c2' },
       ),
     );

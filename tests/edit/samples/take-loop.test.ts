@@ -10,7 +10,7 @@ import type { Samples } from '../../../src/model/takes/samples.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
-import { captured, figure, take } from '../../helpers/mocap.ts';
+import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 
 const takes = [{ characterId: 'c1', clip: 0 }];
@@ -48,7 +48,7 @@ describe('making a take loop', () => {
   const WALKER = figure();
 
   it('a take with frames for some DOFs only is refused, not filled with numbers that are none', () => {
-    const { samples, ...walk } = take(WALKER, [[0, 90, 0] as const, [0, 91, 12] as const, [0, 90, 24] as const]);
+    const { samples, ...walk } = takeOfRoots(WALKER, [[0, 90, 0] as const, [0, 91, 12] as const, [0, 90, 24] as const]);
     if (!samples) throw new Error('no samples');
     const narrow = { ...samples, scales: samples.scales.slice(0, 1), values: Float64Array.of(0, 1, 2) };
     const clip = { ...walk, channels: walk.channels.slice(0, 1), samples: narrow };
@@ -56,7 +56,7 @@ describe('making a take loop', () => {
   });
 
   it('a walk at an even pace goes on at that pace, round after round', () => {
-    const walk = take(
+    const walk = takeOfRoots(
       WALKER,
       Array.from({ length: 30 }, (_, f) => [0, 90 + (f % 10), 12 * f] as const),
     );
@@ -69,7 +69,7 @@ describe('making a take loop', () => {
   });
 
   it('a take that returns is blended where it is, and one that loops is left as it is', () => {
-    const sway = take(
+    const sway = takeOfRoots(
       WALKER,
       Array.from({ length: 30 }, (_, f) => [20 * Math.sin(f / 4), 90, 0] as const),
     );

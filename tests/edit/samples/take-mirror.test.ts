@@ -13,7 +13,7 @@ import { type ChannelClip, restChannel } from '../../../src/model/takes/clip.ts'
 import { character, documentOf, joint, morph } from '../../helpers/builders.ts';
 import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
-import { captured, figure, take } from '../../helpers/mocap.ts';
+import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { channelOf } from '../keys/channels.ts';
 
@@ -89,7 +89,7 @@ function lopsided(skeleton: Skeleton): number {
 }
 
 const WALKER = figure();
-const WALK = take(
+const WALK = takeOfRoots(
   WALKER,
   Array.from({ length: 20 }, (_, f) => [3 * f, 90, 20 * f] as const),
 );
@@ -116,7 +116,7 @@ describe('mirroring a take', () => {
 
   it('a take mirrored twice has every number again, and one that is symmetric stays the same object', () => {
     expect(mirrored(WALKER, mirrored(WALKER, LIMPING))).toEqual(LIMPING);
-    const still = take(
+    const still = takeOfRoots(
       WALKER,
       Array.from({ length: 5 }, () => [0, 90, 0] as const),
     );

@@ -24,7 +24,7 @@ import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { channelOf } from '../keys/channels.ts';
-import { documentWith, swing, swinging, take, WIDTH } from './made.ts';
+import { documentWith, swing, swinging, takeOfColumns, WIDTH } from './made.ts';
 
 const c1 = { characterId: 'c1' };
 
@@ -108,7 +108,7 @@ describe('resampling samples', () => {
   });
 
   it('resampling samples turns joints the short way if an angle jumps from frame to frame', () => {
-    const jump = take((c, t) => (c === 4 ? (t < 0.25 ? 178 : -178) : 0), 31, 60);
+    const jump = takeOfColumns((c, t) => (c === 4 ? (t < 0.25 ? 178 : -178) : 0), 31, 60);
     const clip = clipOf(resampleSamples.run(documentWith(jump), { ...c1, framesPerSecond: 120 }));
     const angle = pose(clip, 14.5 / 60)[4];
     expect(Math.cos(angle)).toBeLessThan(-0.99);
@@ -145,22 +145,22 @@ describe('smoothing samples', () => {
     clipOf(smoothSamples.run(documentWith(clip), { ...c1, sigmaSeconds, channels }));
 
   it('removes jitter and keeps ends and straight stretches', () => {
-    const jitter = take((c, t) => (c === 0 ? 10 * t + (Math.round(60 * t) % 2 ? 0.1 : -0.1) : 0));
+    const jitter = takeOfColumns((c, t) => (c === 0 ? 10 * t + (Math.round(60 * t) % 2 ? 0.1 : -0.1) : 0));
     const clip = smooth(jitter);
     expect(pose(clip, 1)[0]).toBeCloseTo(10, 3);
     expect(pose(clip, 0)[0]).toBeCloseTo(-0.1, 12);
-    const straight = take((c, t) => (c === 0 ? 10 * t : 0));
+    const straight = takeOfColumns((c, t) => (c === 0 ? 10 * t : 0));
     for (const t of [0, 0.1, 1, 2]) expect(pose(smooth(straight), t)[0]).toBeCloseTo(10 * t, 10);
   });
 
   it('smoothing samples keeps of a swing what its formula says', () => {
     const period = 0.5;
-    const wave = take((c, t) => (c === 0 ? Math.cos((2 * Math.PI * t) / period) : 0), 241, 120);
+    const wave = takeOfColumns((c, t) => (c === 0 ? Math.cos((2 * Math.PI * t) / period) : 0), 241, 120);
     expect(pose(smooth(wave), 1)[0]).toBeCloseTo(Math.exp(-2 * ((Math.PI * 0.05) / period) ** 2), 2);
   });
 
   it('smoothing samples does not smear angles that jump by a turn', () => {
-    const turning = take((c, t) => (c === 3 ? ((90 * t + 170) % 360) - (90 * t + 170 >= 180 ? 360 : 0) : 0));
+    const turning = takeOfColumns((c, t) => (c === 3 ? ((90 * t + 170) % 360) - (90 * t + 170 >= 180 ? 360 : 0) : 0));
     const clip = smooth(turning);
     for (const t of [0.05, 0.1, 0.111, 0.15, 1]) {
       expect(Math.cos(pose(clip, t)[3] - ((90 * t + 170) * Math.PI) / 180)).toBeCloseTo(1, 4);
@@ -179,7 +179,7 @@ describe('smoothing samples', () => {
 });
 
 describe('samples of a character that another one moves', () => {
-  const source = swinging(take((c) => (c === 4 ? 90 : 0)));
+  const source = swinging(takeOfColumns((c) => (c === 4 ? 90 : 0)));
   const driven = (clip: ChannelClip) => {
     const moving = { ...source, id: 'c2', name: 'other' };
     return setRetarget.run(documentOf(swinging(clip), moving), { ...c1, sourceId: 'c2' });

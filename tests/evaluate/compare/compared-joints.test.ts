@@ -12,7 +12,7 @@ import type { Space } from '../../../src/model/space.ts';
 import { character } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { skeleton } from '../../ui/builders.ts';
-import { driverOf, person, take } from '../retarget/people.ts';
+import { driverOf, person, takeOfRows } from '../retarget/people.ts';
 
 const of = (from: Skeleton, more: Partial<Character> = {}) =>
   character({ id: from.name, name: from.name, skeleton: from, pose: filePose(from, 0), ...more });
@@ -75,7 +75,7 @@ describe('the compared joints of two characters', () => {
       { target: 0, source: 0 },
       { target: 4, source: 3 },
     ];
-    const clip = take(person(), [[0]]);
+    const clip = takeOfRows(person(), [[0]]);
     const driver = driverOf(source.skeleton ?? person(), clip, pairs);
     const target = of({ ...person({ names: (_, i) => `j${i}` }), name: 'target' }, { driver });
     expect(comparedJoints(target, source)).toMatchObject({ first: [0, 4], second: [0, 3] });
@@ -117,7 +117,7 @@ describe('a comparison of two rigs relative to their roots', () => {
   it('a comparison of two rigs relative to their roots ignores how their axes differ at rest', () => {
     const source = person();
     const angles = Array.from({ length: jointDofCount(source) - 3 }, (_, i) => (i < 3 ? 0.4 : 0) + 0.1 * Math.sin(i));
-    const clip = take(source, [[0.3, 0.9, -0.2, ...angles]]);
+    const clip = takeOfRows(source, [[0.3, 0.9, -0.2, ...angles]]);
     const metres: Space = { up: 'y', unit: 'metres', lift: 0 };
     const a = of({ ...source, name: 'a' }, { clips: [clip], shownClip: 0, space: metres });
     const target = { ...person({ zUp: true, size: 100, names: (part) => part.toUpperCase() }), name: 'b' };

@@ -9,7 +9,7 @@ import { type Character, DEFAULT_PLACEMENT } from '../../../src/model/document.t
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { type ChannelClip, SAMPLED } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
-import { character, clip, skeleton } from '../../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { sharedFigures } from '../../helpers/bvh-files.ts';
 import { captured } from '../../helpers/mocap.ts';
@@ -17,7 +17,7 @@ import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 
 /** Moved along x by the value of its first channel; joints one above the other. */
 function moving(values: readonly number[], more: Partial<Character> = {}): Character {
-  return character({ skeleton: skeleton(3), clips: [clip('take', values)], shownClip: 0, ...more });
+  return character({ skeleton: skeleton(3), clips: [takeOfValues('take', values)], shownClip: 0, ...more });
 }
 
 function measured(a: Character, b: Character, alignment: Alignment = 'world', framesPerSecond = 10): Distances {
@@ -98,7 +98,7 @@ describe('the distance of two takes', () => {
 
   it('the distance of two takes is taken where both takes are, at the finer rate, each with its offset', () => {
     const sampled: ChannelClip = {
-      ...clip('sampled', []),
+      ...takeOfValues('sampled', []),
       range: [0, 1],
       samples: {
         frameCount: 51,
@@ -111,7 +111,7 @@ describe('the distance of two takes', () => {
       },
     };
     const a = moving([], { clips: [sampled], timeOffsetSeconds: 0.5 });
-    const b = moving([0], { clips: [clip('keyed', [0], [0, 3])] });
+    const b = moving([0], { clips: [takeOfValues('keyed', [0], [0, 3])] });
     const times = commonFrames(a, b, 10, 3);
     expect(times?.startSeconds).toBeCloseTo(0, 12);
     expect(times?.frameSeconds).toBeCloseTo(0.02, 12);

@@ -5,7 +5,7 @@ import { warpTakes } from '../../../src/evaluate/compare/warped-takes.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
-import { character, clip, skeleton } from '../../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { sharedFigures } from '../../helpers/bvh-files.ts';
 import { captured } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
@@ -33,7 +33,7 @@ function retimed(one: Character, at: (frame: number, count: number) => number): 
 
 describe('the distance of two takes with time warp', () => {
   it('takes without joints in common, or without a take, have none', () => {
-    const made = character({ clips: [clip('take', [])], shownClip: 0 });
+    const made = character({ clips: [takeOfValues('take', [])], shownClip: 0 });
     expect(warped(made, character())).toBeUndefined();
     const none = { first: [], second: [], onlyFirst: [0, 1], onlySecond: [0, 1] };
     expect(runToEnd(warpTakes(made, made, none, 'world', 30))).toBeUndefined();

@@ -10,7 +10,7 @@ import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import { type BvhMotion, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import { character, documentOf } from '../../helpers/builders.ts';
 import { Points, pointNames } from './captures.ts';
-import { BVH_ROOT, person, take } from './people.ts';
+import { BVH_ROOT, person, takeOfRows } from './people.ts';
 
 /** The person below a root on the ground. */
 function rooted(body: Skeleton): Skeleton {
@@ -38,7 +38,7 @@ function dancer(skeleton: Skeleton, moving: string): Character {
     return row;
   });
   return {
-    ...character({ id: 's', name: 'dancer', skeleton, clips: [take(skeleton, rows)], shownClip: 0 }),
+    ...character({ id: 's', name: 'dancer', skeleton, clips: [takeOfRows(skeleton, rows)], shownClip: 0 }),
     pose: rest,
   };
 }

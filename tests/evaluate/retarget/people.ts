@@ -96,7 +96,7 @@ export function person({ names = (part) => part, size = 1, droop = 0, zUp = fals
 }
 
 /** A clip of frames of all joint DOFs, one a second tenth. */
-export function take(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.1): ChannelClip {
+export function takeOfRows(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.1): ChannelClip {
   const width = jointDofCount(skeleton);
   const first = rootDofCount(skeleton);
   const samples: Samples = {

@@ -9,7 +9,7 @@ import { jointDofCount } from '../../../src/model/skeleton/dofs.ts';
 import { EULER_ORDERS, type Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../../src/model/space.ts';
 import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
-import { BVH_ROOT, driverOf, PARTS, type Part, person, take } from './people.ts';
+import { BVH_ROOT, driverOf, PARTS, type Part, person, takeOfRows } from './people.ts';
 
 const CENTIMETRES_Z_UP: Space = { up: 'z', unit: 'centimetres', lift: 0 };
 
@@ -35,7 +35,7 @@ interface Case {
 /** Both figures in the scene, at the first frame of a one-frame take. */
 function put({ source, target, sourceSpace, targetSpace, options, clamps = true }: Case, row: readonly number[]) {
   const pairs = automaticPairs(source, target, sourceSpace, targetSpace);
-  const driver = driverOf(source, take(source, [row, row]), pairs, options, sourceSpace);
+  const driver = driverOf(source, takeOfRows(source, [row, row]), pairs, options, sourceSpace);
   const plan = planRetarget(driver, target, targetSpace, clamps);
   const dofs = Float64Array.from(plan.restDofs);
   retargetPose(plan, 0, dofs);
@@ -243,7 +243,7 @@ describe('planted feet', () => {
       return bent(bend, 0.9 - 0.8 * (1 - Math.cos(bend)));
     });
     const pairs = automaticPairs(source, target);
-    const driver = (plantsFeet: boolean) => driverOf(source, take(source, rows), pairs, { plantsFeet });
+    const driver = (plantsFeet: boolean) => driverOf(source, takeOfRows(source, rows), pairs, { plantsFeet });
     const slide = (plantsFeet: boolean) => {
       const plan = planRetarget(driver(plantsFeet), target, undefined, true);
       const dofs = Float64Array.from(plan.restDofs);

@@ -13,7 +13,7 @@ import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/
 import type { LengthUnit, Space } from '../../../src/model/space.ts';
 import { character } from '../../helpers/builders.ts';
 import { degreesBetween, direction, frameTimes, median, Points, pointNames } from './captures.ts';
-import { BVH_ROOT, take } from './people.ts';
+import { BVH_ROOT, takeOfRows } from './people.ts';
 
 export const NAMINGS = ['mixamo', 'character1', 'biped', 'vrm'] as const;
 /** The last is none: all bones are along their x axis, as in LAFAN1, and only a take tells how it stands. */
@@ -265,7 +265,7 @@ export function stranger(name: string, looks: Looks, doing: Doing): Stranger {
   });
   const skeleton: Skeleton = { name, joints };
   const space: Space = { up: looks.up, unit: looks.unit, lift: 0 };
-  const clip = take(skeleton, posesOf(parts, looks, doing).map(rowOf), FRAME);
+  const clip = takeOfRows(skeleton, posesOf(parts, looks, doing).map(rowOf), FRAME);
   const made = character({ id: name, name, skeleton, clips: [clip], shownClip: 0 });
   const person = { ...made, pose: filePose(skeleton, 0), space };
   const names = pointNames(person);

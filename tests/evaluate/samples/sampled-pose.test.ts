@@ -15,7 +15,7 @@ import {
 } from '../../../src/model/skeleton/skeleton.ts';
 import { restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
 import { INTERPOLATIONS, type Interpolation } from '../../../src/model/takes/samples.ts';
-import { character, clip, joint } from '../../helpers/builders.ts';
+import { character, joint, takeOfValues } from '../../helpers/builders.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
 import { evenly } from '../../helpers/evenly.ts';
 
@@ -299,7 +299,7 @@ describe('linear', () => {
       [-170, 40, 80],
     ]);
     const [sampled] = c.clips;
-    const [key] = clip('key', [0.5]).channels;
+    const [key] = takeOfValues('key', [0.5]).channels;
     const channels = sampled.channels.with(rootDofCount(c.skeleton) + 1, key);
     const mixed = { ...c, clips: [{ ...sampled, channels }] };
     expectClose(poseOf(mixed, 0.25), [175 * RADIANS_PER_DEGREE, 0.5, 20 * RADIANS_PER_DEGREE], WITHIN.rounding);

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { checkClip, checkMorph, checkSkin } from '../../../src/evaluate/skin/binding.ts';
-import { clip, morph, skeleton, skin } from '../../helpers/builders.ts';
+import { morph, skeleton, skin, takeOfValues } from '../../helpers/builders.ts';
 
-const channels = (n: number) => clip('walk', new Array<number>(n).fill(0));
+const channels = (n: number) => takeOfValues('walk', new Array<number>(n).fill(0));
 
 describe('a skin and its skeleton', () => {
   it('a skin and its skeleton fit when every joint that is used exists', () => {

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { metresPerUnit, statedSpace } from '../../../src/evaluate/space/metres.ts';
 import { spaceChoices } from '../../../src/evaluate/space/space-choices.ts';
 import { figureHeight, guessSpace } from '../../../src/evaluate/space/space-guess.ts';
-import { figure, take } from '../../helpers/mocap.ts';
+import { figure, takeOfRoots } from '../../helpers/mocap.ts';
 
 const anySize = fc.double({ min: -5, max: 5, noNaN: true }).map((log) => 10 ** log);
 
@@ -12,7 +12,7 @@ it('a stated unit that leaves a figure at an unlikely height is offered others t
   fc.assert(
     fc.property(anySize, fc.constantFrom(1, 0.01, 0.001, 0.0254), (size, metres) => {
       const skeleton = figure({ height: size });
-      const clip = take(skeleton, [[0, size / 2, 0]]);
+      const clip = takeOfRoots(skeleton, [[0, size / 2, 0]]);
       const { space } = statedSpace(metres);
       const choices = spaceChoices(skeleton, clip, space);
       const { height, isPerson } = figureHeight(skeleton, clip, 'y', true);
@@ -29,7 +29,7 @@ it('a guessed unit is offered no other that leaves a figure at an unlikely heigh
   fc.assert(
     fc.property(anySize, (size) => {
       const skeleton = figure({ height: size });
-      const clip = take(skeleton, [[0, size / 2, 0]]);
+      const clip = takeOfRoots(skeleton, [[0, size / 2, 0]]);
       const space = guessSpace(skeleton, clip);
       const { height } = figureHeight(skeleton, clip, 'y');
       for (const other of spaceChoices(skeleton, clip, space)?.others ?? []) {

@@ -5,14 +5,14 @@ import { applySpace, liftOntoGround } from '../../../src/evaluate/space/space.ts
 import { guessSpace, metresForPerson } from '../../../src/evaluate/space/space-guess.ts';
 import type { Joint } from '../../../src/model/skeleton/skeleton.ts';
 import type { LengthUnit } from '../../../src/model/space.ts';
-import { type FigureOptions, figure, take } from '../../helpers/mocap.ts';
+import { type FigureOptions, figure, takeOfRoots } from '../../helpers/mocap.ts';
 
 /** Standing with its soles `over` the ground of its file. */
 function standing(options: FigureOptions, over = 0) {
   const skeleton = figure(options);
   const { height = 170, up = 'y' } = options;
   const hips = 0.5 * height + over;
-  const clip = take(skeleton, up === 'y' ? [[0, hips, 0]] : [[0, 0, hips]]);
+  const clip = takeOfRoots(skeleton, up === 'y' ? [[0, hips, 0]] : [[0, 0, hips]]);
   return { skeleton, clip };
 }
 
@@ -75,7 +75,7 @@ describe('the unit of a figure that does not say', () => {
   it('the unit of a figure is that of its standing height, though it sits most of the time', () => {
     const skeleton = figure({ height: 170 });
     // Folded: the head's channels are rotations, so the hips and head come down together.
-    const clip = take(
+    const clip = takeOfRoots(
       skeleton,
       Array.from({ length: 20 }, () => [0, 85, 0] as const),
     );
@@ -124,7 +124,7 @@ function animal(height: number, up: 'y' | 'z', isNamed = true, sunk = 0) {
       part('R_toe', 0, at(-0.1, -0.6, 0.1)),
     ],
   };
-  return { skeleton, clip: take(skeleton, [at(0, 0.6 - sunk, 0), at(0, 0.6 - sunk, 0.3)]) };
+  return { skeleton, clip: takeOfRoots(skeleton, [at(0, 0.6 - sunk, 0), at(0, 0.6 - sunk, 0.3)]) };
 }
 
 describe('the up axis of an animal', () => {
@@ -155,7 +155,7 @@ describe('the ground under a figure', () => {
   it('the ground under a figure is not where a jump takes it, nor one toe that sank in', () => {
     const skeleton = figure();
     const rows = Array.from({ length: 30 }, (_, i) => [0, i < 12 ? 185 : i === 20 ? 60 : 105, 0] as const);
-    expect(guessSpace(skeleton, take(skeleton, rows)).lift).toBeCloseTo(-0.2, 3);
+    expect(guessSpace(skeleton, takeOfRoots(skeleton, rows)).lift).toBeCloseTo(-0.2, 3);
   });
 
   it('the ground under a figure is below an empty skeleton nowhere, and nothing breaks', () => {

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
-import { character, clip, skeleton } from '../../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { glbOf, inThree } from '../../helpers/glb.ts';
 
 const HAND = 16;
@@ -10,7 +10,7 @@ const HAND = 16;
 describe('the body of bones in a GLB file', () => {
   it.each(['linear', 'cubic'] as const)('a last joint turns with %s keys as it does here', async (keys) => {
     const own = skeleton(2);
-    const rest = clip(
+    const rest = takeOfValues(
       'wave',
       Array.from({ length: 9 }, () => 0),
       [0, 3],

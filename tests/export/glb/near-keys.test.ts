@@ -1,10 +1,10 @@
 /** Keys that are so near that Blender takes them for one. */
 import { expect, it } from 'vitest';
-import { character, clip, skeleton } from '../../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { glbOf, numbersOf } from '../../helpers/glb.ts';
 
 it('the line to a step ends at a key just before it, so that it isn’t bent where both keys of the step become one', () => {
-  const rest = clip(
+  const rest = takeOfValues(
     'step',
     Array.from({ length: 9 }, () => 0),
     [0, 3],

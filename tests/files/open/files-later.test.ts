@@ -3,7 +3,17 @@ import { removeCharacter } from '../../../src/edit/commands/characters.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { NO_MARKS } from '../../../src/model/part.ts';
-import { animFile, clip, file, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../../helpers/builders.ts';
+import {
+  animFile,
+  file,
+  morph,
+  morphFile,
+  skeleton,
+  skelFile,
+  skin,
+  skinFile,
+  takeOfValues,
+} from '../../helpers/builders.ts';
 import { broken, only, open, walk } from './opening.ts';
 
 describe('files opened later', () => {
@@ -13,7 +23,7 @@ describe('files opened later', () => {
       [
         skelFile('x/b.skel', skeleton(2, 'b')),
         skelFile('y/d.skel', skeleton(2, 'd')),
-        animFile('z/s.anim', clip('s', [])),
+        animFile('z/s.anim', takeOfValues('s', [])),
       ],
       gone,
       'c1',
@@ -43,7 +53,7 @@ describe('files opened later', () => {
       [
         animFile(
           'jump.anim',
-          clip(
+          takeOfValues(
             'jump',
             walk.channels.map(() => 0),
           ),

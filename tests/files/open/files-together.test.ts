@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
   animFile,
-  clip,
   file,
   morph,
   morphFile,
@@ -10,6 +9,7 @@ import {
   skelFile,
   skin,
   skinFile,
+  takeOfValues,
 } from '../../helpers/builders.ts';
 import { only, open, texture, walk } from './opening.ts';
 
@@ -49,7 +49,7 @@ describe('files opened together', () => {
       skelFile('a/hero.skel', skeleton()),
       animFile(
         'a/jump.anim',
-        clip(
+        takeOfValues(
           'jump',
           walk.channels.map(() => 0),
         ),
@@ -60,7 +60,7 @@ describe('files opened together', () => {
   });
 
   it('files opened together go to the only skeleton given where their own folder has none', () => {
-    const { document } = open([skelFile('a/hero.skel', skeleton()), animFile('b/jump.anim', clip('jump', []))]);
+    const { document } = open([skelFile('a/hero.skel', skeleton()), animFile('b/jump.anim', takeOfValues('jump', []))]);
     expect(only(document).clips).toHaveLength(1);
   });
 

@@ -5,7 +5,6 @@ import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import {
   animFile,
   character,
-  clip,
   documentOf,
   file,
   morph,
@@ -14,6 +13,7 @@ import {
   skelFile,
   skin,
   skinFile,
+  takeOfValues,
 } from '../../helpers/builders.ts';
 import { broken, only, open, walk } from './opening.ts';
 
@@ -35,7 +35,7 @@ describe('a file that does not fit', () => {
   it('a skeleton that does not fit what its character had leaves that as it was', () => {
     const before = open([skelFile('hero.skel', skeleton(2)), skinFile('hero.skin', skin('hero', 1))]).document;
     const result = open(
-      [skelFile('hero.skel', skeleton(1)), animFile('hero_jump.anim', clip('hero_jump', new Array(6).fill(0)))],
+      [skelFile('hero.skel', skeleton(1)), animFile('hero_jump.anim', takeOfValues('hero_jump', new Array(6).fill(0)))],
       before,
     );
     expect(result.document).toBe(before);
@@ -65,7 +65,7 @@ describe('a file that does not fit', () => {
   it('warns when a clip has more or fewer channels than the skeleton needs', () => {
     const { document, diagnostics } = open([
       skelFile('hero.skel', skeleton()),
-      animFile('hero.anim', clip('hero', [0, 0, 0, 0])),
+      animFile('hero.anim', takeOfValues('hero', [0, 0, 0, 0])),
     ]);
     expect(only(document).clips).toHaveLength(1);
     expect(diagnostics).toMatchObject([{ severity: 'warning', file: 'hero.anim' }]);

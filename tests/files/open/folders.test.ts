@@ -2,12 +2,12 @@
 import { expect, it } from 'vitest';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
-import { animFile, clip, skeleton, skelFile, skin, skinFile } from '../../helpers/builders.ts';
+import { animFile, skeleton, skelFile, skin, skinFile, takeOfValues } from '../../helpers/builders.ts';
 import { expectLinearTime } from '../../helpers/growth.ts';
 
 const given = (path: string) => {
   if (path.endsWith('.skel')) return skelFile(path, skeleton(2, path));
-  return path.endsWith('.skin') ? skinFile(path, skin(path)) : animFile(path, clip(path, [0]));
+  return path.endsWith('.skin') ? skinFile(path, skin(path)) : animFile(path, takeOfValues(path, [0]));
 };
 
 /** The files of each character. */

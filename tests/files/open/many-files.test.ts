@@ -7,12 +7,12 @@ import { capturedContent } from '../../../src/files/captured.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
-import { character, clip, file, joint, skeleton, skelFile } from '../../helpers/builders.ts';
+import { character, file, joint, skeleton, skelFile, takeOfValues } from '../../helpers/builders.ts';
 import { expectLinearTime } from '../../helpers/growth.ts';
-import { figure, take } from '../../helpers/mocap.ts';
+import { figure, takeOfRoots } from '../../helpers/mocap.ts';
 
 const SKELETON = figure();
-const CLIP = take(SKELETON, [[0, 85, 0]]);
+const CLIP = takeOfRoots(SKELETON, [[0, 85, 0]]);
 const ONE = capturedContent([{ skeleton: SKELETON, clip: CLIP }], 't.bvh').value;
 
 /** Captures, each in a file of its own. */
@@ -33,7 +33,7 @@ it('the time to open captures grows with their number, in files of their own and
 });
 
 it('the time to open skeletons with their animations grows with their number, in a folder and named by rigs', () => {
-  const own = { kind: 'anim', clip: clip('walk', [0]) } as const;
+  const own = { kind: 'anim', clip: takeOfValues('walk', [0]) } as const;
   expectLinearTime((n) => {
     const files = Array.from({ length: n }, (_, i) => [
       skelFile(`c${i}.skel`, skeleton(1)),
@@ -46,7 +46,7 @@ it('the time to open skeletons with their animations grows with their number, in
 
 it('of several skeletons whose names begin a part the longest name has it, without regard to case', () => {
   const files = ['a.skel', 'AB.skel', 'abc.skel'].map((name) => skelFile(name, skeleton(1, name)));
-  const anim = file('Abc1.anim', { kind: 'anim', clip: clip('walk', [0]) });
+  const anim = file('Abc1.anim', { kind: 'anim', clip: takeOfValues('walk', [0]) });
   const { characters } = openFiles(EMPTY_DOCUMENT, [...files, anim]).document;
   expect(characters.map(({ clips }) => clips.length)).toEqual([0, 0, 1]);
 });

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Document } from '../../../src/model/document.ts';
-import { clip, file, skeleton, skelFile } from '../../helpers/builders.ts';
+import { file, skeleton, skelFile, takeOfValues } from '../../helpers/builders.ts';
 import { open } from './opening.ts';
 
 describe('names of what was opened', () => {
@@ -13,7 +13,7 @@ describe('names of what was opened', () => {
           skeleton: skeleton(1, path.slice(path.lastIndexOf('/') + 1, path.lastIndexOf('.'))),
           skins: [],
           morphs: [],
-          clips: takes.map((name) => clip(name, [0, 0, 0, 0, 0, 0])),
+          clips: takes.map((name) => takeOfValues(name, [0, 0, 0, 0, 0, 0])),
           textures: [],
         },
       ],

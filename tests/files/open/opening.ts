@@ -3,7 +3,7 @@ import { expect } from 'vitest';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { BrokenFile, ParsedFile } from '../../../src/model/files.ts';
-import { clip, file } from '../../helpers/builders.ts';
+import { file, takeOfValues } from '../../helpers/builders.ts';
 
 export const open = (files: ParsedFile[], document: Document = EMPTY_DOCUMENT, selected?: string) =>
   openFiles(document, files, [], selected);
@@ -24,4 +24,4 @@ export const texture = (path: string) =>
   file(path, { kind: 'texture', texture: { name: path, mime: 'image/png', bytes: new Uint8Array(1) } });
 
 /** A take of a skeleton of two joints. */
-export const walk = clip('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0]);
+export const walk = takeOfValues('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0]);

@@ -4,12 +4,12 @@ import { shownClip } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
 import { read } from '../../formats/read-in-pieces.ts';
-import { animFile, clip, file, skeleton, skelFile } from '../../helpers/builders.ts';
+import { animFile, file, skeleton, skelFile, takeOfValues } from '../../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { only, open } from './opening.ts';
 
 describe('a take goes to the only character', () => {
-  const wave = animFile('wave.anim', clip('wave', [0, 0, 0, 1, 0, 0, 0, 0, 0]));
+  const wave = animFile('wave.anim', takeOfValues('wave', [0, 0, 0, 1, 0, 0, 0, 0, 0]));
   const fox = (path: string) =>
     file(path, {
       kind: 'character',
@@ -19,7 +19,7 @@ describe('a take goes to the only character', () => {
     [0, 0, 0, 0, 0, 0],
   ]);
   const capture = file('cap.bvh', { kind: 'bvh', figures: [figure] });
-  const turn = animFile('turn.anim', clip('turn', [1, 2, 3, 0.1, 0.2, 0.3]));
+  const turn = animFile('turn.anim', takeOfValues('turn', [1, 2, 3, 0.1, 0.2, 0.3]));
 
   it.each([
     ['a whole character', [fox('fox.glb'), wave]],
@@ -35,7 +35,7 @@ describe('a take goes to the only character', () => {
   });
 
   it('takes that were opened before their skeleton go to it, several too', () => {
-    const takes = open([wave, animFile('run.anim', clip('run', [0, 0, 0, 2, 0, 0, 0, 0, 0]))]).document;
+    const takes = open([wave, animFile('run.anim', takeOfValues('run', [0, 0, 0, 2, 0, 0, 0, 0, 0]))]).document;
     expect(takes.characters).toHaveLength(2);
     const { document } = open([fox('fox.glb')], takes);
     expect(
@@ -66,7 +66,7 @@ describe('a take goes to the only character', () => {
       ['fox', 0],
       ['hero', 1],
     ]);
-    const named = animFile('b_wave.anim', clip('b_wave', [0, 0, 0, 1, 0, 0, 0, 0, 0]));
+    const named = animFile('b_wave.anim', takeOfValues('b_wave', [0, 0, 0, 1, 0, 0, 0, 0, 0]));
     const other = { ...fox('b.glb') };
     expect(clipsOf(fox('a.glb'), other, named)).toEqual([
       ['a', 0],
@@ -76,7 +76,7 @@ describe('a take goes to the only character', () => {
 });
 
 describe('the take that is shown first', () => {
-  const still = clip('T-Pose', [0, 0, 0, 1, 0, 0]);
+  const still = takeOfValues('T-Pose', [0, 0, 0, 1, 0, 0]);
   const { channels } = still;
   const moving: ChannelClip = {
     ...still,

@@ -7,7 +7,6 @@ import { waitingBuffer } from '../../../src/worker/parse-imports.ts';
 import {
   animFile,
   character,
-  clip,
   documentOf,
   file,
   morph,
@@ -16,9 +15,10 @@ import {
   skelFile,
   skin,
   skinFile,
+  takeOfValues,
 } from '../../helpers/builders.ts';
 
-const walk = clip('walk', [0, 1, 0, 0, 0, 0, 0, 0, 0]);
+const walk = takeOfValues('walk', [0, 1, 0, 0, 0, 0, 0, 0, 0]);
 const hero = character({ name: 'hero', skeleton: skeleton(), skins: [skin('hero')], shownSkin: 0 });
 
 /** What opening files over a document says. */
@@ -71,7 +71,9 @@ describe('opening files', () => {
     expect(told([animFile('run.anim', { ...walk, name: 'run' })], before)).toBe(
       'hero now plays the take run; walk stays in Takes.',
     );
-    expect(told([animFile('walk.anim', clip('walk', [1]))], before)).toBe('The take walk of hero was replaced.');
+    expect(told([animFile('walk.anim', takeOfValues('walk', [1]))], before)).toBe(
+      'The take walk of hero was replaced.',
+    );
   });
 
   it('says what a file waits for', () => {

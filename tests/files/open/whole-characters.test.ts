@@ -9,14 +9,14 @@ import { saveCharacter } from '../../../src/files/save/saving.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile, WholeCharacter } from '../../../src/model/files.ts';
 import type { LengthUnit, Space } from '../../../src/model/space.ts';
-import { clip, file, morph, morphFile, paintedSkin, skeleton, skelFile, skin } from '../../helpers/builders.ts';
+import { file, morph, morphFile, paintedSkin, skeleton, skelFile, skin, takeOfValues } from '../../helpers/builders.ts';
 
 const texture = { name: 'fur.png', mime: 'image/png', bytes: new Uint8Array(1) };
 const fox: WholeCharacter = {
   skeleton: skeleton(2, 'fox'),
   skins: [paintedSkin('fur', { name: 'fur', texture: 'fur.png' }), skin('winter')],
   morphs: [morph('smile')],
-  clips: [clip('run', new Array(10).fill(0)), clip('sit', new Array(10).fill(1))],
+  clips: [takeOfValues('run', new Array(10).fill(0)), takeOfValues('sit', new Array(10).fill(1))],
   textures: [texture],
 };
 const whole = (characters: readonly WholeCharacter[] = [fox], path = 'fox.glb') =>
@@ -36,7 +36,10 @@ describe('a file with whole characters', () => {
 
   it('takes the place of its own parts when it is opened again, and shows its first ones', () => {
     const first = open([whole()]).document;
-    const again = { ...fox, clips: [clip('run', new Array(10).fill(2)), clip('jump', new Array(10).fill(3))] };
+    const again = {
+      ...fox,
+      clips: [takeOfValues('run', new Array(10).fill(2)), takeOfValues('jump', new Array(10).fill(3))],
+    };
     const { document } = open([whole([again])], first);
     const [character] = document.characters;
     expect(character.id).toBe(first.characters[0].id);

@@ -6,7 +6,7 @@ import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import { pageWith } from '../../app/disk.ts';
-import { character, clip } from '../../helpers/builders.ts';
+import { character, takeOfValues } from '../../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 
@@ -52,7 +52,7 @@ describe('saving motion capture', () => {
 
   it('samples keyed channels, and keeps the others unchanged', async () => {
     const page = await pageWith({ 'walk.bvh': BVH });
-    const [keyed] = clip('', [Math.PI]).channels;
+    const [keyed] = takeOfValues('', [Math.PI]).channels;
     page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, channels: own.channels.with(6, keyed) })) }));
     await page.saver.saveChanged();
     expect(page.text('walk.bvh')).toBe(
@@ -94,7 +94,7 @@ describe('saving motion capture', () => {
   });
 
   it('exports any other character as .bvh, keys at the rate asked for', () => {
-    const walking = character({ clips: [clip('hero_walk', new Array(9).fill(0.5), [0, 2])], shownClip: 0 });
+    const walking = character({ clips: [takeOfValues('hero_walk', new Array(9).fill(0.5), [0, 2])], shownClip: 0 });
     const [file] = saveCharacter(walking, 'bvh', { framesPerSecond: 4 });
     expect(file.name).toBe('hero_walk.bvh');
     expect(file.text).toContain('Frames: 9\nFrame Time: 0.25\n');

@@ -5,13 +5,13 @@ import { openFiles } from '../../../src/files/open/open-files.ts';
 import { saveCharacter } from '../../../src/files/save/saving.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { parse } from '../../../src/worker/parse.ts';
-import { character, clip, morph, paintedSkin, skeleton } from '../../helpers/builders.ts';
+import { character, morph, paintedSkin, skeleton, takeOfValues } from '../../helpers/builders.ts';
 
 const FACE = { name: 'face', texture: 'face.png' };
 const hero = character({
   skins: [paintedSkin('hero', FACE, { name: 'coat', texture: 'coat.png', color: [0.5, 1, 0] }, FACE)],
   morphs: [morph('hero_smile')],
-  clips: [clip('hero_walk', new Array(10).fill(0.5), [0, 2])],
+  clips: [takeOfValues('hero_walk', new Array(10).fill(0.5), [0, 2])],
   shownClip: 0,
   textures: ['face.png', 'coat.png'].map((name, i) => ({ name, mime: 'image/png', bytes: Uint8Array.of(1, 2, i) })),
 });

@@ -8,22 +8,22 @@ import {
   withPositions,
 } from '../../../src/model/skeleton/position-channels.ts';
 import { skeleton } from '../../helpers/builders.ts';
-import { figure, take } from '../../helpers/mocap.ts';
+import { figure, takeOfRoots } from '../../helpers/mocap.ts';
 
 describe('what position channels mean', () => {
   const everywhere = figure({ positionsEverywhere: true });
 
   it('what position channels mean is to replace OFFSETs where they repeat them', () => {
-    expect(positionsMeant(everywhere, take(everywhere, [[0, 90, 0]]))).toBe('replace');
+    expect(positionsMeant(everywhere, takeOfRoots(everywhere, [[0, 90, 0]]))).toBe('replace');
   });
 
   it('what position channels mean is to be added to OFFSETs where they stay at 0', () => {
-    expect(positionsMeant(everywhere, take(everywhere, [[0, 90, 0]], 0))).toBe('add');
+    expect(positionsMeant(everywhere, takeOfRoots(everywhere, [[0, 90, 0]], 0))).toBe('add');
   });
 
   it('says a root alone nothing about: it moves the figure', () => {
     const plain = figure();
-    expect(positionsMeant(plain, take(plain, [[0, 0, 0]]))).toBe('replace');
+    expect(positionsMeant(plain, takeOfRoots(plain, [[0, 0, 0]]))).toBe('replace');
     expect(positionsMeant(everywhere, undefined)).toBe('replace');
   });
 });

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import type { Character } from '../../../src/model/document.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
 import { Ghosts, ghostStepSeconds, ghostSteps } from '../../../src/view/motion/ghosts.ts';
-import { character, clip } from '../../helpers/builders.ts';
-import { captured, figure, take } from '../../helpers/mocap.ts';
+import { character, takeOfValues } from '../../helpers/builders.ts';
+import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
 
 const ON: Display = { ...DEFAULT_DISPLAY, ghosts: true, ghostsBefore: 2, ghostsAfter: 2, ghostStep: 0.1 };
 
@@ -20,8 +20,8 @@ function roots(ghosts: Ghosts, nodes: number): number[][] {
 
 describe('how far apart ghosts are', () => {
   it('ghosts are seconds apart, or frames of the clip, or of the transport if the clip has none', () => {
-    const mocap = captured(figure(), take(figure(), [[0, 85, 0]]));
-    const keyed = character({ clips: [clip('walk', [0])], shownClip: 0 });
+    const mocap = captured(figure(), takeOfRoots(figure(), [[0, 85, 0]]));
+    const keyed = character({ clips: [takeOfValues('walk', [0])], shownClip: 0 });
     const frames: Display = { ...ON, ghostStepIn: 'frames', ghostStep: 3 };
     expect(ghostStepSeconds(mocap, ON, 24)).toBe(0.1);
     expect(ghostStepSeconds(mocap, frames, 24)).toBeCloseTo(0.3, 12);
@@ -44,7 +44,7 @@ describe('which ghosts there are', () => {
 describe('ghosts', () => {
   const skeleton = figure();
   const rows = Array.from({ length: 11 }, (_, i) => [10 * i, 85, 5 * i] as const);
-  const walking: Character = captured(skeleton, take(skeleton, rows), {
+  const walking: Character = captured(skeleton, takeOfRoots(skeleton, rows), {
     space: { up: 'y', unit: 'centimetres', lift: 0.25 },
   });
 

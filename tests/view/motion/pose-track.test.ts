@@ -11,7 +11,7 @@ import {
 } from '../../../src/model/takes/clip.ts';
 import type { Interpolation } from '../../../src/model/takes/samples.ts';
 import { PosePlayer } from '../../../src/view/motion/pose-track.ts';
-import { character, clip, joint, skeleton } from '../../helpers/builders.ts';
+import { character, joint, skeleton, takeOfValues } from '../../helpers/builders.ts';
 
 function channel(times: number[], values: number[], more: Partial<KeyedChannel> = {}): KeyedChannel {
   const tangents = () => ({ kinds: new Uint8Array(times.length).fill(1), slopes: new Float64Array(times.length) });
@@ -160,17 +160,17 @@ describe('the track of a character', () => {
     const own = { name: 'one', joints: [joint(-1, { limits })] };
     const pose = [0, 0, 0, 0, 0.5, 7];
     const model = { skeleton: own, pose };
-    const played = player(clip('go', [1, 2, 3, 4]), model);
+    const played = player(takeOfValues('go', [1, 2, 3, 4]), model);
     played.seek(0);
     expect([...played.dofs]).toEqual([1, 2, 3, 1, 0.5, 1]);
-    const free = player(clip('go', [1, 2, 3, 4]), { ...model, clampsToLimits: false });
+    const free = player(takeOfValues('go', [1, 2, 3, 4]), { ...model, clampsToLimits: false });
     free.seek(0);
     expect([...free.dofs]).toEqual([1, 2, 3, 4, 0.5, 7]);
   });
 
   it('shows a value set by hand at its moment only', () => {
     const model = character({
-      clips: [clip('go', [1, 2])],
+      clips: [takeOfValues('go', [1, 2])],
       shownClip: 0,
       unkeyed: { timeSeconds: 0.5, dofs: [1], values: [9] },
     });

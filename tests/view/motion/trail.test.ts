@@ -2,7 +2,7 @@ import { GreaterDepth } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { samplePath, Trail } from '../../../src/view/motion/trail.ts';
-import { character, clip, skeleton } from '../../helpers/builders.ts';
+import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 
 const path = (...of: Parameters<typeof samplePath>) => runToEnd(samplePath(...of));
 
@@ -22,7 +22,7 @@ describe('the trail of a joint', () => {
   });
 
   it('covers the range, both ends included', () => {
-    const moving = { ...still, clips: [clip('walk', [0, 8])], shownClip: 0 };
+    const moving = { ...still, clips: [takeOfValues('walk', [0, 8])], shownClip: 0 };
     const one = path(moving, 0, [0, 1], 5, false);
     const ends = path(moving, 0, [0, 1], 2, false);
     expect(Array.from(one.subarray(0, 3))).toEqual(Array.from(ends.subarray(0, 3)));
@@ -30,7 +30,7 @@ describe('the trail of a joint', () => {
   });
 
   it('a path over all of time to where no 32-bit float reaches is drawn without complaint', () => {
-    const away = clip('away', [1e308, -1e308]);
+    const away = takeOfValues('away', [1e308, -1e308]);
     const moving = character({ skeleton: skeleton(2), clips: [away], shownClip: 0 });
     expect(path(moving, 0, [-1e308, 1e308], 5, false).every((value) => !Number.isNaN(value))).toBe(true);
     const trail = new Trail();
@@ -40,7 +40,7 @@ describe('the trail of a joint', () => {
   });
 
   it('shows through what covers it, dimmed, at the same places', () => {
-    const moving = character({ skeleton: skeleton(2), clips: [clip('walk', [0, 8])], shownClip: 0 });
+    const moving = character({ skeleton: skeleton(2), clips: [takeOfValues('walk', [0, 8])], shownClip: 0 });
     const trail = new Trail();
     trail.show(moving, 1, [0, 1], false);
     const { object, covered } = trail;
@@ -58,7 +58,12 @@ describe('the trail of a joint', () => {
   });
 
   describe('of a character of thousands of joints', () => {
-    const large = character({ id: 'large', skeleton: skeleton(3000), clips: [clip('walk', [1])], shownClip: 0 });
+    const large = character({
+      id: 'large',
+      skeleton: skeleton(3000),
+      clips: [takeOfValues('walk', [1])],
+      shownClip: 0,
+    });
     const range = [0, 2] as const;
 
     it('is sampled between frames, and drawn then', async () => {
@@ -81,7 +86,12 @@ describe('the trail of a joint', () => {
       const trail = new Trail(redraw);
       trail.show(large, 7, range, false);
       trail.show(large, undefined, range, false);
-      trail.show(character({ skeleton: skeleton(2), clips: [clip('walk', [1])], shownClip: 0 }), 1, range, false);
+      trail.show(
+        character({ skeleton: skeleton(2), clips: [takeOfValues('walk', [1])], shownClip: 0 }),
+        1,
+        range,
+        false,
+      );
       const { geometry } = trail.object;
       expect(trail.object.visible).toBe(true);
       trail.show(large, 8, range, false);

@@ -268,9 +268,9 @@ export class ChannelList {
 
   private onDoubleClick(event: MouseEvent): void {
     const at = this.indexAt(event);
-    const take = currentTake(this.wb);
-    if (at?.cell !== 'name' || !take) return;
-    const keys = allKeys(take.clip, [this.channels[at.index].channel]);
+    const current = currentTake(this.wb);
+    if (at?.cell !== 'name' || !current) return;
+    const keys = allKeys(current.clip, [this.channels[at.index].channel]);
     selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(selectedKeys(this.wb), keys) : keys);
   }
 

@@ -68,10 +68,10 @@ export function openChannelMenu(
   channel: number,
   where: MenuPlace,
 ): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const label = channelName(namedChannel(take.character, channel));
-  const kind = take.clip.channels[channel]?.kind;
+  const current = currentTake(wb);
+  if (!current) return;
+  const label = channelName(namedChannel(current.character, channel));
+  const kind = current.clip.channels[channel]?.kind;
   if (kind === 'samples') {
     openMenu(where, sampledEntries(wb, channel), { label });
   } else if (kind === 'keys') {
@@ -84,9 +84,9 @@ export function openChannelMenu(
 
 /** Selects all keys of a channel, unless some of them are selected. */
 function selectCurve(wb: Uses<'store' | 'timeline'>, channel: number): void {
-  const take = currentTake(wb);
-  if (!take || selectedKeysInView(wb).some((k) => k.channel === channel)) return;
-  selectKeys(wb, allKeys(take.clip, [channel]));
+  const current = currentTake(wb);
+  if (!current || selectedKeysInView(wb).some((k) => k.channel === channel)) return;
+  selectKeys(wb, allKeys(current.clip, [channel]));
 }
 
 function keyEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {

@@ -16,14 +16,14 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
   if (character.driver && !listed) {
     return `${character.name} is retargeted from ${character.driver.source.name}, so its own keys are hidden. Bake the retargeting to edit it here.`;
   }
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const at = `${shown(wb.transport.get().timeSeconds)} s`;
-  const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
+  const keyed = current?.clip.channels.some((_, c) => spanOfChannel(current.clip, c)) ?? false;
   if (!keyed && !character.skeleton && character.morphs.length === 0) {
     return `${character.name} has no skeleton, so there is nothing to animate. Drop its .skel file here.`;
   }
   if (!keyed) {
-    const what = take ? `The take ${take.clip.name} has no keys` : `${character.name} has no animation`;
+    const what = current ? `The take ${current.clip.name} has no keys` : `${character.name} has no animation`;
     return `${what}. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
   }
   const { list, hidden, filter } = wb.timeline.view.get();

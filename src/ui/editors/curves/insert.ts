@@ -11,13 +11,13 @@ export function insertOnCurve(
   channel: number,
   clipSeconds: number,
 ): void {
-  const take = currentTake(wb);
-  if (!take) return;
+  const current = currentTake(wb);
+  if (!current) return;
   const { framesPerSecond } = wb.transport.get();
-  const offset = take.character.timeOffsetSeconds;
+  const offset = current.character.timeOffsetSeconds;
   const snapped = Math.round((clipSeconds - offset) * framesPerSecond) / framesPerSecond + offset;
   const timeSeconds = wb.timeline.view.get().snapsToFrames ? snapped : clipSeconds;
-  const inserted = { characterId: take.character.id, channels: [channel], timeSeconds };
-  const placing = keyPlacing(wb, take.character);
+  const inserted = { characterId: current.character.id, channels: [channel], timeSeconds };
+  const placing = keyPlacing(wb, current.character);
   attempt(wb.messages, () => addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle })));
 }

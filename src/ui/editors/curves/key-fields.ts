@@ -17,7 +17,7 @@ import { oncePerFrame } from '../../widgets/frame.ts';
 import { NumberField, type NumberFieldOptions } from '../../widgets/numbers/number-field.ts';
 import { decimalsWithin, shown } from '../../widgets/numbers/number-text.ts';
 import { dofsFor } from '../timeline/channels.ts';
-import { aboutKeysInHand, currentTake, selectedKeysInView, type Take } from '../timeline/current-take.ts';
+import { aboutKeysInHand, type CurrentTake, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { frameNumber } from '../timeline/snapping.ts';
 
 /** Numbers shared by all selected keys; undefined if they differ. Seconds of the clip, model units. */
@@ -35,7 +35,7 @@ const MAX_CHARACTERS = 8;
 const brief = (value: number) => shown(value, decimalsWithin(value, MAX_CHARACTERS));
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
-function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
+function sharedNumbers({ clip }: Pick<CurrentTake, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
   if (!keys.length || countKeys(keys) > MAX_KEYS) return MIXED;
   let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
   for (const { channel: c, indices } of keys) {
@@ -61,9 +61,9 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
   const inFrames = () => wb.settings.get().timeDisplay === 'frames';
   /** From model units to displayed ones; undefined for keys of different units. */
   const unitOf = (): DofUnit | undefined => {
-    const take = currentTake(wb);
-    if (!take) return undefined;
-    const dofs = dofsFor(take.character);
+    const current = currentTake(wb);
+    if (!current) return undefined;
+    const dofs = dofsFor(current.character);
     const units = new Set(selectedKeysInView(wb).map((k) => unitOfChannel(dofs, k.channel)));
     const [unit] = units;
     return units.size === 1 ? unit : undefined;
@@ -73,11 +73,11 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     return unit ? shownPerUnit(unit, wb.settings.get().angles) : 1;
   };
   const set = (typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>) => {
-    const take = currentTake(wb);
+    const current = currentTake(wb);
     const keys = selectedKeysInView(wb);
-    if (!take || !keys.length) return;
+    if (!current || !keys.length) return;
     attempt(wb.messages, () => {
-      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: take.character.id, keys, ...typed });
+      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: current.character.id, keys, ...typed });
     });
   };
   const noUnits = () => ({});
@@ -122,18 +122,18 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     element('span', { class: 'slope-fields' }, labelled('Slope', slopeIn.element), slopeOut.element),
   );
   const show = oncePerFrame(() => {
-    const take = currentTake(wb);
+    const current = currentTake(wb);
     const keys = selectedKeysInView(wb);
     const unit = unitOf();
     for (const one of all) one.enable(keys.length > 0);
-    if (!take || !keys.length) {
+    if (!current || !keys.length) {
       for (const one of all) one.show(undefined, '');
       return;
     }
-    const numbers = sharedNumbers(take, keys);
+    const numbers = sharedNumbers(current, keys);
     const per = perUnit();
     const { framesPerSecond } = wb.transport.get();
-    const at = numbers.time === undefined ? undefined : numbers.time - take.character.timeOffsetSeconds;
+    const at = numbers.time === undefined ? undefined : numbers.time - current.character.timeOffsetSeconds;
     time.show(at === undefined ? undefined : inFrames() ? frameNumber(at, framesPerSecond) : withoutNoise(at));
     const scaled = (n: number | undefined) => (n === undefined || !unit ? undefined : withoutNoise(n * per));
     value.show(scaled(numbers.value));

@@ -69,24 +69,24 @@ export class PlotScene {
     if (this.made && !this.stale) return this.made;
     this.stale = false;
     const { wb } = this;
-    const take = currentTake(wb);
+    const current = currentTake(wb);
     const view = wb.timeline.view.get();
     const character = currentCharacter(wb);
     this.listed = character ? listedChannels(character, wb.store.selection, view) : [];
-    const drawn = take ? drawnChannels(this.listed, view) : NO_CHANNELS;
+    const drawn = current ? drawnChannels(this.listed, view) : NO_CHANNELS;
     if (!sameNumbers(drawn, this.drawn)) this.drawn = drawn;
-    if (take) this.updateLines(take.character, take.clip, view.normalised);
+    if (current) this.updateLines(current.character, current.clip, view.normalised);
     else {
       this.lines = NO_LINES;
       this.linesOf = NO_LINES;
       this.byChannel = new Map();
     }
-    this.updateEmphasis(take?.character, view);
+    this.updateEmphasis(current?.character, view);
     const { framesPerSecond } = wb.transport.get();
     const settings = wb.settings.get();
-    const clip = take?.clip ?? NO_CLIP;
-    const offsetSeconds = take?.character.timeOffsetSeconds ?? 0;
-    const theirs = take && this.theirsOf(take.character);
+    const clip = current?.clip ?? NO_CLIP;
+    const offsetSeconds = current?.character.timeOffsetSeconds ?? 0;
+    const theirs = current && this.theirsOf(current.character);
     const made: CurveScene = {
       clip,
       curves: compileClip(clip),

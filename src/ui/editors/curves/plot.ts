@@ -233,9 +233,9 @@ export class CurvePlot implements PlotHost {
   private fitWhereNew(): void {
     const { plotScene, wb } = this;
     if (this.dragging) return;
-    const take = currentTake(wb);
+    const current = currentTake(wb);
     const view = wb.timeline.view.get();
-    const name = take ? `${take.character.id} ${take.character.shownClip}` : '';
+    const name = current ? `${current.character.id} ${current.character.shownClip}` : '';
     const { lines, theirs } = plotScene.scene;
     // Hiding a curve doesn't refit the others.
     const channels = [

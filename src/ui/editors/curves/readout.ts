@@ -43,8 +43,8 @@ export class CurveReadout {
     const at = timeAt(space, pointer.x);
     const line = hover.kind === 'empty' ? undefined : lineOf(scene, hover.channel);
     if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
-    const take = currentTake(wb);
-    const name = take ? channelName(namedChannel(take.character, line.channel)) : line.name;
+    const current = currentTake(wb);
+    const name = current ? channelName(namedChannel(current.character, line.channel)) : line.name;
     if (hover.kind === 'curve') {
       const own = curveValueText(wb, line.unit, hover.value);
       return [hover.timeSeconds - offsetSeconds, name, own + this.theirsAt(scene, line, hover.timeSeconds)];

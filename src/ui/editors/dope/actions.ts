@@ -59,8 +59,8 @@ export const DOPE_ACTIONS: readonly Action[] = [
     panel: 'timeline',
     refuses: needsTake,
     run(wb) {
-      const take = currentTake(wb);
-      if (take) wb.timeline.change({ unfolded: allFolds(take.character, take.clip) });
+      const current = currentTake(wb);
+      if (current) wb.timeline.change({ unfolded: allFolds(current.character, current.clip) });
     },
   },
   {
@@ -87,11 +87,11 @@ function ripple(id: string, label: string, shortcut: string, frames: number): Ac
     repeats: true,
     refuses: needsKeys,
     run(wb) {
-      const take = currentTake(wb);
-      if (!take) return;
+      const current = currentTake(wb);
+      if (!current) return;
       const seconds = frames / wb.transport.get().framesPerSecond;
       wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
-        characterId: take.character.id,
+        characterId: current.character.id,
         keys: selectedKeysInView(wb),
         seconds,
       });

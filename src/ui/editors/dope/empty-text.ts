@@ -4,17 +4,17 @@ import { spanOfChannel } from '../../../model/takes/clip.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { touchWords } from '../../widgets/touch-words.ts';
-import type { Take } from '../timeline/current-take.ts';
+import type { CurrentTake } from '../timeline/current-take.ts';
 
-export function emptyText(wb: Uses<'store' | 'timeline'>, take: Take | undefined): string {
+export function emptyText(wb: Uses<'store' | 'timeline'>, current: CurrentTake | undefined): string {
   if (!wb.store.document.characters.length)
     return 'No keys yet. Drop a character and its animation here or choose Open.';
-  const driven = take?.character.driver ?? currentCharacter(wb)?.driver;
+  const driven = current?.character.driver ?? currentCharacter(wb)?.driver;
   if (driven)
     return `Retargeted from ${driven.source.name}, so its own keys are hidden. Bake the retargeting to edit it here.`;
-  const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
+  const keyed = current?.clip.channels.some((_, c) => spanOfChannel(current.clip, c)) ?? false;
   const { filter } = wb.timeline.view.get();
-  if (take && filter.trim() && keyed) return `No row with keys matches “${filter.trim()}”.`;
+  if (current && filter.trim() && keyed) return `No row with keys matches “${filter.trim()}”.`;
   return touchWords(
     'No keys yet. Rotate a joint and press K to key it or Shift+K to key the whole pose, or drop an .anim file.',
   );

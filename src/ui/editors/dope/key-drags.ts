@@ -17,11 +17,11 @@ import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { secondsPerPixel, timeAt } from '../../widgets/time/time-window.ts';
 import {
   aboutKeysInHand,
+  type CurrentTake,
   currentTake,
   editOfTake,
   keyPlacing,
   selectedKeysInView,
-  type Take,
 } from '../timeline/current-take.ts';
 import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
@@ -30,7 +30,7 @@ import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 abstract class KeyDrag implements DopeDrag {
   readout: string | undefined;
   protected readonly edit: HandEdit | undefined;
-  protected readonly take: Take | undefined;
+  protected readonly take: CurrentTake | undefined;
   protected readonly keys: readonly ChannelKeys[];
   /** From the first selected key to the last, seconds of the transport. */
   protected readonly span: readonly [number, number];
@@ -47,14 +47,14 @@ abstract class KeyDrag implements DopeDrag {
   }
 
   move(at: Pointer): void {
-    const { take, keys } = this;
+    const { take: current, keys } = this;
     const { edit } = this;
-    const text = take && edit && keys.length && !edit.cancelled ? this.preview(at, take, edit) : undefined;
+    const text = current && edit && keys.length && !edit.cancelled ? this.preview(at, current, edit) : undefined;
     this.readout = text && !edit?.cancelled ? `${text} · ${plural(countKeys(keys), 'key')}` : undefined;
   }
 
   /** Previews the edit at a position, and returns its readout. */
-  protected abstract preview(at: Pointer, take: Take, edit: HandEdit): string | undefined;
+  protected abstract preview(at: Pointer, current: CurrentTake, edit: HandEdit): string | undefined;
 
   release(_at: Pointer, moved: boolean): void {
     this.readout = undefined;
@@ -104,7 +104,7 @@ export class MoveKeys extends KeyDrag {
     this.copied = way === 'copy' && this.take ? copyKeys(this.take.clip, this.keys) : undefined;
   }
 
-  protected preview(at: Pointer, { character }: Take, edit: HandEdit): string {
+  protected preview(at: Pointer, { character }: CurrentTake, edit: HandEdit): string {
     const { keys, way, copied } = this;
     const { wb } = this.host;
     const { id: characterId, timeOffsetSeconds } = character;
@@ -136,7 +136,7 @@ export class ScaleKeys extends KeyDrag {
     this.scaling = aboutKeysInHand(host.wb, scaleKeys);
   }
 
-  protected preview(at: Pointer, { character }: Take, edit: HandEdit): string | undefined {
+  protected preview(at: Pointer, { character }: CurrentTake, edit: HandEdit): string | undefined {
     const { wb } = this.host;
     const { timeSeconds, framesPerSecond } = wb.transport.get();
     const { snapsToFrames, onCollision } = wb.timeline.view.get();

@@ -53,10 +53,10 @@ function keysMenu(
     own.push(
       item('Go to this time', () => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }))),
       item('Select all keys at this time', () => {
-        const take = currentTake(wb);
-        if (!take) return;
-        const clipSeconds = timeSeconds + take.character.timeOffsetSeconds;
-        selectKeys(wb, keysAtTime(take.clip, rows[0].channels, clipSeconds));
+        const current = currentTake(wb);
+        if (!current) return;
+        const clipSeconds = timeSeconds + current.character.timeOffsetSeconds;
+        selectKeys(wb, keysAtTime(current.clip, rows[0].channels, clipSeconds));
       }),
     );
   }
@@ -69,9 +69,9 @@ export function rowMenu(
   row: DopeRow,
   at: MenuPlace,
 ): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const keys = allKeys(take.clip, row.channels);
+  const current = currentTake(wb);
+  if (!current) return;
+  const keys = allKeys(current.clip, row.channels);
   const count = countKeys(keys);
   const name = rowName(row);
   const own: MenuEntry[] = [

@@ -15,7 +15,13 @@ import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { panWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
-import { currentTake, selectedKeys, selectedKeysInView, selectKeys, type Take } from '../timeline/current-take.ts';
+import {
+  type CurrentTake,
+  currentTake,
+  selectedKeys,
+  selectedKeysInView,
+  selectKeys,
+} from '../timeline/current-take.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import { emptyText } from './empty-text.ts';
@@ -53,7 +59,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   });
   private readonly empty = element('p', { class: 'empty dope-empty', hidden: true });
   private readonly pointer: SheetPointer;
-  private take: Take | undefined;
+  private take: CurrentTake | undefined;
   private rows: readonly DopeRow[] = [];
   private visible = false;
   private size = { width: 0, height: 0 };
@@ -154,9 +160,9 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   }
 
   shown(): SheetKeys {
-    const { take, rows } = this;
-    const offsetSeconds = take?.character.timeOffsetSeconds ?? 0;
-    const channels = take?.clip.channels ?? [];
+    const { take: current, rows } = this;
+    const offsetSeconds = current?.character.timeOffsetSeconds ?? 0;
+    const channels = current?.clip.channels ?? [];
     const span = spanOf(channels, this.selected());
     const selectedSpan = span && ([span[0] - offsetSeconds, span[1] - offsetSeconds] as const);
     return { rows, channels, offsetSeconds, selectedSpan };
@@ -193,12 +199,12 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   private refresh(force = false): void {
     const before = this.take;
     this.take = currentTake(this.wb);
-    const { take } = this;
-    if (force || !sameTake(before, take)) {
+    const { take: current } = this;
+    if (force || !sameTake(before, current)) {
       const { unfolded, allRows, filter } = this.wb.timeline.view.get();
-      this.rows = take ? dopeRows(take.character, take.clip, { unfolded, all: allRows, filter }) : [];
+      this.rows = current ? dopeRows(current.character, current.clip, { unfolded, all: allRows, filter }) : [];
       this.rowNames.show(this.rows);
-      const text = this.rows.length ? '' : emptyText(this.wb, take);
+      const text = this.rows.length ? '' : emptyText(this.wb, current);
       setText(this.empty, text);
       write(this.empty, 'hidden', !text);
     }
@@ -214,10 +220,10 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   /** All keys and the clip's range, seconds of the transport. */
   private wholeSpan(): readonly [number, number] | undefined {
-    const { take } = this;
-    if (!take) return undefined;
-    const { channels, range } = take.clip;
-    const offset = take.character.timeOffsetSeconds;
+    const { take: current } = this;
+    if (!current) return undefined;
+    const { channels, range } = current.clip;
+    const offset = current.character.timeOffsetSeconds;
     let [from, to] = range;
     for (const channel of channels) {
       if (channel.kind !== 'keys') continue;
@@ -229,37 +235,37 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   }
 
   private jointSpan(): readonly [number, number] | undefined {
-    const { take } = this;
+    const { take: current } = this;
     const joints = this.currentJoints();
-    if (!take || joints.length === 0) return undefined;
+    if (!current || joints.length === 0) return undefined;
     const rows = this.rows.filter((r) => r.kind === 'joint' && r.joint !== undefined && joints.includes(r.joint));
     const channels = rows.flatMap((row) => row.channels);
-    const span = channels.length ? spanOf(take.clip.channels, allKeys(take.clip, channels)) : undefined;
-    const offset = take.character.timeOffsetSeconds;
+    const span = channels.length ? spanOf(current.clip.channels, allKeys(current.clip, channels)) : undefined;
+    const offset = current.character.timeOffsetSeconds;
     return span && [span[0] - offset, span[1] - offset];
   }
 
   private fold({ fold }: DopeRow, open: boolean, every: boolean): void {
-    const { take } = this;
-    if (fold === undefined || !take) return;
+    const { take: current } = this;
+    if (fold === undefined || !current) return;
     const { unfolded } = this.wb.timeline.view.get();
     const others = unfolded.filter((f) => f !== fold);
-    if (every) this.wb.timeline.change({ unfolded: open ? allFolds(take.character, take.clip) : [] });
+    if (every) this.wb.timeline.change({ unfolded: open ? allFolds(current.character, current.clip) : [] });
     else this.wb.timeline.change({ unfolded: open ? [...others, fold] : others });
   }
 
   /** Selects the row's joint and keeps the selected keys: one may be looking for the joint that they belong to. */
   private choose({ joint }: DopeRow): void {
-    const { take } = this;
-    if (!take || joint === undefined) return;
-    const characterId = take.character.id;
+    const { take: current } = this;
+    if (!current || joint === undefined) return;
+    const characterId = current.character.id;
     this.wb.store.select(withSelectedKeys({ characterId, joint }, this.selected()));
   }
 
   private selectRow(row: DopeRow, adds: boolean): void {
-    const { take } = this;
-    if (!take) return;
-    const keys = allKeys(take.clip, row.channels);
+    const { take: current } = this;
+    if (!current) return;
+    const keys = allKeys(current.clip, row.channels);
     selectKeys(this.wb, adds ? unionKeys(selectedKeys(this.wb), keys) : keys);
   }
 
@@ -289,12 +295,12 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   }
 
   private scene(): DopeScene {
-    const { take } = this;
+    const { take: current } = this;
     const { framesPerSecond, range } = this.wb.transport.get();
     return {
       ...this.shown(),
       sheet: this.sheet(),
-      curves: take ? compileClip(take.clip) : NO_CURVES,
+      curves: current ? compileClip(current.clip) : NO_CURVES,
       selected: this.selected(),
       selectedJoints: this.currentJoints(),
       range,
@@ -304,14 +310,14 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   }
 
   private describe(): void {
-    const { take } = this;
-    const label = take ? `Keys of ${take.character.name}. ${selectedText(this.wb)}` : 'Keys. No take.';
+    const { take: current } = this;
+    const label = current ? `Keys of ${current.character.name}. ${selectedText(this.wb)}` : 'Keys. No take.';
     setAttribute(this.plot, 'aria-label', label);
   }
 }
 
 /** Whether two takes have the same rows. */
-function sameTake(a: Take | undefined, b: Take | undefined): boolean {
+function sameTake(a: CurrentTake | undefined, b: CurrentTake | undefined): boolean {
   if (!a || !b) return a === b;
   return (
     a.character.id === b.character.id &&

@@ -24,14 +24,14 @@ export function addTakeRows(
   wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
   section: GUI,
   character: Character,
-  take: ChannelClip,
+  first: ChannelClip,
 ): { readonly update: () => void; readonly line: HTMLElement } {
   const { id } = character;
   const now = () => {
     const found = findCharacter(wb.store.document, id);
     return found && shownClip(found);
   };
-  const binding = { name: take.name };
+  const binding = { name: first.name };
   const name = section.add(binding, 'name').name('Take');
   name.domElement.classList.add('take-name');
   name.onFinishChange((typed: string) => {
@@ -67,9 +67,9 @@ export function addTakeRows(
   );
   section.$children.append(line);
 
-  const between = { interpolation: take.samples?.interpolation ?? 'linear' };
+  const between = { interpolation: first.samples?.interpolation ?? 'linear' };
   const interpolation =
-    take.samples && section.add(between, 'interpolation', INTERPOLATION_NAMES).name('Interpolation');
+    first.samples && section.add(between, 'interpolation', INTERPOLATION_NAMES).name('Interpolation');
   interpolation?.onChange((chosen: Interpolation) => {
     if (now()) attempt(wb.messages, () => wb.store.apply(setInterpolation, { characterId: id, interpolation: chosen }));
   });

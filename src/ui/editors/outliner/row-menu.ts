@@ -90,17 +90,17 @@ export function takeEntries(
   rename: (row: OutlineRow) => void,
 ): MenuEntry[] {
   const { characterId, index } = row;
-  const take = { characterId, clip: index };
+  const ref = { characterId, clip: index };
   const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
   return [
     row.shown
       ? item('Show no take', () => wb.store.apply(showClip, { characterId, clip: -1 }))
-      : item('Show', () => wb.store.apply(showClip, take)),
+      : item('Show', () => wb.store.apply(showClip, ref)),
     { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
-    item('Duplicate', () => wb.store.apply(duplicateClip, take)),
+    item('Duplicate', () => wb.store.apply(duplicateClip, ref)),
     // They edit the take that the current character shows.
     ...(row.shown && currentCharacter(wb)?.id === characterId ? sectionsOf(wb, [['Edit/Edit takes']]) : []),
     { kind: 'line' },
-    item(`Remove ${row.label}`, () => wb.store.apply(removeClip, take)),
+    item(`Remove ${row.label}`, () => wb.store.apply(removeClip, ref)),
   ];
 }

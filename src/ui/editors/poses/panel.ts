@@ -22,7 +22,7 @@ import { PoseCard } from './card.ts';
 import { blendByDrag } from './card-drags.ts';
 import { cardEntries } from './card-menu.ts';
 import { hierarchiesMeant } from './hierarchies.ts';
-import { removePose, rename, take, update } from './pose-edits.ts';
+import { applyWithKeys, removePose, rename, update } from './pose-edits.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { type PoseOptions, poseTools } from './tools.ts';
 
@@ -248,7 +248,7 @@ class PosesPanel implements TimelineTab {
     const character = findCharacter(this.wb.store.document, this.shownId);
     if (!character || !this.shownPoses[index]) return;
     const joints = hierarchiesMeant(this.wb, character, isBranch);
-    take(this.wb, { characterId: character.id, pose: index, share, joints });
+    applyWithKeys(this.wb, { characterId: character.id, pose: index, share, joints });
   }
 
   private startRename(index: number): void {

@@ -162,7 +162,7 @@ export function removePose(wb: Uses<'store' | 'messages'>, characterId: string, 
   attempt(wb.messages, () => wb.store.apply(removePoses, { characterId, poses: [pose] }));
 }
 
-export function take(
+export function applyWithKeys(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   change: Omit<ArgsOf<typeof applyPose>, 'timeSeconds' | 'key'>,
 ): void {

@@ -24,7 +24,7 @@ const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>
   flat: 'Flat',
 };
 
-const shownTake = (wb: Uses<'store'>) => {
+const takeInView = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character && shownClip(character);
 };
@@ -163,7 +163,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   {
     id: 'take.remove',
     name: 'Remove take',
-    label: (wb) => `Remove ${shownTake(wb)?.name ?? 'take'}`,
+    label: (wb) => `Remove ${takeInView(wb)?.name ?? 'take'}`,
     group: 'Keys',
     menu: 'Keys/Take',
     section: 3,
@@ -192,7 +192,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys/Take',
     section: 4,
     refuses: needs('The take has no keys or samples.', (wb) => {
-      const take = shownTake(wb);
+      const take = takeInView(wb);
       return take !== undefined && rangeOfKeys(take) !== undefined;
     }),
     run: (wb) =>

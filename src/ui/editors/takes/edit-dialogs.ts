@@ -115,9 +115,9 @@ export function insertDialog(wb: Page, close: () => void): DialogContent {
     ],
     command: insertIntoTake,
     args(answers) {
-      const take = others.find(({ key }) => key === answers.choice('what'));
+      const other = others.find(({ key }) => key === answers.choice('what'));
       const into = { characterId: character.id, clip: character.shownClip };
-      if (take) return { into, atSeconds: at, take, ...howJoined(answers) };
+      if (other) return { into, atSeconds: at, take: other, ...howJoined(answers) };
       return { into, atSeconds: at, holdSeconds: answers.number('seconds') };
     },
     *steps(document, args) {

@@ -22,13 +22,13 @@ import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, listedChannels } from './channels.ts';
 import { keyedChannels } from './dope-rows.ts';
 
-export interface Take {
+export interface CurrentTake {
   readonly character: Character;
   readonly clip: ChannelClip;
 }
 
 /** The take of the current character; undefined if it has none. */
-export function currentTake(wb: Uses<'store'>): Take | undefined {
+export function currentTake(wb: Uses<'store'>): CurrentTake | undefined {
   const character = currentCharacter(wb);
   const clip = character && shownClip(character);
   return character && clip && { character, clip };
@@ -71,7 +71,10 @@ export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Comm
 }
 
 /** A drag of keys of this take: ends if anything else changes the take or shows another. */
-export function editOfTake({ store, messages }: Uses<'store' | 'messages'>, { character, clip }: Take): HandEdit {
+export function editOfTake(
+  { store, messages }: Uses<'store' | 'messages'>,
+  { character, clip }: CurrentTake,
+): HandEdit {
   return new HandEdit(store, messages, () => {
     const now = findCharacter(store.document, character.id);
     return now !== undefined && shownClip(now) === clip;

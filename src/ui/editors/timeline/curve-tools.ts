@@ -10,9 +10,9 @@ import { dofsFor } from './channels.ts';
 import { aboutKeysInHand, channelsToEdit, currentTake } from './current-take.ts';
 
 export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 'euler' | 'loop'): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const { character, clip } = take;
+  const current = currentTake(wb);
+  if (!current) return;
+  const { character, clip } = current;
   const keyed = channelsToEdit(wb).filter((c) => clip.channels[c]?.kind === 'keys');
   if (tool === 'euler') {
     const animated = channelsToEdit(wb).filter((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');

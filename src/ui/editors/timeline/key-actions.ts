@@ -211,9 +211,9 @@ function step(
     repeats: true,
     refuses: needsCurveInView,
     run(wb) {
-      const take = currentTake(wb);
-      if (!take) return;
-      const { character, clip } = take;
+      const current = currentTake(wb);
+      if (!current) return;
+      const { character, clip } = current;
       selectKeys(wb, next(clip.channels, selectedKeysInView(wb), channelsInView(wb), clipTime(wb, character)));
     },
   });
@@ -326,12 +326,12 @@ function allExtrapolate(
   side: 'both' | 'in' | 'out',
   extrapolation: Extrapolation,
 ): boolean {
-  const take = currentTake(wb);
-  const channels = take ? channelsToEdit(wb) : [];
+  const current = currentTake(wb);
+  const channels = current ? channelsToEdit(wb) : [];
   return (
     channels.length > 0 &&
     channels.every((c) => {
-      const channel = take?.clip.channels[c];
+      const channel = current?.clip.channels[c];
       const before = side === 'out' || channel?.extrapolateIn === extrapolation;
       return before && (side === 'in' || channel?.extrapolateOut === extrapolation);
     })

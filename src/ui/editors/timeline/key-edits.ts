@@ -33,28 +33,28 @@ export function insertAtPlayhead(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   channels: readonly number[] = channelsInView(wb),
 ): void {
-  const take = currentTake(wb);
-  if (!take || !channels.length) return;
+  const current = currentTake(wb);
+  if (!current || !channels.length) return;
   pausePlayback(wb);
-  const { character } = take;
+  const { character } = current;
   const inserted = { characterId: character.id, channels, timeSeconds: clipTime(wb, character) };
   const placing = keyPlacing(wb, character);
   addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
 }
 
 export function deleteKeys(wb: Uses<'store' | 'transport' | 'timeline'>): void {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (!take || !keys.length) return;
-  const timeSeconds = clipTime(wb, take.character);
-  wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: take.character.id, keys, timeSeconds });
+  if (!current || !keys.length) return;
+  const timeSeconds = clipTime(wb, current.character);
+  wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: current.character.id, keys, timeSeconds });
 }
 
 export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (!take || !keys.length) return false;
-  wb.timeline.copied = copyKeys(take.clip, keys);
+  if (!current || !keys.length) return false;
+  wb.timeline.copied = copyKeys(current.clip, keys);
   const count = countKeys(keys);
   wb.messages.note(`${plural(count, 'key')} copied from ${plural(keys.length, 'channel')}.`);
   return true;
@@ -72,11 +72,11 @@ export function paste(
   into?: readonly number[],
   copied = wb.timeline.copied,
 ): void {
-  const take = currentTake(wb);
-  if (!take || !copied) return;
-  const targets = into ?? pasteTargets(take.character, copied, pastableChannels(wb));
+  const current = currentTake(wb);
+  if (!current || !copied) return;
+  const targets = into ?? pasteTargets(current.character, copied, pastableChannels(wb));
   if (!targets) {
-    const names = copied.channels.map(({ channel }) => channelName(namedChannel(take.character, channel)));
+    const names = copied.channels.map(({ channel }) => channelName(namedChannel(current.character, channel)));
     const from = names.length === 1 ? names[0] : `${names[0]} and ${plural(names.length - 1, 'more channel')}`;
     wb.messages.note(
       `These keys are from ${from}, and no listed channel matches it. Select its joint, or list all channels.`,
@@ -84,7 +84,7 @@ export function paste(
     return;
   }
   pausePlayback(wb);
-  const { character } = take;
+  const { character } = current;
   const pasted: ArgsOf<typeof pasteKeys> = {
     characterId: character.id,
     copied,
@@ -99,10 +99,10 @@ export function paste(
 
 /** Duplicates the selected keys at the playhead, without the clipboard. */
 export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (!take || !keys.length) return;
-  const copied: CopiedKeys = copyKeys(take.clip, keys);
+  if (!current || !keys.length) return;
+  const copied: CopiedKeys = copyKeys(current.clip, keys);
   paste(wb, 'merge', undefined, copied);
 }
 
@@ -112,25 +112,25 @@ export function nudge(
   frames: number,
   valueSteps: number,
 ): void {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (!take || !keys.length) return;
+  if (!current || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
   const { tab, ripples } = wb.timeline.view.get();
   // In the dope sheet, arrow keys ripple like the mouse.
   if (ripples && tab === 'dope' && valueSteps === 0) {
     wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
-      characterId: take.character.id,
+      characterId: current.character.id,
       keys,
       seconds: frames / framesPerSecond,
     });
     return;
   }
   const degrees = wb.settings.get().angles === 'degrees';
-  const { skeleton } = take.character;
-  const dofs = dofsFor(take.character);
+  const { skeleton } = current.character;
+  const dofs = dofsFor(current.character);
   wb.store.apply(aboutKeysInHand(wb, moveKeys), {
-    characterId: take.character.id,
+    characterId: current.character.id,
     keys,
     seconds: frames / framesPerSecond,
     values: keys.map(({ channel }) => valueSteps * nudgeStep(unitOfChannel(dofs, channel), degrees, skeleton)),
@@ -139,19 +139,19 @@ export function nudge(
 }
 
 export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (!take || !keys.length) return;
+  if (!current || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
-  const { id: characterId, timeOffsetSeconds: offsetSeconds } = take.character;
+  const { id: characterId, timeOffsetSeconds: offsetSeconds } = current.character;
   wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
 }
 
 export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, side: TangentSide): void {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (take && keys.length)
-    wb.store.apply(aboutKeysInHand(wb, setTangents), { characterId: take.character.id, keys, side, kind });
+  if (current && keys.length)
+    wb.store.apply(aboutKeysInHand(wb, setTangents), { characterId: current.character.id, keys, side, kind });
 }
 
 /**
@@ -159,16 +159,16 @@ export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, 
  * handles then move separately until tangents are unified.
  */
 export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: 'unify' | 'break'): void {
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
-  if (!take || !keys.length) return;
+  if (!current || !keys.length) return;
   const handles = how === 'break' ? 'alone' : 'auto';
   if (how === 'break' && wb.timeline.view.get().handles !== 'alone') {
     wb.messages.note('Tangents broken. Each handle now moves on its own; U unifies them.');
   }
   wb.timeline.change({ handles });
   const command = how === 'unify' ? unifyTangents : breakTangents;
-  wb.store.apply(aboutKeysInHand(wb, command), { characterId: take.character.id, keys });
+  wb.store.apply(aboutKeysInHand(wb, command), { characterId: current.character.id, keys });
 }
 
 /** Of the channels with selected keys, or of those in view. */
@@ -178,9 +178,9 @@ export function extrapolate(
   extrapolation: Extrapolation,
   channels: readonly number[] = channelsToEdit(wb),
 ): void {
-  const take = currentTake(wb);
-  if (!take || !channels.length) return;
-  wb.store.apply(setExtrapolation, { characterId: take.character.id, channels: [...channels], side, extrapolation });
+  const current = currentTake(wb);
+  if (!current || !channels.length) return;
+  wb.store.apply(setExtrapolation, { characterId: current.character.id, channels: [...channels], side, extrapolation });
 }
 
 /** Selects all keys of these channels that pass a test on the transport's seconds. */
@@ -189,12 +189,12 @@ export function selectWhere(
   channels: readonly number[],
   test: (timeSeconds: number) => boolean,
 ): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const { timeOffsetSeconds } = take.character;
+  const current = currentTake(wb);
+  if (!current) return;
+  const { timeOffsetSeconds } = current.character;
   const keys: ChannelKeys[] = [];
   for (const channel of [...channels].sort((a, b) => a - b)) {
-    const { times } = keysOf(take.clip.channels[channel]);
+    const { times } = keysOf(current.clip.channels[channel]);
     const indices: number[] = [];
     for (let i = 0; i < times.length; i++) if (test(times[i] - timeOffsetSeconds)) indices.push(i);
     if (indices.length) keys.push({ channel, indices });
@@ -204,12 +204,12 @@ export function selectWhere(
 
 /** Inverts the selection among the keys in view. */
 export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
-  const take = currentTake(wb);
-  if (!take) return;
+  const current = currentTake(wb);
+  if (!current) return;
   const held = new Map(selectedKeysInView(wb).map((k) => [k.channel, new Set(k.indices)]));
   const keys: ChannelKeys[] = [];
   for (const channel of [...channelsInView(wb)].sort((a, b) => a - b)) {
-    const count = keysOf(take.clip.channels[channel]).times.length;
+    const count = keysOf(current.clip.channels[channel]).times.length;
     const indices: number[] = [];
     for (let i = 0; i < count; i++) if (!held.get(channel)?.has(i)) indices.push(i);
     if (indices.length) keys.push({ channel, indices });
@@ -222,23 +222,24 @@ export function selectedText(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   keys: readonly ChannelKeys[] = selectedKeysInView(wb),
 ): string {
-  const take = currentTake(wb);
-  if (!take || !keys.length) return 'No key is selected.';
+  const current = currentTake(wb);
+  if (!current || !keys.length) return 'No key is selected.';
   const count = countKeys(keys);
   const inFrames = wb.settings.get().timeDisplay === 'frames';
   const { framesPerSecond } = wb.transport.get();
   const text = (clipSeconds: number) => {
-    const at = clipSeconds - take.character.timeOffsetSeconds;
+    const at = clipSeconds - current.character.timeOffsetSeconds;
     return inFrames ? `frame ${frameNumber(at, framesPerSecond)}` : `${shown(at)} s`;
   };
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
   for (const { channel, indices } of keys) {
-    const { times } = keysOf(take.clip.channels[channel]);
+    const { times } = keysOf(current.clip.channels[channel]);
     first = Math.min(first, times[indices[0]]);
     last = Math.max(last, times[indices[indices.length - 1]]);
   }
-  const of = keys.length === 1 ? channelName(namedChannel(take.character, keys[0].channel)) : `${keys.length} channels`;
+  const of =
+    keys.length === 1 ? channelName(namedChannel(current.character, keys[0].channel)) : `${keys.length} channels`;
   const when = first === last ? `at ${text(first)}` : `from ${text(first)} to ${text(last)}`;
   return `${plural(count, 'key')} of ${of}, ${when}`;
 }

@@ -2,12 +2,12 @@
 import { changeMarker } from '../../../edit/commands/markers.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { currentTake, editOfTake, type Take } from './current-take.ts';
+import { type CurrentTake, currentTake, editOfTake } from './current-take.ts';
 
 const MOVE = { ...changeMarker, label: () => 'Move marker' };
 
 export class MarkerDrag {
-  private readonly take: Take | undefined;
+  private readonly take: CurrentTake | undefined;
   private readonly edit: HandEdit | undefined;
 
   /** @param isEnd the end of a span, rather than all of it */
@@ -22,15 +22,15 @@ export class MarkerDrag {
 
   /** @param toSeconds of the transport */
   move(toSeconds: number): void {
-    const { take, edit, index } = this;
-    const marker = take?.clip.markers?.[index];
-    if (!take || !edit || !marker) return;
-    const at = toSeconds + take.character.timeOffsetSeconds;
+    const { take: current, edit, index } = this;
+    const marker = current?.clip.markers?.[index];
+    if (!current || !edit || !marker) return;
+    const at = toSeconds + current.character.timeOffsetSeconds;
     const { timeSeconds, endSeconds } = marker;
     const next = this.isEnd
       ? { ...marker, endSeconds: Math.max(timeSeconds, at) }
       : { ...marker, timeSeconds: at, ...(endSeconds !== undefined && { endSeconds: endSeconds + at - timeSeconds }) };
-    edit.preview(MOVE, { characterId: take.character.id, index, marker: next });
+    edit.preview(MOVE, { characterId: current.character.id, index, marker: next });
   }
 
   end(): void {

@@ -6,9 +6,9 @@ import { clipTime, currentTake } from './current-take.ts';
 type Page = Uses<'store' | 'transport' | 'messages' | 'dialog'>;
 
 export function addMarkerHere(wb: Page): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const { character, clip } = take;
+  const current = currentTake(wb);
+  if (!current) return;
+  const { character, clip } = current;
   const label = String((clip.markers?.length ?? 0) + 1);
   const marker = { timeSeconds: clipTime(wb, character), label };
   wb.store.apply(addMarkers, { characterId: character.id, markers: [marker] });
@@ -16,9 +16,9 @@ export function addMarkerHere(wb: Page): void {
 }
 
 export function addSpanOfRange(wb: Page): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const { character, clip } = take;
+  const current = currentTake(wb);
+  if (!current) return;
+  const { character, clip } = current;
   const [from, to] = wb.transport.get().range.map((seconds) => seconds + character.timeOffsetSeconds);
   const label = String((clip.markers?.length ?? 0) + 1);
   const span = { timeSeconds: from, endSeconds: to, label };

@@ -58,9 +58,9 @@ export function markersDialog(wb: Page, close: () => void): DialogContent {
 }
 
 function markerRow(wb: Page, marker: Marker, index: number): HTMLElement {
-  const take = currentTake(wb);
-  const offset = take?.character.timeOffsetSeconds ?? 0;
-  const characterId = take?.character.id ?? '';
+  const current = currentTake(wb);
+  const offset = current?.character.timeOffsetSeconds ?? 0;
+  const characterId = current?.character.id ?? '';
   const change = (next: Marker) =>
     attempt(wb.messages, () => wb.store.apply(changeMarker, { characterId, index, marker: next }));
   const label = element('input', { type: 'text', value: marker.label, 'aria-label': `Label of marker ${index + 1}` });

@@ -11,15 +11,15 @@ import { rangeOfSamples } from '../../../model/takes/samples.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
 import { count, plural, shown } from '../../widgets/numbers/number-text.ts';
-import { clipTime, currentTake, type Take } from './current-take.ts';
+import { type CurrentTake, clipTime, currentTake } from './current-take.ts';
 
 export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
 
 /** Reports the result as a message. */
 export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool: SampleTool): void {
-  const take = currentTake(wb);
-  if (!take) return;
-  const { character } = take;
+  const current = currentTake(wb);
+  if (!current) return;
+  const { character } = current;
   const characterId = character.id;
   if (tool === 'reverse') {
     reverse(wb, characterId);
@@ -33,11 +33,11 @@ export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool
   } else if (tool === 'split') wb.store.apply(splitSamples, { characterId, timeSeconds });
   else wb.store.apply(trimSamples, { characterId, side: tool === 'trimStart' ? 'start' : 'end', timeSeconds });
   const now = currentTake(wb);
-  if (now) wb.messages.note(tool === 'split' ? splitText(now, character.shownClip) : cutText(tool, take, now));
+  if (now) wb.messages.note(tool === 'split' ? splitText(now, character.shownClip) : cutText(tool, current, now));
 }
 
 /** `Split: jump has 60 frames, jump_2 has 61.` */
-export function splitText({ character, clip }: Take, first: number): string {
+export function splitText({ character, clip }: CurrentTake, first: number): string {
   const said = [character.clips[first], clip].map(
     ({ name, samples }) => `${name} has ${plural(samples?.frameCount ?? 0, 'frame')}`,
   );
@@ -45,7 +45,11 @@ export function splitText({ character, clip }: Take, first: number): string {
 }
 
 /** `Cropped jump to 61 of 121 frames, 0.5 – 1.5 s.` */
-export function cutText(tool: 'crop' | 'trimStart' | 'trimEnd', before: Take, { character, clip }: Take): string {
+export function cutText(
+  tool: 'crop' | 'trimStart' | 'trimEnd',
+  before: CurrentTake,
+  { character, clip }: CurrentTake,
+): string {
   const { samples } = clip;
   if (!samples) return '';
   if (clip === before.clip) return `${clip.name} has no frames to cut there.`;

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { emptyPlotText } from '../../../../src/ui/editors/curves/empty-text.ts';
 import { listedChannels } from '../../../../src/ui/editors/timeline/channels.ts';
-import { character, clip, documentOf, skin } from '../../../helpers/builders.ts';
+import { character, documentOf, skin, takeOfValues } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
 it('a skin alone lists no channels, and its plot asks for a skeleton instead of joints to rotate', () => {
@@ -12,7 +12,7 @@ it('a skin alone lists no channels, and its plot asks for a skeleton instead of 
 });
 
 it('a take without keys is named, as it is listed and has a length', () => {
-  const still = character({ name: 'green', clips: [clip('pose', [])], shownClip: 0 });
+  const still = character({ name: 'green', clips: [takeOfValues('pose', [])], shownClip: 0 });
   const { wb } = workbench(documentOf(still));
   expect(emptyPlotText(wb, 0)).toMatch(/^The take pose has no keys\. Rotate a joint and press K to key it at 0 s /);
   const { wb: without } = workbench(documentOf(character({ name: 'green', clips: [], shownClip: -1 })));

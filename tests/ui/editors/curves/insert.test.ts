@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { insertOnCurve } from '../../../../src/ui/editors/curves/insert.ts';
-import { captured, figure, take } from '../../../helpers/mocap.ts';
+import { captured, figure, takeOfRoots } from '../../../helpers/mocap.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 it('a key inserted on a sampled curve is refused in words', () => {
@@ -9,7 +9,7 @@ it('a key inserted on a sampled curve is refused in words', () => {
     documentOf(
       captured(
         skeleton,
-        take(skeleton, [
+        takeOfRoots(skeleton, [
           [0, 1, 0],
           [0, 2, 0],
         ]),

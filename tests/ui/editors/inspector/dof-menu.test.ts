@@ -1,12 +1,12 @@
 import { expect, it, vi } from 'vitest';
 import { dofEntries } from '../../../../src/ui/editors/inspector/dof-menu.ts';
-import { captured, figure, take } from '../../../helpers/mocap.ts';
+import { captured, figure, takeOfRoots } from '../../../helpers/mocap.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 it('a key on a sampled curve is offered with converting it by the menu of its value', async () => {
   const skeleton = figure();
   const rows = [0, 1].map((z) => [0, 1, z] as const);
-  const { wb } = workbench(documentOf(captured(skeleton, take(skeleton, rows))));
+  const { wb } = workbench(documentOf(captured(skeleton, takeOfRoots(skeleton, rows))));
   const before = wb.store.document;
   const entries = dofEntries(wb, before.characters[0], [4], () => {});
   for (const entry of entries) if (entry.kind === 'item' && entry.label === 'Key at current time') entry.run();

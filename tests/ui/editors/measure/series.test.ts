@@ -19,7 +19,7 @@ import {
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
 import { sliding } from '../../../edit/hold/sliding.ts';
-import { character, clip, documentOf, joint, skeleton } from '../../../helpers/builders.ts';
+import { character, documentOf, joint, skeleton, takeOfValues } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
 const measured = (sources: readonly Source[]): readonly Measured[] =>
@@ -34,7 +34,7 @@ function take(id: string, x: number, more: Partial<Character> = {}): Character {
     id,
     name: id,
     skeleton: skeleton(3),
-    clips: [clip(`${id} take`, [x, 1.5])],
+    clips: [takeOfValues(`${id} take`, [x, 1.5])],
     shownClip: 0,
     ...more,
   });
@@ -60,7 +60,7 @@ describe('the plotted series', () => {
   });
 
   it('of a comparison the two compared takes are measured, and of one character both', () => {
-    const two = take('a', 0, { clips: [clip('walk', [0]), clip('run', [4])] });
+    const two = take('a', 0, { clips: [takeOfValues('walk', [0]), takeOfValues('run', [4])] });
     const { wb } = workbench(documentOf(two, take('b', 9)));
     const [walk, run] = listOfTakes(wb);
     compareTakes(wb, walk, run);

@@ -9,8 +9,8 @@ import { outlineRows, sameOutline } from '../../../../src/ui/editors/outliner/ou
 import { takeRows } from '../../../../src/ui/editors/takes/rows.ts';
 import { listedChannels } from '../../../../src/ui/editors/timeline/channels.ts';
 import { keyedChannels } from '../../../../src/ui/editors/timeline/dope-rows.ts';
-import { PARTS, person, take } from '../../../evaluate/retarget/people.ts';
-import { character, clip, documentOf, morph } from '../../../helpers/builders.ts';
+import { PARTS, person, takeOfRows } from '../../../evaluate/retarget/people.ts';
+import { character, documentOf, morph, takeOfValues } from '../../../helpers/builders.ts';
 
 const SOURCE = person();
 const REST = new Array<number>(jointDofCount(SOURCE)).fill(0);
@@ -19,13 +19,13 @@ const JOINT_DOFS = 3 + 3 * PARTS.length;
 const LIST = { list: 'all', pinned: [], filter: '' } as const;
 
 function moved(): Store {
-  const source = character({ id: 's', name: 'dancer', skeleton: SOURCE, clips: [take(SOURCE, [REST, REST])] });
+  const source = character({ id: 's', name: 'dancer', skeleton: SOURCE, clips: [takeOfRows(SOURCE, [REST, REST])] });
   const target = character({
     id: 't',
     name: 'walker',
     skeleton: OWN,
     morphs: [morph('smile')],
-    clips: [clip('own', new Array<number>(JOINT_DOFS + 1).fill(0.1))],
+    clips: [takeOfValues('own', new Array<number>(JOINT_DOFS + 1).fill(0.1))],
     shownClip: 0,
   });
   const store = new Store(documentOf({ ...source, shownClip: 0 }, target));

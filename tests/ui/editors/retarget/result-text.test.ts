@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_RETARGET } from '../../../../src/model/takes/retarget.ts';
 import { retargetText } from '../../../../src/ui/editors/retarget/result-text.ts';
-import { driverOf, person, take } from '../../../evaluate/retarget/people.ts';
+import { driverOf, person, takeOfRows } from '../../../evaluate/retarget/people.ts';
 
 const skeleton = person();
-const driver = driverOf(skeleton, take(skeleton, [[]]), [{ target: 0, source: 0 }]);
+const driver = driverOf(skeleton, takeOfRows(skeleton, [[]]), [{ target: 0, source: 0 }]);
 const NOTHING = {
   ...{ limbs: 0, limbsMean: 0, limbsWorst: 0, worst: 0, mean: 0, sourceWorst: 0, sourceMean: 0 },
   ...{ contacts: 0, allContacts: 0, lowest: 0, highest: 0, tips: 0, tipsMean: 0, tipsWorst: 0 },

@@ -2,10 +2,10 @@ import { expect, it } from 'vitest';
 import { driverSource, possibleSources } from '../../../../src/edit/drivers.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { possibleTargets } from '../../../../src/ui/editors/retarget/targets.ts';
-import { character, clip, documentOf } from '../../../helpers/builders.ts';
+import { character, documentOf, takeOfValues } from '../../../helpers/builders.ts';
 
 const still = (id: string) => character({ id });
-const moving = (id: string) => character({ id, clips: [clip('take', [0])], shownClip: 0 });
+const moving = (id: string) => character({ id, clips: [takeOfValues('take', [0])], shownClip: 0 });
 const bare = (id: string): Character => {
   const { skeleton: _none, ...rest } = still(id);
   return rest;

@@ -5,11 +5,11 @@ import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { takesToCompare, takeToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
 import { findAction, isEnabled, reasonNot, runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
-import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
+import { character, documentOf, skeleton, takeOfValues } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
 function take(id: string, more: Partial<Character> = {}): Character {
-  return character({ id, name: id, skeleton: skeleton(3), clips: [clip(id, [0])], shownClip: 0, ...more });
+  return character({ id, name: id, skeleton: skeleton(3), clips: [takeOfValues(id, [0])], shownClip: 0, ...more });
 }
 
 const renamed = (name: string) => {

@@ -5,12 +5,12 @@ import type { Character } from '../../../../src/model/document.ts';
 import { Measuring } from '../../../../src/ui/editors/takes/measuring.ts';
 import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
-import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
+import { character, documentOf, skeleton, takeOfValues } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
 /** Three joints at x; DOFs that its take doesn't drive can be posed. */
 function take(id: string, x: number): Character {
-  return character({ id, name: id, skeleton: skeleton(3), clips: [clip(id, [x])], shownClip: 0 });
+  return character({ id, name: id, skeleton: skeleton(3), clips: [takeOfValues(id, [x])], shownClip: 0 });
 }
 
 function compared() {

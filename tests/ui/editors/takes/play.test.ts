@@ -15,12 +15,12 @@ import {
 import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.ts';
 import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/actions/action.ts';
 import { comparedIn, drawnDocument } from '../../../../src/ui/state/takes.ts';
-import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
+import { character, documentOf, skeleton, takeOfValues } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
 function take(id: string, range: readonly [number, number], more: Partial<Character> = {}): Character {
   const sources = [{ name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 }];
-  return character({ id, name: id, clips: [clip(id, [0], range)], shownClip: 0, sources, ...more });
+  return character({ id, name: id, clips: [takeOfValues(id, [0], range)], shownClip: 0, sources, ...more });
 }
 
 const framesOf = (frameCount: number, frameSeconds: number): Samples => ({
@@ -65,7 +65,7 @@ describe('the next take', () => {
   });
 
   it('the next take uses its own frame rate, and stops on a frame', () => {
-    const frames = { ...clip('d', [], [0, 1]), samples: framesOf(101, 0.01) };
+    const frames = { ...takeOfValues('d', [], [0, 1]), samples: framesOf(101, 0.01) };
     const { wb } = bench(take('d', [0, 1], { clips: [frames] }));
     runAction(wb, 'take.previous');
     expect(wb.transport.get()).toMatchObject({ range: [0, 1], framesPerSecond: 100 });
@@ -251,7 +251,7 @@ describe('two takes that are compared', () => {
   });
 
   it('two takes of one character are drawn as two, and picked as the one', () => {
-    const twice = take('d', [0, 1], { clips: [clip('x', [0]), clip('y', [1])] });
+    const twice = take('d', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [1])] });
     const { wb } = bench(twice);
     const rows = listOfTakes(wb).filter((r) => r.characterId === 'd');
     compareTakes(wb, rows[0], rows[1]);

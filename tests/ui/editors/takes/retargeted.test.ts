@@ -17,7 +17,7 @@ import { compareTakes } from '../../../../src/ui/editors/takes/start-comparison.
 import { followSelection, takesToCompare } from '../../../../src/ui/editors/takes/which-takes.ts';
 import { findAction, isEnabled, runAction, tryAction } from '../../../../src/ui/state/actions/action.ts';
 import { comparedIn, drawnDocument, playedName } from '../../../../src/ui/state/takes.ts';
-import { person, take } from '../../../evaluate/retarget/people.ts';
+import { person, takeOfRows } from '../../../evaluate/retarget/people.ts';
 import { character, documentOf } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
@@ -25,7 +25,7 @@ import { workbench } from '../../builders.ts';
 function captured(id: string, x: number, names: (part: string) => string): Character {
   const skeleton = person({ names });
   const row = [x, 0.9, 0, ...new Array<number>(jointDofCount(skeleton) - 3).fill(0)];
-  const clip = { ...take(skeleton, [row, row, row]), name: id };
+  const clip = { ...takeOfRows(skeleton, [row, row, row]), name: id };
   return character({ id, name: id, skeleton, pose: filePose(skeleton, 0), clips: [clip], shownClip: 0 });
 }
 

@@ -2,10 +2,10 @@ import { describe, expect, it } from 'vitest';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
 import type { ChannelClip } from '../../../../src/model/takes/clip.ts';
 import { listedTakes, takeRows } from '../../../../src/ui/editors/takes/rows.ts';
-import { character, clip, clipsFrom, documentOf } from '../../../helpers/builders.ts';
+import { character, clipsFrom, documentOf, takeOfValues } from '../../../helpers/builders.ts';
 
 const sampled = (name: string, frameCount: number): ChannelClip => ({
-  ...clip(name, [], [0, (frameCount - 1) / 50]),
+  ...takeOfValues(name, [], [0, (frameCount - 1) / 50]),
   samples: {
     frameCount,
     frameSeconds: 0.02,
@@ -28,7 +28,7 @@ const document = documentOf(
   character({
     id: 'c2',
     name: 'wasp',
-    clips: [clip('walk_2', [0]), clip('sting', [0], [0, 3])],
+    clips: [takeOfValues('walk_2', [0]), takeOfValues('sting', [0], [0, 3])],
     shownClip: 1,
     parts: clipsFrom('walk_2.anim', 'sting.anim'),
     placements: [{ ...DEFAULT_PLACEMENT, position: [2, 0, -1] }],
@@ -56,14 +56,18 @@ describe('the rows of takes', () => {
 
   it('keyed takes have the frame rate that their file states, or that of their keys, and frames by it', () => {
     const every = (rate: number): ChannelClip => {
-      const [channel] = clip('one', [0]).channels;
+      const [channel] = takeOfValues('one', [0]).channels;
       if (channel.kind !== 'keys') throw new Error('The helper makes keys.');
       const times = Float64Array.from({ length: 49 }, (_, frame) => frame / rate);
       const flat = { kinds: new Uint8Array(49), slopes: new Float64Array(49) };
       const keys = { ...channel, times, values: new Float64Array(49), tangentsIn: flat, tangentsOut: flat };
       return { name: 'even', range: [0, 48 / rate], channels: [keys] };
     };
-    const clips = [{ ...clip('stated', [0], [0, 2]), framesPerSecond: 60 }, every(24), clip('uneven', [0], [0, 3])];
+    const clips = [
+      { ...takeOfValues('stated', [0], [0, 2]), framesPerSecond: 60 },
+      every(24),
+      takeOfValues('uneven', [0], [0, 3]),
+    ];
     expect(takeRows(documentOf(character({ clips })))).toMatchObject([
       { isKeyed: true, framesPerSecond: 60, frameCount: 121 },
       { isKeyed: true, framesPerSecond: 24, frameCount: 49 },

@@ -21,7 +21,7 @@ import type { Uses } from '../../../state/workbench.ts';
 import type { DialogContent } from '../../../widgets/dialog.ts';
 import { element } from '../../../widgets/dom.ts';
 import { count, errorSize, plural, shown } from '../../../widgets/numbers/number-text.ts';
-import { channelsToEdit, currentTake, type Take } from '../../timeline/current-take.ts';
+import { type CurrentTake, channelsToEdit, currentTake } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 
 export function convertDialog(
@@ -248,15 +248,15 @@ function convertedText(wb: Uses<'settings'>, character: Character, report: Conve
 
 function withSamples(
   wb: Uses<'store' | 'timeline'>,
-  make: (take: Take, samples: Samples, channels: readonly number[]) => DialogContent,
+  make: (current: CurrentTake, samples: Samples, channels: readonly number[]) => DialogContent,
 ): DialogContent {
-  const take = currentTake(wb);
-  const samples = take?.clip.samples;
-  if (take && samples) {
+  const current = currentTake(wb);
+  const samples = current?.clip.samples;
+  if (current && samples) {
     return make(
-      take,
+      current,
       samples,
-      channelsToEdit(wb).filter((c) => take.clip.channels[c]?.kind === 'samples'),
+      channelsToEdit(wb).filter((c) => current.clip.channels[c]?.kind === 'samples'),
     );
   }
   const body = element('p', { class: 'empty' }, 'This take has no samples.');

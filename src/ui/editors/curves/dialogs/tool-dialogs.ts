@@ -18,7 +18,7 @@ import type { Uses } from '../../../state/workbench.ts';
 import type { DialogContent } from '../../../widgets/dialog.ts';
 import { element } from '../../../widgets/dom.ts';
 import { count, errorSize, plural } from '../../../widgets/numbers/number-text.ts';
-import { channelsToEdit, currentTake, selectedKeysInView, type Take } from '../../timeline/current-take.ts';
+import { type CurrentTake, channelsToEdit, currentTake, selectedKeysInView } from '../../timeline/current-take.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 import {
   bakeArguments,
@@ -45,9 +45,9 @@ export function simplifyDialog(
   wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
-  return withTake(wb, (take, channels) => {
+  return withTake(wb, (current, channels) => {
     const { angles } = wb.settings.get();
-    const found = unitsOf(take.character, channels);
+    const found = unitsOf(current.character, channels);
     const document = wb.store.document;
     return toolDialog(wb, close, {
       name: 'simplify',
@@ -59,7 +59,7 @@ export function simplifyDialog(
         return { kind: 'number', name: unit, label, value, unit: unitText(unit, angles).trim() };
       }),
       command: simplify,
-      args: (answers) => simplifyArguments(take.character, channels, answers, angles),
+      args: (answers) => simplifyArguments(current.character, channels, answers, angles),
       result: (args) => reductionText(wb, simplifyPreview(document, args)),
     });
   });
@@ -69,7 +69,7 @@ export function resampleDialog(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
-  return withTake(wb, (take, channels) => {
+  return withTake(wb, (current, channels) => {
     const document = wb.store.document;
     return toolDialog(wb, close, {
       name: 'resample',
@@ -77,7 +77,7 @@ export function resampleDialog(
       about: `Sets a key on every frame of ${plural(channels.length, 'curve')}. Keys outside the range are kept.`,
       asked: [
         number('rate', 'Frames per second', wb.transport.get().framesPerSecond),
-        ...rangeAsked(keysSpan(take, channels)),
+        ...rangeAsked(keysSpan(current, channels)),
         {
           kind: 'choice',
           name: 'tangents',
@@ -90,9 +90,9 @@ export function resampleDialog(
         },
       ],
       command: resample,
-      args: (answers) => resampleArguments(take.character, channels, answers),
+      args: (answers) => resampleArguments(current.character, channels, answers),
       result: (args, after) =>
-        [`${reductionText(wb, resamplePreview(document, args))}.`, ...beyond(take, after, channels)].join('\n'),
+        [`${reductionText(wb, resamplePreview(document, args))}.`, ...beyond(current, after, channels)].join('\n'),
     });
   });
 }
@@ -101,7 +101,7 @@ export function bakeDialog(
   wb: Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
-  return withTake(wb, (take, channels) => {
+  return withTake(wb, (current, channels) => {
     const document = wb.store.document;
     return toolDialog(wb, close, {
       name: 'bake',
@@ -109,11 +109,11 @@ export function bakeDialog(
       about: `Turns the extrapolation of ${plural(channels.length, 'curve')} into keys.`,
       asked: rangeAsked(wb.transport.get().range),
       command: bakeExtrapolation,
-      args: (answers) => bakeArguments(take.character, channels, answers),
+      args: (answers) => bakeArguments(current.character, channels, answers),
       result(args, after) {
         const { keysBefore, keysAfter } = bakePreview(document, args);
         const keys = `${count(keysBefore)} → ${plural(keysAfter, 'key')}.`;
-        return [keys, ...beyond(take, after, channels)].join('\n');
+        return [keys, ...beyond(current, after, channels)].join('\n');
       },
     });
   });
@@ -123,11 +123,11 @@ export function scaleDialog(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
-  return withTake(wb, (take) => {
+  return withTake(wb, (current) => {
     const keys = selectedKeysInView(wb);
     const { angles } = wb.settings.get();
     const found = unitsOf(
-      take.character,
+      current.character,
       keys.map((k) => k.channel),
     );
     const pivots = found.map((unit): Asked => {
@@ -146,7 +146,7 @@ export function scaleDialog(
       ],
       command: scaleKeys,
       args: (answers) => ({
-        ...scaleArguments(take.character, keys, answers, angles),
+        ...scaleArguments(current.character, keys, answers, angles),
         onCollision: wb.timeline.view.get().onCollision,
       }),
       result: () => '',
@@ -156,11 +156,11 @@ export function scaleDialog(
 
 function withTake(
   wb: Uses<'store' | 'timeline'>,
-  make: (take: Take, channels: readonly number[]) => DialogContent,
+  make: (current: CurrentTake, channels: readonly number[]) => DialogContent,
 ): DialogContent {
-  const take = currentTake(wb);
-  const channels = channelsToEdit(wb).filter((c) => take?.clip.channels[c]?.kind === 'keys');
-  if (take && channels.length) return make(take, channels);
+  const current = currentTake(wb);
+  const channels = channelsToEdit(wb).filter((c) => current?.clip.channels[c]?.kind === 'keys');
+  if (current && channels.length) return make(current, channels);
   const body = element('p', { class: 'empty' }, 'No curve is visible and no key is selected.');
   return { title: 'Curve tools', body, kind: 'tool-dialog' };
 }
@@ -175,7 +175,7 @@ function rangeAsked(range: readonly [number, number]): Asked[] {
 }
 
 /** From the first key of these channels to the last one, in seconds of the transport. */
-function keysSpan({ clip, character }: Take, channels: readonly number[]): readonly [number, number] {
+function keysSpan({ clip, character }: CurrentTake, channels: readonly number[]): readonly [number, number] {
   let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const { times } of channels.map((c) => keysOf(clip.channels[c]))) {
     from = Math.min(from, times[0]);
@@ -186,7 +186,7 @@ function keysSpan({ clip, character }: Take, channels: readonly number[]): reado
 }
 
 /** Changes of the take's extrapolation. */
-function beyond({ character, clip }: Take, after: Document, channels: readonly number[]): string[] {
+function beyond({ character, clip }: CurrentTake, after: Document, channels: readonly number[]): string[] {
   const changed = findCharacter(after, character.id);
   const now = changed && shownClip(changed);
   return now ? changesBeyond(clip, now, channels) : [];

@@ -29,8 +29,8 @@ export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag
       const scene = plot.scene();
       plot.showBox(undefined);
       if (moved && scene) return select(keysInBox(scene, boxTo(at)), at);
-      const take = currentTake(wb);
-      if (curve !== undefined && take) select(allKeys(take.clip, [curve]), at);
+      const current = currentTake(wb);
+      if (curve !== undefined && current) select(allKeys(current.clip, [curve]), at);
       else if (!from.shift && !from.ctrl) selectKeys(wb, []);
     },
     cancel: () => plot.showBox(undefined),

@@ -55,16 +55,16 @@ export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
 function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const { wb } = plot;
   const scene = plot.scene();
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const line = scene && lineOf(scene, hit.channel);
-  const channel = take?.clip.channels[hit.channel];
-  if (!scene || !take || !line || channel?.kind !== 'keys') return undefined;
-  const keyTime = channel.times[hit.index] - take.character.timeOffsetSeconds;
+  const channel = current?.clip.channels[hit.channel];
+  if (!scene || !current || !line || channel?.kind !== 'keys') return undefined;
+  const keyTime = channel.times[hit.index] - current.character.timeOffsetSeconds;
   const keyValue = channel.values[hit.index];
   // Offset of the grab within the key, kept while dragging, even if the view is zoomed meanwhile.
   const offX = from.x - timeX(scene.space, keyTime);
   const offY = from.y - yOf(scene.space, line, keyValue);
-  const edit = editOfTake(wb, take);
+  const edit = editOfTake(wb, current);
   const command = aboutKeysInHand(wb, moveKeys);
   const drawn = new Map(scene.lines.map((l) => [l.channel, l]));
   const keys = selectedKeysInView(wb);
@@ -82,7 +82,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
       value = snapValue(keyValue, value, valueStep(pixelsPerUnit(space, line), shownPer));
     }
     edit.preview(command, {
-      characterId: take.character.id,
+      characterId: current.character.id,
       keys,
       seconds,
       values: keys.map((k) => valueFor(space, line, drawn.get(k.channel), value)),

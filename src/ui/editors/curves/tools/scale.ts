@@ -63,20 +63,20 @@ export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
 /** Scales the current selection, as one edit. Undefined if none is in view. */
 export function scaler(plot: PlotAccess) {
   const { wb } = plot;
-  const take = currentTake(wb);
+  const current = currentTake(wb);
   const first = plot.scene();
-  if (!take || !first) return undefined;
+  if (!current || !first) return undefined;
   const drawn = new Map(first.lines.map((l) => [l.channel, l]));
   const keys = selectedKeysInView(wb);
   if (!keys.length) return undefined;
-  const edit = editOfTake(wb, take);
+  const edit = editOfTake(wb, current);
   const command = aboutKeysInHand(wb, scaleKeys);
   const to = ({ pivotSeconds, timeFactor, pivotY, valueFactor }: ScaleTool) => {
     const scene = plot.scene() ?? first;
     edit.preview(command, {
-      characterId: take.character.id,
+      characterId: current.character.id,
       keys,
-      pivotSeconds: pivotSeconds + take.character.timeOffsetSeconds,
+      pivotSeconds: pivotSeconds + current.character.timeOffsetSeconds,
       timeFactor,
       valueFactor,
       pivotValues: keys.map(({ channel }) => {

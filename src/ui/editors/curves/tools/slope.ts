@@ -18,9 +18,9 @@ type HandleHit = Extract<CurveHit, { kind: 'handle' }>;
 
 export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const { wb } = plot;
-  const take = currentTake(wb);
-  const channel = take?.clip.channels[hit.channel];
-  const edit = take && editOfTake(wb, take);
+  const current = currentTake(wb);
+  const channel = current?.clip.channels[hit.channel];
+  const edit = current && editOfTake(wb, current);
   const wereEqual =
     channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
   const selected = selectedKeys(wb);
@@ -33,11 +33,11 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const move = (at: PointerAt) => {
     const scene = plot.scene();
     const line = scene && lineOf(scene, hit.channel);
-    if (!scene || !take || !edit || !line) return;
+    if (!scene || !current || !edit || !line) return;
     const slope = slopeFromHandle(scene, line, hit.index, hit.side, at.x, at.y);
     const both = movesBoth(wb.timeline.view.get().handles, wereEqual, at);
     edit.preview(command, {
-      characterId: take.character.id,
+      characterId: current.character.id,
       keys: [{ channel: hit.channel, indices: [hit.index] }],
       side: both ? 'both' : hit.side,
       slope,

@@ -76,16 +76,16 @@ export class WhyPane {
   }
 
   show(place: WhyPlace): void {
-    const take = currentTake(this.wb);
-    const subject = take && whySubject(place);
-    const why = take && subject && whyValue(take.clip, subject.channel, subject.time);
+    const current = currentTake(this.wb);
+    const subject = current && whySubject(place);
+    const why = current && subject && whyValue(current.clip, subject.channel, subject.time);
     write(this.empty, 'hidden', why !== undefined);
     write(this.body, 'hidden', why === undefined);
     // Another curve is read from its beginning.
     if (subject?.channel !== this.channel) this.element.scrollTop = 0;
     this.channel = subject?.channel;
-    if (!take || !subject || !why) return;
-    const { character, clip } = take;
+    if (!current || !subject || !why) return;
+    const { character, clip } = current;
     const named = namedChannel(character, subject.channel);
     const keys = keysOf(clip.channels[subject.channel]);
     this.title.textContent = channelName(named);
