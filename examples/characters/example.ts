@@ -5,7 +5,7 @@ import type { Rig } from '../../src/model/rig.ts';
 import type { Display } from '../../src/model/session.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import type { Skin } from '../../src/model/skin.ts';
-import type { ChannelClip } from '../../src/model/takes/clip.ts';
+import type { Take } from '../../src/model/takes/take.ts';
 
 /** A character as models, before it is written. The rig names the files. */
 export interface Sample {
@@ -15,7 +15,7 @@ export interface Sample {
   readonly skeleton: Skeleton;
   readonly skin?: Skin;
   readonly morphs: readonly Morph[];
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly rig: Rig;
   /** Parts of the display that the example switches on; absent: none. */
   readonly shows?: Pick<Partial<Display>, 'names' | 'bones' | 'axes' | 'followRoot'>;

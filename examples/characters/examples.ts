@@ -28,12 +28,12 @@ export function makeSamples(): readonly Sample[] {
 
 /** An example's files by name, the rig first. */
 export function sampleFiles(sample: Sample): Map<string, string | Uint8Array> {
-  const { id, skeleton, skin, morphs, clip, rig, textures } = sample;
+  const { id, skeleton, skin, morphs, take, rig, textures } = sample;
   const files = new Map<string, string | Uint8Array>([[`${id}.rig`, writeRig(rig).text]]);
   files.set(`${skeleton.name}.skel`, writeSkel([skeleton]).text);
   if (skin) files.set(`${skin.name}.skin`, writeSkin(skin).text);
   for (const morph of morphs) files.set(`${morph.name}.morph`, writeMorph(morph).text);
-  files.set(`${clip.name}.anim`, writeAnim(clip).text);
+  files.set(`${take.name}.anim`, writeAnim(take).text);
   for (const { name, bytes } of textures) files.set(name, bytes);
   return files;
 }

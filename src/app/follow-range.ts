@@ -1,39 +1,39 @@
 /**
- * The playback range and frame rate follow the clips: when other clips are shown (files opened, a take selected or its
- * range set, undo), a range taken from the clips becomes that of the new ones. A range set by hand stays.
+ * The playback range and frame rate follow the takes: when other takes are shown (files opened, a take selected or its
+ * range set, undo), a range taken from the takes becomes that of the new ones. A range set by hand stays.
  *
  * The frame rate is taken from takes opened into an empty page, or replacing everything, if they share one. After that
  * it is the user's, until a take is played alone.
  *
- * Without a clip there is still a range, since poses need a timeline to be keyed on: the one before the clips came.
+ * Without a take there is still a range, since poses need a timeline to be keyed on: the one before the takes came.
  */
 import { sharedFrameRate } from '../edit/frame-rate.ts';
 import { countedAt, DEFAULT_PLAYBACK, intoRange, type Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
-import { findCharacter, rangeOfClips } from '../model/document.ts';
+import { findCharacter, rangeOfTakes } from '../model/document.ts';
 import type { Observable } from '../ui/widgets/observable.ts';
 
 type Range = readonly [number, number];
 
 export function followRange(store: Store, transport: Observable<Playback>): void {
-  let clips = rangeOfClips(store.document);
-  let withoutClips: Range = clips ? DEFAULT_PLAYBACK.range : transport.get().range;
+  let takes = rangeOfTakes(store.document);
+  let withoutTakes: Range = takes ? DEFAULT_PLAYBACK.range : transport.get().range;
   store.subscribe((now, before) => {
     if (now.document === before.document) return;
-    const next = rangeOfClips(now.document);
-    const was = clips;
-    clips = next;
+    const next = rangeOfTakes(now.document);
+    const was = takes;
+    takes = next;
     // The timeline of another character says nothing about this one's.
     const isOther =
       before.document.characters.length > 0 &&
       !now.document.characters.some((c) => findCharacter(before.document, c.id));
     const isFirst = before.document.characters.length === 0;
     if (isOther || isFirst) transport.update((playback) => countedAt(playback, sharedFrameRate(now.document)));
-    if (isOther) withoutClips = DEFAULT_PLAYBACK.range;
-    else if (!was && next) withoutClips = transport.get().range;
+    if (isOther) withoutTakes = DEFAULT_PLAYBACK.range;
+    else if (!was && next) withoutTakes = transport.get().range;
     if (sameRange(was, next) && !(isOther && !next)) return;
     transport.update((playback) => {
-      if (!next) return pausePlayback(playback, was, withoutClips, isOther);
+      if (!next) return pausePlayback(playback, was, withoutTakes, isOther);
       return sameRange(playback.range, was ?? playback.range) ? { ...playback, range: next } : playback;
     });
   });

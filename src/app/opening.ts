@@ -10,7 +10,7 @@ import type { Steps } from '../evaluate/steps.ts';
 import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import type { ParsedFile, SourceFile } from '../model/files.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -243,8 +243,8 @@ export class Opener {
     } else store.replace(label, { document, ...(selected && { selected }) });
     // A replaced part keeps time and camera: someone is editing a file on disk. New content may be of another size.
     if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) viewport.frameAll();
-    // The range already follows the clips (`follow-range.ts`); new ones play from the start, if motion is welcome.
-    if (opened.some((id) => hasNewClip(before, document, id))) {
+    // The range already follows the takes (`follow-range.ts`); new ones play from the start, if motion is welcome.
+    if (opened.some((id) => hasNewTake(before, document, id))) {
       transport.update((now) => {
         const atStart = { ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 };
         return this.parts.reducesMotion() ? pause(atStart, false) : play(atStart);
@@ -258,12 +258,12 @@ export function showingTheSame(before: Document, after: Document): Document {
   const characters = after.characters.map((character) => {
     const was = findCharacter(before, character.id);
     if (!was) return character;
-    const sameClip = was.shownClip < 0 || character.clips[was.shownClip]?.name === was.clips[was.shownClip]?.name;
+    const sameTake = was.shownTake < 0 || character.takes[was.shownTake]?.name === was.takes[was.shownTake]?.name;
     const sameSkin = character.skins[was.shownSkin]?.name === was.skins[was.shownSkin]?.name;
-    const shownClip = sameClip ? was.shownClip : character.shownClip;
+    const shownTake = sameTake ? was.shownTake : character.shownTake;
     const shownSkin = sameSkin ? was.shownSkin : character.shownSkin;
-    if (shownClip === character.shownClip && shownSkin === character.shownSkin) return character;
-    return { ...character, shownClip, shownSkin };
+    if (shownTake === character.shownTake && shownSkin === character.shownSkin) return character;
+    return { ...character, shownTake, shownSkin };
   });
   return after === before ? after : { ...after, characters };
 }
@@ -272,20 +272,20 @@ export function showingTheSame(before: Document, after: Document): Document {
 function hasGrown(before: Character | undefined, after: Character | undefined): boolean {
   if (!before || !after) return true;
   const first = (was: readonly unknown[], is: readonly unknown[]) => was.length === 0 && is.length > 0;
-  return before.skeleton === undefined || first(before.skins, after.skins) || first(before.clips, after.clips);
+  return before.skeleton === undefined || first(before.skins, after.skins) || first(before.takes, after.takes);
 }
 
-/** Whether a character plays a clip that it didn't have before. */
-function hasNewClip(before: Document, after: Document, id: string): boolean {
-  const clip = shownClipOf(after, id);
-  if (!clip) return false;
+/** Whether a character plays a take that it didn't have before. */
+function hasNewTake(before: Document, after: Document, id: string): boolean {
+  const take = shownTakeOf(after, id);
+  if (!take) return false;
   const old = findCharacter(before, id);
-  return !old?.clips.some((c) => c.name === clip.name);
+  return !old?.takes.some((c) => c.name === take.name);
 }
 
-function shownClipOf(document: Document, id: string) {
+function shownTakeOf(document: Document, id: string) {
   const character = findCharacter(document, id);
-  return character && shownClip(character);
+  return character && shownTake(character);
 }
 
 /** With the further files that they were read from. */

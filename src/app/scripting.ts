@@ -13,8 +13,8 @@ import type { GlbOptions } from '../export/glb/options.ts';
 import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../files/kinds.ts';
 import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { type Character, shownClip } from '../model/document.ts';
-import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/takes/clip.ts';
+import { type Character, shownTake } from '../model/document.ts';
+import { type Channel, TANGENT_KINDS, type TangentKind } from '../model/takes/take.ts';
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { type CharacterRef, resolveCharacter } from '../ui/state/joints/character-ref.ts';
 import type { PictureOptions, VideoOptions } from '../ui/state/pictures.ts';
@@ -37,7 +37,7 @@ export interface CharacterInfo {
   readonly dofs: readonly number[];
   readonly skins: readonly string[];
   readonly morphs: readonly string[];
-  readonly clips: readonly string[];
+  readonly takes: readonly string[];
   readonly vertexCount: number;
 }
 
@@ -90,7 +90,7 @@ export interface MarrowApi {
   /** All commands with their arguments in words; their scripts are loaded on first use. */
   commands(): Promise<readonly CommandInfo[]>;
   /**
-   * Keys of a channel of the shown clip, by default the selected keys of all channels: seconds of the clip, values, and
+   * Keys of a channel of the shown take, by default the selected keys of all channels: seconds of the take, values, and
    * slopes and kinds of their tangents.
    */
   keys(channel?: number, character?: CharacterRef): KeyInfo[];
@@ -219,7 +219,7 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
     dofs: Array.from(dofs ?? character.pose),
     skins: character.skins.map((s) => s.name),
     morphs: character.morphs.map((m) => m.name),
-    clips: character.clips.map((c) => c.name),
+    takes: character.takes.map((c) => c.name),
     vertexCount: (character.skins[character.shownSkin]?.positions.length ?? 0) / 3,
   };
 }
@@ -227,7 +227,7 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
 function keysOf(store: Store, ref: CharacterRef | undefined, index: number | undefined): KeyInfo[] {
   const character = resolveCharacter(store, ref);
   const { selection } = store;
-  const channels = shownClip(character)?.channels ?? [];
+  const channels = shownTake(character)?.channels ?? [];
   if (index === undefined) {
     const keys = selection.characterId === character.id ? (selection.keys ?? []) : [];
     return keys.flatMap(({ channel, indices }) => {

@@ -7,7 +7,7 @@ import type { Store } from '../edit/store.ts';
 import { metresPerUnit } from '../evaluate/space/metres.ts';
 import { spaceText, unitText } from '../evaluate/space/space.ts';
 import { type SpaceChoices, spaceChoices } from '../evaluate/space/space-choices.ts';
-import { type Character, findCharacter, shownClip } from '../model/document.ts';
+import { type Character, findCharacter, shownTake } from '../model/document.ts';
 import { skeletonKey } from '../model/skeleton/skeleton-key.ts';
 import type { Space } from '../model/space.ts';
 import { attempt } from '../ui/state/actions/attempt.ts';
@@ -32,7 +32,7 @@ export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
     const key = skeleton && skeletonKey(skeleton);
     if (!skeleton || !space || key === undefined || seen.has(key)) continue;
     seen.add(key);
-    const choices = spaceChoices(skeleton, shownClip(character), space);
+    const choices = spaceChoices(skeleton, shownTake(character), space);
     if (!choices) continue;
     const tall = `${rough(choices.height)} m tall`;
     const text =

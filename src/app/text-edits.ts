@@ -122,6 +122,6 @@ const forever = new AbortController().signal;
 /** Without all that writing the part needs nothing of, to be sent to the worker. */
 function alone({ character, part, pose }: Owned): Owned {
   const { driver: _driver, parts: _parts, poses: _poses, ...rest } = character;
-  const bare: Character = { ...rest, skins: [], shownSkin: 0, morphs: [], clips: [], shownClip: -1, textures: [] };
+  const bare: Character = { ...rest, skins: [], shownSkin: 0, morphs: [], takes: [], shownTake: -1, textures: [] };
   return { character: bare, part, pose };
 }

@@ -1,6 +1,6 @@
 /** What `marrow compare` prints. */
 
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, shownTake } from '../model/document.ts';
 import {
   type Compared,
   type ComparedGoal,
@@ -152,7 +152,7 @@ function dumpTimeLines({ character, targets, dumps, asked }: ToldComparison): re
     if (times.length === 0) return [];
     const isStated = !statesNoTime(named);
     const [time] = times;
-    if (!isStated && time === undefined && !shownClip(character)) return [];
+    if (!isStated && time === undefined && !shownTake(character)) return [];
     const at = times.length > 1 ? `at ${times.length} times` : time === undefined ? 'in the file pose' : `at ${time} s`;
     const others = asked.filter((each) => !times.includes(each));
     const isAsked = !isStated && asked.length > 0;
@@ -172,16 +172,16 @@ function hintsOf({ comparison, character, dumps }: ToldComparison): readonly str
   if (isExplained(comparison)) return [];
   const { frames } = comparison;
   const timed = frames.filter(({ agrees, time }) => !agrees && time !== undefined);
-  if (!shownClip(character) && timed.length > 0) {
+  if (!shownTake(character) && timed.length > 0) {
     return [`The dump is from ${timed[0].time} s. Give the .anim too: without it, every time has the file pose.`];
   }
   const joints = character.skeleton?.joints.length ?? 0;
   const isAllWrong = frames.some(({ own, inherited }) => joints > 0 && own.length + inherited.length === joints);
-  if (!shownClip(character) && isAllWrong) {
+  if (!shownTake(character) && isAllWrong) {
     return ['All joints differ. If the dump is from an animation, give the .anim too, and the time with --time T.'];
   }
   const isOfPose = frames.some(({ agrees, time }) => !agrees && time === undefined);
-  if (shownClip(character) && isOfPose && dumps.some(statesNoTime)) {
+  if (shownTake(character) && isOfPose && dumps.some(statesNoTime)) {
     return ['The dump states no time. If it is not the file pose, give its time with --time T.'];
   }
   return [];

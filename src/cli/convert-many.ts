@@ -3,7 +3,7 @@
  * same path below another folder. Those in a zip go to a folder with its name.
  *
  * Motion capture is read one file at a time, so that memory is bounded by the largest take; all other files are read
- * together, since a skeleton and its clips are separate files. Broken files are reported and skipped.
+ * together, since a skeleton and its takes are separate files. Broken files are reported and skipped.
  */
 import { existsSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
@@ -110,7 +110,7 @@ class Many {
     this.tell([...loaded.diagnostics, ...diagnostics]);
     const { characters } = document;
     for (const character of characters) {
-      if (character.skeleton || character.clips.length === 0) continue;
+      if (character.skeleton || character.takes.length === 0) continue;
       const [source] = character.sources;
       const message = 'An animation alone has no joints. Add its skeleton.';
       this.tell([refusal('skeleton-missing', message, source?.path ?? character.name)]);
@@ -228,7 +228,7 @@ function key(path: string): string {
   return path.toLowerCase();
 }
 
-/** A clip's name is free text; characters that separate folders are replaced. */
+/** A take's name is free text; characters that separate folders are replaced. */
 function fileSystemName(name: string): string {
   return basename(name.replace(/[/\\:\0]/g, '_'));
 }

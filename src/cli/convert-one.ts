@@ -201,7 +201,7 @@ function convertedTo(
     }
     return { output: outputOf(bvhCopy(`${stem(out)}.bvh`, figures)) };
   }
-  // One kind only: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
+  // One kind only: `--to skel` writes skeletons with their takes. A `.skel` may have several roots.
   const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
   if (target === 'skel' && skeletons.length && (files.length === 1 || isAxisAngleName(out))) {
     return skelInForm(skeletons, files[0].source.name, out);

@@ -15,7 +15,7 @@
  * The parent of a root is the scene: its rotation is the same locally and in the world.
  */
 import { CommandError } from '../edit/command-error.ts';
-import { playedClip } from '../evaluate/bake.ts';
+import { playedTake } from '../evaluate/bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../evaluate/foot-contacts.ts';
 import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { carrierIn, retargetCarrier } from '../evaluate/space/carrier.ts';
@@ -185,8 +185,8 @@ function refuseTooLarge(frameCount: number, perFrame: number, precision: Precisi
 function carrierOf({ character, skeleton }: ArrayTake): number {
   const { driver } = character;
   if (driver) return retargetCarrier(driver, skeleton);
-  const clip = playedClip(character);
-  return clip ? carrierIn(skeleton, clip) : 0;
+  const take = playedTake(character);
+  return take ? carrierIn(skeleton, take) : 0;
 }
 
 function offsetsOf({ joints }: Skeleton, space: Space | undefined): Float64Array {

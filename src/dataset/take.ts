@@ -3,9 +3,9 @@
 import { CommandError } from '../edit/command-error.ts';
 import { retargetedTo } from '../edit/commands/retarget.ts';
 import { mirroringTake } from '../edit/samples/take-mirror.ts';
-import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedClip } from '../evaluate/bake.ts';
+import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedTake } from '../evaluate/bake.ts';
 import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
-import { framesOfClip } from '../evaluate/samples/key-frames.ts';
+import { framesOfTake } from '../evaluate/samples/key-frames.ts';
 import { runToEnd } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
@@ -43,7 +43,7 @@ export interface ArrayTake {
   readonly skeleton: Skeleton;
   /** Absent: as in the file. */
   readonly space?: Space;
-  /** Frames of the whole take, in seconds of its clip. */
+  /** Frames of the whole take, in seconds of its take. */
   readonly frames: Frames;
   /** The frames to export: the first, and how many. */
   readonly first: number;
@@ -67,9 +67,9 @@ export function takeOf(source: Character, options: TakeOptions): ArrayTake {
   const played = options.isMirrored ? mirrored(source) : source;
   const character = options.target ? retargeted(played, options.target) : played;
   const { skeleton, space } = character;
-  const clip = playedClip(character);
+  const take = playedTake(character);
   if (!skeleton) throw new CommandError(`${source.name} has no skeleton.`);
-  if (!clip) throw new CommandError(`${source.name} has no motion: no frames and no keys.`);
+  if (!take) throw new CommandError(`${source.name} has no motion: no frames and no keys.`);
   const { frames, fps } = sampledAt(character, options.fps);
   if (frames.frameCount > Math.max(MAX_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
     const count = frames.frameCount.toLocaleString('en');
@@ -89,10 +89,10 @@ export function takeOf(source: Character, options: TakeOptions): ArrayTake {
 
 /** The character with its shown take mirrored, over the ground of its space. @throws CommandError if it can't be */
 function mirrored(character: Character): Character {
-  const { skeleton, morphs, pose, clips, shownClip, space } = character;
-  if (!skeleton || !clips[shownClip]) return character;
-  const clip = runToEnd(mirroringTake({ skeleton, morphs, pose }, clips[shownClip], space?.up));
-  return { ...character, clips: clips.map((each, i) => (i === shownClip ? clip : each)) };
+  const { skeleton, morphs, pose, takes, shownTake, space } = character;
+  if (!skeleton || !takes[shownTake]) return character;
+  const take = runToEnd(mirroringTake({ skeleton, morphs, pose }, takes[shownTake], space?.up));
+  return { ...character, takes: takes.map((each, i) => (i === shownTake ? take : each)) };
 }
 
 /** @throws CommandError */
@@ -109,13 +109,13 @@ function retargeted(from: Character, { character, map }: RetargetTarget): Charac
 }
 
 function sampledAt(character: Character, asked: number | undefined): { readonly frames: Frames; readonly fps: number } {
-  const clip = playedClip(character);
-  const rate = clip && frameRateOf(clip);
-  if (!clip || rate === undefined) {
+  const take = playedTake(character);
+  const rate = take && frameRateOf(take);
+  if (!take || rate === undefined) {
     const fps = asked ?? DEFAULT_FPS;
-    return { frames: framesOf(clip?.range ?? [0, 0], fps), fps };
+    return { frames: framesOf(take?.range ?? [0, 0], fps), fps };
   }
-  const own = framesOfClip(clip, rate);
+  const own = framesOfTake(take, rate);
   if (asked === undefined) return { frames: own, fps: rate };
   // Frames of the file in a frame: whole where the rates allow it, so that nothing is interpolated. Not counted in
   // seconds: frames of 0.0333333 s are meant to be a thirtieth, and the last of them is part of the take.

@@ -1,12 +1,12 @@
 /**
- * Changing channels of a character's shown clip: what all commands on keys share. They identify keys by channel and
+ * Changing channels of a character's shown take: what all commands on keys share. They identify keys by channel and
  * index, check arguments from the console, keep the identity of all other channels, and return the new positions of the
  * keys.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { type Document, shownClip } from '../model/document.ts';
+import { type Document, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/takes/clip.ts';
+import { type Channel, type KeyedChannel, keysOf, type Take } from '../model/takes/take.ts';
 import { indexIn } from './arguments.ts';
 import type { Edit } from './change.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';
@@ -18,33 +18,33 @@ import { requireTake, withTake } from './takes.ts';
 /** Channels of a character's shown take, as arguments of commands. */
 export interface OfChannels {
   readonly characterId: string;
-  /** Indices into the shown clip's channels. */
+  /** Indices into the shown take's channels. */
   readonly channels: readonly number[];
 }
 
 /** Keys of a character's shown take, as arguments of commands. */
 export interface OfKeys {
   readonly characterId: string;
-  /** Keys of the shown clip; same form as in the selection. */
+  /** Keys of the shown take; same form as in the selection. */
   readonly keys: readonly ChannelKeys[];
 }
 
-/** The shown clip of a character; throws if there is none. */
-export function clipOf(document: Document, characterId: string): ChannelClip {
+/** The shown take of a character; throws if there is none. */
+export function takeOf(document: Document, characterId: string): Take {
   return requireTake(requireCharacter(document, characterId));
 }
 
 /**
- * The document with other channels in a character's shown clip; the same object if none changed. Refuses changes
+ * The document with other channels in a character's shown take; the same object if none changed. Refuses changes
  * to joints that a retargeted take drives, since they would have no effect.
  */
-export function withClipChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
+export function withTakeChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
   return changeCharacter(document, characterId, (character) => {
-    const clip = shownClip(character);
-    if (!clip || channels.every((channel, i) => channel === clip.channels[i])) return character;
+    const take = shownTake(character);
+    if (!take || channels.every((channel, i) => channel === take.channels[i])) return character;
     const silent = silentChannels(character);
-    if (channels.some((channel, i) => i < silent && channel !== clip.channels[i])) refuseMoved(character);
-    return withTake(character, character.shownClip, { ...clip, channels });
+    if (channels.some((channel, i) => i < silent && channel !== take.channels[i])) refuseMoved(character);
+    return withTake(character, character.shownTake, { ...take, channels });
   });
 }
 
@@ -57,15 +57,15 @@ export function changeKeys(
   { characterId, keys }: OfKeys,
   change: (channel: KeyedChannel, indices: readonly number[], entry: number) => EditedChannel,
 ): Edit {
-  const clip = clipOf(document, characterId);
-  const channels = [...clip.channels];
+  const take = takeOf(document, characterId);
+  const channels = [...take.channels];
   const now: ChannelKeys[] = [];
-  checkedKeys(clip, keys).forEach(({ channel, index, indices }, entry) => {
+  checkedKeys(take, keys).forEach(({ channel, index, indices }, entry) => {
     const moved = change(channel, indices, entry);
     channels[index] = moved.channel;
     if (moved.indices.length) now.push({ channel: index, indices: moved.indices });
   });
-  return { document: withClipChannels(document, characterId, channels), keys: now };
+  return { document: withTakeChannels(document, characterId, channels), keys: now };
 }
 
 /** Like `changeKeys`, for changes that keep the keys' positions. */
@@ -86,7 +86,7 @@ interface KeysOfChannel {
 }
 
 /** The keys with their channels. Refuses keys that don't exist, and unsorted lists. */
-export function checkedKeys({ channels }: ChannelClip, keys: readonly ChannelKeys[]): readonly KeysOfChannel[] {
+export function checkedKeys({ channels }: Take, keys: readonly ChannelKeys[]): readonly KeysOfChannel[] {
   const checked: KeysOfChannel[] = [];
   let before = -1;
   for (const entry of keys) {
@@ -116,8 +116,8 @@ function checkIndices(indices: readonly number[], keyCount: number): void {
 }
 
 /** Refuses channels that don't exist. Unique and ascending. */
-export function checkedChannels(clip: Pick<ChannelClip, 'channels'>, channels: readonly number[]): readonly number[] {
-  const list = channels.map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
+export function checkedChannels(take: Pick<Take, 'channels'>, channels: readonly number[]): readonly number[] {
+  const list = channels.map((c) => indexIn(c, 0, take.channels.length, 'channel'));
   return [...new Set(list)].sort((a, b) => a - b);
 }
 
@@ -125,15 +125,15 @@ export function checkedChannels(clip: Pick<ChannelClip, 'channels'>, channels: r
  * The channels that can have keys. A sampled channel can't: a single key would replace thousands of frames. If none is
  * left, refuses and says what to do.
  */
-export function keyable(clip: ChannelClip, channels: readonly number[]): readonly number[] {
-  const left = channels.filter((channel) => clip.channels[channel]?.kind !== 'samples');
+export function keyable(take: Take, channels: readonly number[]): readonly number[] {
+  const left = channels.filter((channel) => take.channels[channel]?.kind !== 'samples');
   if (left.length === 0 && channels.length > 0) throw new CommandError(followsSamples(channels.length));
   return left;
 }
 
 /** Refuses if any channel is sampled, rather than change only the others. */
-export function requireKeyable(clip: ChannelClip, channels: readonly number[]): void {
-  const count = channels.filter((channel) => clip.channels[channel]?.kind === 'samples').length;
+export function requireKeyable(take: Take, channels: readonly number[]): void {
+  const count = channels.filter((channel) => take.channels[channel]?.kind === 'samples').length;
   if (count > 0) throw new CommandError(followsSamples(count));
 }
 

@@ -5,22 +5,22 @@
  * source, its drivers are updated in the same step, so that undo reverts both. A source that is removed, or shows no
  * take any more, leaves them unchanged.
  */
-import { type Character, type Document, type DriverSource, findCharacter, shownClip } from '../model/document.ts';
+import { type Character, type Document, type DriverSource, findCharacter, shownTake } from '../model/document.ts';
 
-/** As the clip of a `TakeRef`: the take of another character, which is retargeted to this one live. */
+/** As the take of a `TakeRef`: the take of another character, which is retargeted to this one live. */
 export const RETARGETED = -2;
 
 /** The data that retargeting needs of a character; undefined if it has no skeleton or shows no take. */
 export function driverSource(character: Character): DriverSource | undefined {
   const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space } = character;
-  const clip = shownClip(character);
-  if (!skeleton || !clip) return undefined;
-  return { name, skeleton, clip, pose, clampsToLimits, timeOffsetSeconds, ...(space && { space }) };
+  const take = shownTake(character);
+  if (!skeleton || !take) return undefined;
+  return { name, skeleton, take, pose, clampsToLimits, timeOffsetSeconds, ...(space && { space }) };
 }
 
 /** Whether a character's take can be retargeted to another one. */
 export function isPossibleSource(character: Character): boolean {
-  return !character.driver && character.skeleton !== undefined && shownClip(character) !== undefined;
+  return !character.driver && character.skeleton !== undefined && shownTake(character) !== undefined;
 }
 
 /** Characters whose take can be retargeted to another one. */
@@ -51,7 +51,7 @@ function sameSource(a: Character, b: Character | undefined): boolean {
     (b !== undefined &&
       a.name === b.name &&
       a.skeleton === b.skeleton &&
-      shownClip(a) === shownClip(b) &&
+      shownTake(a) === shownTake(b) &&
       a.pose === b.pose &&
       a.clampsToLimits === b.clampsToLimits &&
       a.timeOffsetSeconds === b.timeOffsetSeconds &&

@@ -26,7 +26,7 @@ export function floorOf(characters: readonly Character[]): number {
 function restingOf(character: Character): { readonly low: number; readonly height: number } {
   const { driver, unkeyed, ...others } = character;
   const pose = filePose(character.skeleton, character.morphs.length);
-  const rest = extentOf({ ...others, pose, clips: [], shownClip: -1 });
+  const rest = extentOf({ ...others, pose, takes: [], shownTake: -1 });
   const start = extentOf(character);
   return start.low > rest.low ? start : rest;
 }

@@ -1,11 +1,11 @@
 /** The frame rate of what plays. */
 import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
-import { type Document, playingCharacters, shownClip } from '../model/document.ts';
+import { type Document, playingCharacters, shownTake } from '../model/document.ts';
 
 /** Frame rates of everything that plays and is visible; undefined for takes without a rate. */
 function ratesPlayed(document: Document): (number | undefined)[] {
-  const clips = playingCharacters(document).map((c) => c.driver?.source.clip ?? shownClip(c));
-  return clips.map((clip) => clip && frameRateOf(clip));
+  const takes = playingCharacters(document).map((c) => c.driver?.source.take ?? shownTake(c));
+  return takes.map((take) => take && frameRateOf(take));
 }
 
 /** The frame rate of everything that plays; undefined if there are several, or none. */

@@ -3,9 +3,9 @@
  * are keyed are no longer unkeyed.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
-import { FLAT, LINEAR, SMOOTH } from '../model/takes/clip.ts';
+import { FLAT, LINEAR, SMOOTH } from '../model/takes/take.ts';
 import { type KeyPlacing, type OutsideCycle, placeOf } from './keys/cycle.ts';
 import { putKeyAt } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';
@@ -55,10 +55,10 @@ export function keyDofs(
   if ([...values.keys()].some((dof) => dof < silent)) refuseMoved(character);
   const time = timeSeconds + character.timeOffsetSeconds;
   const taking = withChannels(character, newRange(character, time, playedRange));
-  const clip = shownClip(taking);
-  if (!clip) return { character, keys: [] };
+  const take = shownTake(taking);
+  if (!take) return { character, keys: [] };
 
-  const channels = [...clip.channels];
+  const channels = [...take.channels];
   const keys: ChannelKeys[] = [];
   let changed = false;
   const placing: KeyPlacing = {
@@ -77,7 +77,7 @@ export function keyDofs(
     channels[dof] = channel;
     keys.push({ channel: dof, indices: [index] });
   }
-  const keyed = changed ? withTake(taking, taking.shownClip, { ...clip, channels }) : taking;
+  const keyed = changed ? withTake(taking, taking.shownTake, { ...take, channels }) : taking;
   const byHand = unkeyedAt(keyed, timeSeconds);
   if (byHand.size === 0) return { character: keyed, keys };
   for (const dof of keyable) byHand.delete(dof);

@@ -1,14 +1,15 @@
 /** Markers of a take whose times change. */
-import type { ChannelClip } from '../model/takes/clip.ts';
+
 import { inOrder, type Marker } from '../model/takes/markers.ts';
+import type { Take } from '../model/takes/take.ts';
 
 /** Times closer than this are the same. */
 const SAME_TIME = 1e-9;
 
-/** The clip with these markers, in order; none rather than an empty list. */
-export function withMarkers<C extends ChannelClip>(clip: C, markers: readonly Marker[] | undefined): C {
-  const { markers: _before, ...rest } = clip;
-  // The same clip but for its markers.
+/** The take with these markers, in order; none rather than an empty list. */
+export function withMarkers<C extends Take>(take: C, markers: readonly Marker[] | undefined): C {
+  const { markers: _before, ...rest } = take;
+  // The same take but for its markers.
   return (markers?.length ? { ...rest, markers: inOrder(markers) } : rest) as C;
 }
 

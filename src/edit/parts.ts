@@ -9,7 +9,7 @@
 import { type Character, type Document, findCharacter, isBvh } from '../model/document.ts';
 import { mapMarks, NO_MARKS, ownRevision, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Take } from '../model/takes/take.ts';
 import { sameValue } from './delta.ts';
 import { haveSameNames } from './pose/same-joints.ts';
 
@@ -46,7 +46,7 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
   const numbered = (mark: PartMark): PartMark =>
     mark.id && mark.revision ? mark : { ...mark, id: mark.id || count(), revision: mark.revision || count() };
   const changed = (mark: PartMark): PartMark => ({ ...mark, revision: count() });
-  const list = <T extends Named>(key: 'skins' | 'morphs' | 'clips', a: readonly T[], b: readonly T[]) => {
+  const list = <T extends Named>(key: 'skins' | 'morphs' | 'takes', a: readonly T[], b: readonly T[]) => {
     const marks = isSaid ? b.map((_, i) => said[key][i] ?? UNMARKED) : followed(a, before[key], b);
     return sameItems(marks.map(numbered), said[key]);
   };
@@ -59,20 +59,20 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
   const skeleton = one('skeleton', was?.skeleton, now.skeleton);
   const skins = list('skins', was?.skins ?? [], now.skins);
   const morphs = list('morphs', was?.morphs ?? [], now.morphs);
-  let clips = list('clips', was?.clips ?? [], now.clips);
+  let takes = list('takes', was?.takes ?? [], now.takes);
   let poses = one('poses', was?.poses, now.poses);
   if (was && was.skeleton !== now.skeleton && isBvh(now)) {
     // A `.bvh` contains the skeleton with each of its takes.
-    clips = clips.map((mark) => (before.clips.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
+    takes = takes.map((mark) => (before.takes.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
   }
   if (was && poses && poses === before.poses && !arePosedAlike(was, now)) poses = changed(poses);
 
-  const parts: PartMarks = { ...(skeleton && { skeleton }), skins, morphs, clips, ...(poses && { poses }) };
+  const parts: PartMarks = { ...(skeleton && { skeleton }), skins, morphs, takes, ...(poses && { poses }) };
   const isSame =
     skeleton === said.skeleton &&
     skins === said.skins &&
     morphs === said.morphs &&
-    clips === said.clips &&
+    takes === said.takes &&
     poses === said.poses;
   return isSame && now.parts ? now.parts : parts;
 
@@ -109,8 +109,8 @@ function sameItems(list: readonly PartMark[], known: readonly PartMark[]): reado
   return list.length === known.length && list.every((mark, i) => mark === known[i]) ? known : list;
 }
 
-/** Whether two clips are the same to a `.bvh`, which stores neither playback range nor interpolation. */
-function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<ChannelClip>): boolean {
+/** Whether two takes are the same to a `.bvh`, which stores neither playback range nor interpolation. */
+function holdsTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean {
   if (!a.samples || !b.samples || a.name !== b.name || a.channels !== b.channels) return false;
   const { interpolation: _a, ...before } = a.samples;
   const { interpolation: _b, ...after } = b.samples;
@@ -120,14 +120,14 @@ function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<Channe
 }
 
 /** Whether only their markers differ, if anything does. */
-function areTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<ChannelClip>): boolean {
+function areTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean {
   const { markers: _a, ...before } = a;
   const { markers: _b, ...after } = b;
   const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
   return keys.every((key) => before[key] === after[key]);
 }
 
-function haveSameMarkers(a: Partial<ChannelClip>, b: Partial<ChannelClip>): boolean {
+function haveSameMarkers(a: Partial<Take>, b: Partial<Take>): boolean {
   return sameValue(a.markers ?? [], b.markers ?? []);
 }
 

@@ -5,7 +5,7 @@ import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { posedBounds, skinBounds } from '../evaluate/skin/bounds.ts';
 import { compileSkin, skinMatrices } from '../evaluate/skin/deform.ts';
 import { applySpace } from '../evaluate/space/space.ts';
-import { type Character, DEFAULT_PLACEMENT, type Placement, shownClip, shownSkin } from '../model/document.ts';
+import { type Character, DEFAULT_PLACEMENT, type Placement, shownSkin, shownTake } from '../model/document.ts';
 import type { SourceFile } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
 import { areBoxesOversized, hasBox } from '../model/skeleton/boxes.ts';
@@ -26,7 +26,7 @@ const SAME_ROW = 0.2;
  *     a  b  c  d  e  f  g  h
  *     i  j  k …                         z ↓ to the viewer
  *
- * Uses positions at the start of each clip: a character that starts elsewhere on the ground (motion capture) is aligned
+ * Uses positions at the start of each take: a character that starts elsewhere on the ground (motion capture) is aligned
  * by its root. Figures of one file keep their relative positions.
  *
  * @param scale of its placement, unless it is placed with others of its file
@@ -172,12 +172,12 @@ function scaled({ min, max, depth, low, height, size }: Extent, by: number): Ext
 /** Scratch; never escapes. */
 const at = new Float64Array(3);
 
-/** At the start of its clip; cached per character. */
+/** At the start of its take; cached per character. */
 export const extentOf = perObject(measure);
 
 function measure(character: Character): Extent {
   const dofs = new Float64Array(dofCountOf(character));
-  poseAt(character, (shownClip(character)?.range[0] ?? 0) - character.timeOffsetSeconds, dofs);
+  poseAt(character, (shownTake(character)?.range[0] ?? 0) - character.timeOffsetSeconds, dofs);
   const least = [Infinity, Infinity, Infinity];
   const most = [-Infinity, -Infinity, -Infinity];
   let depth = 0;

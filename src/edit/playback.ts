@@ -28,7 +28,7 @@ export const FRAME_RATES = [1, 1000] as const;
 export const DEFAULT_PLAYBACK: Playback = {
   timeSeconds: 0,
   playing: false,
-  // Some time for posing before there is any clip.
+  // Some time for posing before there is any take.
   range: [0, 2],
   loop: 'loop',
   rate: 1,

@@ -1,6 +1,6 @@
 /** Changes made by hand that are not keyed yet; K keys these. */
 import { channelOf } from '../evaluate/pose.ts';
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, shownTake } from '../model/document.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
 import { unkeyedAt } from './unkeyed.ts';
 
@@ -27,10 +27,10 @@ export function posedDofs(character: Character, opened: Character | undefined, t
 
 /** The character as opened, with the take that it shows now, since each has its own rest values. */
 function showingSameTake(opened: Character, now: Character): Character {
-  const name = shownClip(now)?.name;
-  if (name === undefined) return { ...opened, shownClip: -1 };
-  const index = opened.clips.findIndex((clip) => clip.name === name);
-  return index < 0 ? opened : { ...opened, shownClip: index };
+  const name = shownTake(now)?.name;
+  if (name === undefined) return { ...opened, shownTake: -1 };
+  const index = opened.takes.findIndex((take) => take.name === name);
+  return index < 0 ? opened : { ...opened, shownTake: index };
 }
 
 /** The constant value of a DOF that is not animated; undefined for others. */

@@ -6,6 +6,6 @@ import { CommandError } from './command-error.ts';
 export function refuseMoved({ name, driver }: Character): void {
   if (!driver) return;
   throw new CommandError(
-    `${name} is retargeted from ${driver.source.clip.name}, so its own keys don’t show. Bake the retargeting to edit it, or stop retargeting to use its own take.`,
+    `${name} is retargeted from ${driver.source.take.name}, so its own keys don’t show. Bake the retargeting to edit it, or stop retargeting to use its own take.`,
   );
 }

@@ -7,11 +7,11 @@
  */
 
 import type { Document } from '../model/document.ts';
-import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
+import { EMPTY_DOCUMENT, findCharacter, shownTake } from '../model/document.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
 import { othersKept } from '../model/skeleton/selected-joints.ts';
-import { type Channel, type ChannelClip, keysOf } from '../model/takes/clip.ts';
+import { type Channel, keysOf, type Take } from '../model/takes/take.ts';
 import { type Change, documentIn, type Edit, isChange, type SelectedJoint } from './change.ts';
 import type { Command } from './command.ts';
 import { sameValue } from './delta.ts';
@@ -313,8 +313,8 @@ function selectionKept(
   // Nothing of a removed character stays selected.
   if (characterId === undefined) return selection;
   if (!findCharacter(document, characterId)) return NOTHING_SELECTED;
-  const was = clipOf(before, characterId);
-  const now = clipOf(document, characterId);
+  const was = takeOf(before, characterId);
+  const now = takeOf(document, characterId);
   const isOther = document !== before && was === now;
   // If nothing changed, they may belong to a character other than the selected one.
   if (keys && !isOther && hasKeys(now, keys)) return withSelectedKeys(selection, keys);
@@ -323,9 +323,9 @@ function selectionKept(
   return kept.length === selection.keys.length ? selection : withSelectedKeys(selection, kept);
 }
 
-function hasKeys(clip: ChannelClip | undefined, keys: readonly ChannelKeys[]): boolean {
+function hasKeys(take: Take | undefined, keys: readonly ChannelKeys[]): boolean {
   return keys.every(({ channel, indices }) => {
-    const { length } = keysOf(clip?.channels[channel]).times;
+    const { length } = keysOf(take?.channels[channel]).times;
     return indices.every((index) => index < length);
   });
 }
@@ -335,9 +335,9 @@ function hasSameKeys(was: Channel | undefined, now: Channel | undefined): boolea
   return was !== undefined && now !== undefined && (keysOf(was).times === keysOf(now).times || sameValue(was, now));
 }
 
-function clipOf(document: Document, characterId: string): ChannelClip | undefined {
+function takeOf(document: Document, characterId: string): Take | undefined {
   const character = findCharacter(document, characterId);
-  return character && shownClip(character);
+  return character && shownTake(character);
 }
 
 /** The selection with these keys; the same object if they are equal. */

@@ -3,48 +3,48 @@
  * nothing, since its channels have no keys and rest in the pose.
  */
 
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, shownTake } from '../model/document.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
-import { type Channel, type ChannelClip, restChannel, spanOfChannel } from '../model/takes/clip.ts';
+import { type Channel, restChannel, spanOfChannel, type Take } from '../model/takes/take.ts';
 import { CommandError } from './command-error.ts';
 
 /** The shown take. Throws a `CommandError` if there is none. */
-export function requireTake(character: Character): ChannelClip {
-  const clip = shownClip(character);
-  if (!clip) throw new CommandError(`${character.name} has no current take.`);
-  return clip;
+export function requireTake(character: Character): Take {
+  const take = shownTake(character);
+  if (!take) throw new CommandError(`${character.name} has no current take.`);
+  return take;
 }
 
-/** The character with the clip at `index` replaced; the same object if it is the same. */
-export function withTake(character: Character, index: number, clip: ChannelClip): Character {
-  if (character.clips[index] === clip) return character;
-  return { ...character, clips: character.clips.map((c, i) => (i === index ? clip : c)) };
+/** The character with the take at `index` replaced; the same object if it is the same. */
+export function withTake(character: Character, index: number, take: Take): Character {
+  if (character.takes[index] === take) return character;
+  return { ...character, takes: character.takes.map((c, i) => (i === index ? take : c)) };
 }
 
 /**
  * The character showing a take with at least one channel per DOF. New channels rest in the pose, so that nothing moves.
  * Throws a `CommandError` for a character without a skeleton, since channels correspond to its DOFs.
  *
- * @param range playback range of a take that has to be created, in seconds of the clip
+ * @param range playback range of a take that has to be created, in seconds of the take
  */
 export function withChannels(character: Character, range: readonly [number, number]): Character {
   if (!character.skeleton) {
     throw new CommandError(`${character.name} has no skeleton, and its channels need DOFs.`);
   }
   const count = characterDofs(character.skeleton, character.morphs).length;
-  const clip = shownClip(character);
-  if (!clip) return withNewTake(character, newTakeName(character), range);
-  if (clip.channels.length >= count) return character;
-  const added = restingChannels(character, clip.channels.length, count);
-  return withTake(character, character.shownClip, { ...clip, channels: [...clip.channels, ...added] });
+  const take = shownTake(character);
+  if (!take) return withNewTake(character, newTakeName(character), range);
+  if (take.channels.length >= count) return character;
+  const added = restingChannels(character, take.channels.length, count);
+  return withTake(character, character.shownTake, { ...take, channels: [...take.channels, ...added] });
 }
 
 /** The character with a new take, which is shown: without keys, at rest in the pose. */
 export function withNewTake(character: Character, name: string, range: readonly [number, number]): Character {
   const count = characterDofs(character.skeleton, character.morphs).length;
-  const clip: ChannelClip = { name, range, channels: restingChannels(character, 0, count) };
-  return { ...character, clips: [...character.clips, clip], shownClip: character.clips.length };
+  const take: Take = { name, range, channels: restingChannels(character, 0, count) };
+  return { ...character, takes: [...character.takes, take], shownTake: character.takes.length };
 }
 
 function restingChannels({ pose }: Character, from: number, to: number): Channel[] {
@@ -73,7 +73,7 @@ export function takeNameOf(character: Character, what: string): string {
  */
 export function uniqueTakeName(character: Character, name: string): string {
   // Names become file names, and some file systems ignore case.
-  const names = [...character.clips.map((c) => c.name), ...takeFiles(character).map(stemOf)];
+  const names = [...character.takes.map((c) => c.name), ...takeFiles(character).map(stemOf)];
   const taken = new Set(names.map((taken) => taken.toLowerCase()));
   if (!taken.has(name.toLowerCase())) return name;
   const stem = name.replace(/_\d+$/, '');
@@ -85,21 +85,21 @@ export function uniqueTakeName(character: Character, name: string): string {
 
 /** The file that a take of this name would overwrite, if that file is not its own. */
 export function fileInTheWay(character: Character, take: number, name: string): SourceFile | undefined {
-  if (sameName(character.clips[take].name, name)) return undefined;
+  if (sameName(character.takes[take].name, name)) return undefined;
   const found = takeFiles(character).find((file) => sameName(stemOf(file), name));
-  return found?.path === character.parts?.clips[take]?.file?.source.path ? undefined : found;
+  return found?.path === character.parts?.takes[take]?.file?.source.path ? undefined : found;
 }
 
 function takeFiles({ parts }: Character): readonly SourceFile[] {
-  return parts?.clips.flatMap(({ file }) => (file?.kind === 'anim' ? file.source : [])) ?? [];
+  return parts?.takes.flatMap(({ file }) => (file?.kind === 'anim' ? file.source : [])) ?? [];
 }
 
-/** First to last key or frame of a clip's channels, in seconds of the clip; undefined if nothing is animated. */
-export function rangeOfKeys(clip: ChannelClip): readonly [number, number] | undefined {
+/** First to last key or frame of a take's channels, in seconds of the take; undefined if nothing is animated. */
+export function rangeOfKeys(take: Take): readonly [number, number] | undefined {
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
-  for (const c of clip.channels.keys()) {
-    const span = spanOfChannel(clip, c);
+  for (const c of take.channels.keys()) {
+    const span = spanOfChannel(take, c);
     if (!span) continue;
     first = Math.min(first, span[0]);
     last = Math.max(last, span[1]);

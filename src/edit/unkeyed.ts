@@ -1,5 +1,5 @@
 /**
- * Unkeyed changes are stored beside pose and clip, for one time: they are shown and can be keyed at that time, and are
+ * Unkeyed changes are stored beside pose and take, for one time: they are shown and can be keyed at that time, and are
  * discarded at any other. Nothing else refers to them, so discarding leaves no trace.
  */
 import type { Character, Document } from '../model/document.ts';

@@ -3,13 +3,13 @@
  * and tools have one input, whatever drove the character: keys with tangents and extrapolation, samples, linked DOFs,
  * limits.
  *
- *     frame f     the pose at startSeconds + f · frameSeconds, in seconds of the clip
+ *     frame f     the pose at startSeconds + f · frameSeconds, in seconds of the take
  */
 
 import type { Character } from '../model/document.ts';
-import { shownClip } from '../model/document.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import { shownTake } from '../model/document.ts';
 import type { Samples } from '../model/takes/samples.ts';
+import type { Take } from '../model/takes/take.ts';
 import { dofCountOf, poseAt } from './pose.ts';
 
 /** Evenly spaced times. */
@@ -43,21 +43,21 @@ export function framesOf(range: readonly [number, number], framesPerSecond: numb
   return { startSeconds: start, frameSeconds: 1 / framesPerSecond, frameCount: Math.max(1, count) };
 }
 
-/** The clip that drives a character: a retargeted one, or else its own shown clip. */
-export function playedClip(character: Character): ChannelClip | undefined {
-  return character.driver?.source.clip ?? shownClip(character);
+/** The take that drives a character: a retargeted one, or else its own shown take. */
+export function playedTake(character: Character): Take | undefined {
+  return character.driver?.source.take ?? shownTake(character);
 }
 
-/** The frames at which the clip that drives a character was sampled; undefined if it has no samples. */
+/** The frames at which the take that drives a character was sampled; undefined if it has no samples. */
 export function ownFrames(character: Character): Frames | undefined {
-  const samples = playedClip(character)?.samples;
+  const samples = playedTake(character)?.samples;
   if (!samples) return undefined;
   const { startSeconds, frameSeconds, frameCount } = samples;
   return { startSeconds, frameSeconds, frameCount };
 }
 
 /**
- * Calls `see` with every DOF of the character at each frame: the shown clip over the pose as set, within limits if they
+ * Calls `see` with every DOF of the character at each frame: the shown take over the pose as set, within limits if they
  * are enforced, without unkeyed changes. The array is reused.
  */
 export function eachFrame(
@@ -76,7 +76,7 @@ export function eachFrame(
 }
 
 /** The character's DOFs at each frame, including morph weights, in radians and length units, one column per channel. */
-export function bakeClip(character: Character, frames: Frames): Samples {
+export function bakeTake(character: Character, frames: Frames): Samples {
   const width = dofCountOf(character);
   const values = new Float64Array(frames.frameCount * width);
   eachFrame(character, frames, (dofs, frame) => values.set(dofs, frame * width));

@@ -1,6 +1,6 @@
 /**
  * Converts any character to a BVH figure: its joints with rotation channels (and position channels if they move), and
- * its shown clip as rows of values.
+ * its shown take as rows of values.
  *
  * Positions are taken from the joints' matrices, since BVH position channels replace the offset; angles are the joints'
  * own DOFs wherever these are such angles (`bvh-joints.ts`). The root always has all six channels, or those it had.
@@ -14,19 +14,19 @@ import { writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, isBvh, shownClip } from '../model/document.ts';
+import { type Character, isBvh, shownTake } from '../model/document.ts';
 import type { CapturedFigure } from '../model/files.ts';
 import { boneEnds } from '../model/skeleton/bone-ends.ts';
 import { firstDofs, rootDofCount } from '../model/skeleton/dofs.ts';
 import { bvhChannelsOf, dofsOf, isOfBvh, replacesOffset, stretches } from '../model/skeleton/joint-types.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton/skeleton.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../model/takes/clip.ts';
 import { columnOf } from '../model/takes/samples.ts';
-import { eachFrame, type Frames, framesOf, playedClip } from './bake.ts';
+import { restChannel, SAMPLED, type Take } from '../model/takes/take.ts';
+import { eachFrame, type Frames, framesOf, playedTake } from './bake.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
 import { zxyAngles } from './rotations/euler-angles.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints } from './samples/bvh-joints.ts';
-import { framesOfClip } from './samples/key-frames.ts';
+import { framesOfTake } from './samples/key-frames.ts';
 
 /** A character as a BVH figure, with what was lost on the way. */
 export interface BvhFigure {
@@ -52,39 +52,39 @@ function representsEndSite({ joints }: Skeleton, j: number): boolean {
 }
 
 /**
- * The default frames for sampling a character: those of its clip, or `framesPerSecond` over its range; a single frame
- * without a clip.
+ * The default frames for sampling a character: those of its take, or `framesPerSecond` over its range; a single frame
+ * without a take.
  */
 export function framesFor(character: Character, framesPerSecond: number): Frames {
-  const clip = playedClip(character);
-  return clip ? framesOfClip(clip, framesPerSecond) : framesOf([0, 0], framesPerSecond);
+  const take = playedTake(character);
+  return take ? framesOfTake(take, framesPerSecond) : framesOf([0, 0], framesPerSecond);
 }
 
 /**
- * Converts a character and its shown clip to a BVH figure, sampled at the frames; one that is such a figure already is
+ * Converts a character and its shown take to a BVH figure, sampled at the frames; one that is such a figure already is
  * returned as it is.
  * @param character with a skeleton
- * @param frames seconds of the clip
+ * @param frames seconds of the take
  * @param file the name used in diagnostics
  * @throws Error without a skeleton
  */
 export function toBvhFigure(character: Character, frames: Frames, file = ''): BvhFigure {
   const { skeleton } = character;
   if (!skeleton) throw new Error(`${character.name} has no skeleton.`);
-  const clip = shownClip(character);
-  if (isUntouched(character, clip, frames)) return { figure: { skeleton, ...(clip && { clip }) }, diagnostics: [] };
+  const take = shownTake(character);
+  if (isUntouched(character, take, frames)) return { figure: { skeleton, ...(take && { take }) }, diagnostics: [] };
   return new Figuring(character, skeleton, frames, file).result();
 }
 
 /**
- * Whether the clip consists only of its samples, which are then written exactly as they are; or the skeleton is in the
+ * Whether the take consists only of its samples, which are then written exactly as they are; or the skeleton is in the
  * pose that a file without frames is read in.
  */
-function isUntouched(character: Character, clip: ChannelClip | undefined, frames: Frames): boolean {
+function isUntouched(character: Character, take: Take | undefined, frames: Frames): boolean {
   const { skeleton, clampsToLimits, driver } = character;
   if (driver || !skeleton || !isBvh(character) || rootDofCount(skeleton) > 0) return false;
-  if (!clip) return isAtOffsets(character, skeleton);
-  const { samples } = clip;
+  if (!take) return isAtOffsets(character, skeleton);
+  const { samples } = take;
   if (samples?.startSeconds !== frames.startSeconds || samples.frameSeconds !== frames.frameSeconds) return false;
   if (samples.frameCount !== frames.frameCount) return false;
   const compiled = compileSkeleton(skeleton);
@@ -92,7 +92,7 @@ function isUntouched(character: Character, clip: ChannelClip | undefined, frames
   if (clampsToLimits && !compiled.lower.every((v, d) => v <= UNLIMITED.min && compiled.upper[d] >= UNLIMITED.max)) {
     return false;
   }
-  for (let d = 0; d < compiled.dofCount; d++) if (clip.channels[d]?.kind !== 'samples') return false;
+  for (let d = 0; d < compiled.dofCount; d++) if (take.channels[d]?.kind !== 'samples') return false;
   return true;
 }
 
@@ -165,8 +165,8 @@ class Figuring {
     );
     // Without a root translation before them, or with one that stays 0.
     const firstChannel = rootDofCount(figure);
-    const clip: ChannelClip = {
-      name: shownClip(this.character)?.name ?? this.character.name,
+    const take: Take = {
+      name: shownTake(this.character)?.name ?? this.character.name,
       range: [0, (frameCount - 1) * frameSeconds],
       channels: Array.from({ length: firstChannel + width }, (_, c) => (c < firstChannel ? restChannel() : SAMPLED)),
       samples: {
@@ -176,10 +176,10 @@ class Figuring {
         firstChannel,
         values,
         scales: Float64Array.from(scales),
-        interpolation: shownClip(this.character)?.samples?.interpolation ?? 'linear',
+        interpolation: shownTake(this.character)?.samples?.interpolation ?? 'linear',
       },
     };
-    return { figure: { skeleton: figure, clip }, diagnostics: this.diagnostics() };
+    return { figure: { skeleton: figure, take }, diagnostics: this.diagnostics() };
   }
 
   /** Computes each joint relative to its parent, as a rotation and a position. */
@@ -256,8 +256,8 @@ class Figuring {
   private writer(channels: readonly (readonly BvhChannel[])[], width: number, values: Float64Array) {
     const { character, skeleton, plans, kept, local, frames } = this;
     const starts = firstDofs(skeleton);
-    const clip = shownClip(character);
-    const samples = clip?.samples;
+    const take = shownTake(character);
+    const samples = take?.samples;
     const isOwn = samples?.startSeconds === frames.startSeconds && samples.frameSeconds === frames.frameSeconds;
     const angles = new Float64Array(3);
     const turns = new Float64Array(3 * skeleton.joints.length);
@@ -282,7 +282,7 @@ class Figuring {
             continue;
           }
           const dof = starts[j] + angle.dof;
-          const column = isOwn && clip?.channels[dof]?.kind === 'samples' ? columnOf(samples, dof) : -1;
+          const column = isOwn && take?.channels[dof]?.kind === 'samples' ? columnOf(samples, dof) : -1;
           const raw = column >= 0 && samples ? samples.values[frame * samples.scales.length + column] : 0;
           const isRaw = column >= 0 && samples?.scales[column] === RADIANS_PER_DEGREE;
           // Values read in degrees are written as they were read, unless a limit changed them.

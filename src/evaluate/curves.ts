@@ -7,7 +7,7 @@
  *       │   … period −2, −1     │      period 0      │   period 1, 2 …
  *       └───────────────────────┴────────────────────┴────────────────── time
  *
- * A key's cubic applies up to the next key; the last key's is its value. All channels of a clip are packed into a few
+ * A key's cubic applies up to the next key; the last key's is its value. All channels of a take are packed into a few
  * typed arrays, so that a pose reads memory once in order and allocates nothing; a value costs a binary search and a
  * cubic. (A linked list of spans costs a cache miss per step. A cursor that remembers the last span makes playback
  * slightly cheaper, but scrubbing, many instances and exports more expensive.)
@@ -15,8 +15,8 @@
  * An infinite time gives the value of the key at that end; NaN that of the first key.
  */
 import { lastNotAbove } from '../math/search.ts';
-import { EXTRAPOLATIONS } from '../model/takes/clip.ts';
-import type { CompiledClip } from './compiled-clip.ts';
+import { EXTRAPOLATIONS } from '../model/takes/take.ts';
+import type { CompiledTake } from './compiled-take.ts';
 import { columnSlope, sampleColumn } from './samples/sampling.ts';
 
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
@@ -25,17 +25,17 @@ const CYCLE_OFFSET = EXTRAPOLATIONS.indexOf('cycle_offset');
 const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
 
 /** A channel's value at a time; 0 for a channel without keys or rest value. O(log keys), without allocating. */
-export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds: number): number {
-  const { firstKey, times } = clip;
+export function evaluateChannel(take: CompiledTake, channel: number, timeSeconds: number): number {
+  const { firstKey, times } = take;
   const first = firstKey[channel];
   const end = firstKey[channel + 1];
-  if (clip.samples && clip.columns[channel] >= 0) return sampleColumn(clip.samples, clip.columns[channel], timeSeconds);
+  if (take.samples && take.columns[channel] >= 0) return sampleColumn(take.samples, take.columns[channel], timeSeconds);
   if (first === end) return 0;
   const key = lastNotAbove(times, first, end, timeSeconds);
   const since = timeSeconds - times[key];
   // Negative before the first key, and false for NaN; greater than 0 after the last key.
-  if (since >= 0 && (since === 0 || key + 1 < end)) return cubic(clip.cubics, key, since);
-  return outside(clip, channel, first, end, timeSeconds);
+  if (since >= 0 && (since === 0 || key + 1 < end)) return cubic(take.cubics, key, since);
+  return outside(take, channel, first, end, timeSeconds);
 }
 
 /**
@@ -43,13 +43,13 @@ export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds
  * arrays are looked up once: most channels of a pose are short, with a search of two steps. Sampled channels get 0,
  * since their values between frames depend on each other and on the joints (`sampled-pose.ts`).
  */
-export function evaluateClip(
-  clip: CompiledClip,
+export function evaluateTake(
+  take: CompiledTake,
   timeSeconds: number,
   out: Float64Array,
-  count: number = clip.channelCount,
+  count: number = take.channelCount,
 ): void {
-  const { firstKey, times, cubics } = clip;
+  const { firstKey, times, cubics } = take;
   if (times.length === 0) {
     out.fill(0, 0, count);
     return;
@@ -70,7 +70,7 @@ export function evaluateClip(
     if (first === end) out[c] = 0;
     else if (since >= 0 && (since === 0 || key + 1 < end)) {
       out[c] = ((cubics[o + 3] * since + cubics[o + 2]) * since + cubics[o + 1]) * since + cubics[o];
-    } else out[c] = outside(clip, c, first, end, timeSeconds);
+    } else out[c] = outside(take, c, first, end, timeSeconds);
   }
 }
 
@@ -80,22 +80,22 @@ function cubic(cubics: Float64Array, key: number, t: number): number {
 }
 
 /** For times from the first to the last key. */
-function inside({ times, cubics }: CompiledClip, first: number, end: number, time: number): number {
+function inside({ times, cubics }: CompiledTake, first: number, end: number, time: number): number {
   const key = lastNotAbove(times, first, end, time);
   return cubic(cubics, key, time - times[key]);
 }
 
-function outside(clip: CompiledClip, channel: number, first: number, end: number, time: number): number {
-  const { times, cubics, beyond } = clip;
+function outside(take: CompiledTake, channel: number, first: number, end: number, time: number): number {
+  const { times, cubics, beyond } = take;
   const before = !(time > times[end - 1]);
   const endKey = before ? first : end - 1;
-  const code = clip.extrapolations[2 * channel + (before ? 0 : 1)];
+  const code = take.extrapolations[2 * channel + (before ? 0 : 1)];
   const endValue = cubics[4 * endKey];
   if (code === CONSTANT || !Number.isFinite(time)) return endValue;
   const value =
     code === LINEAR
       ? endValue + beyond[4 * channel + (before ? 2 : 3)] * (time - times[endKey])
-      : repeated(clip, channel, code, first, end, time);
+      : repeated(take, channel, code, first, end, time);
   return Number.isFinite(value) ? value : endValue;
 }
 
@@ -104,21 +104,21 @@ function outside(clip: CompiledClip, channel: number, first: number, end: number
  *
  *     time = t_first + period · P + since        0 ≤ since < P
  */
-function repeated(clip: CompiledClip, channel: number, code: number, first: number, end: number, time: number): number {
-  const { times, beyond } = clip;
+function repeated(take: CompiledTake, channel: number, code: number, first: number, end: number, time: number): number {
+  const { times, beyond } = take;
   const start = times[first];
   const stop = times[end - 1];
   const period = locate(start, stop, beyond[4 * channel], time);
   if (code === BOUNCE) {
     const mirrored = period % 2 !== 0;
     return inside(
-      clip,
+      take,
       first,
       end,
       mirrored ? Math.max(start, stop - sinceStart[0]) : Math.min(stop, start + sinceStart[0]),
     );
   }
-  const value = inside(clip, first, end, Math.min(stop, start + sinceStart[0]));
+  const value = inside(take, first, end, Math.min(stop, start + sinceStart[0]));
   return code === CYCLE_OFFSET ? value + period * beyond[4 * channel + 1] : value;
 }
 
@@ -153,8 +153,8 @@ export function repetitionAt(
  * A channel's slope at a time, in value per second: the derivative of `evaluateChannel`. At corners and steps, on a key
  * or where a repetition begins, `side` selects the slope before or after it.
  */
-export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: number, side: 'in' | 'out'): number {
-  const { firstKey, times, beyond, samples, columns } = clip;
+export function evaluateSlope(take: CompiledTake, channel: number, timeSeconds: number, side: 'in' | 'out'): number {
+  const { firstKey, times, beyond, samples, columns } = take;
   if (samples && columns[channel] >= 0) return columnSlope(samples, columns[channel], timeSeconds, side);
   const first = firstKey[channel];
   const end = firstKey[channel + 1];
@@ -163,8 +163,8 @@ export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: 
   const stop = times[end - 1];
   const isBefore = side === 'in' ? timeSeconds <= start : timeSeconds < start;
   const isAfter = side === 'in' ? timeSeconds > stop : timeSeconds >= stop;
-  if (!isBefore && !isAfter) return slopeInside(clip, first, end, timeSeconds, side);
-  const code = clip.extrapolations[2 * channel + (isBefore ? 0 : 1)];
+  if (!isBefore && !isAfter) return slopeInside(take, first, end, timeSeconds, side);
+  const code = take.extrapolations[2 * channel + (isBefore ? 0 : 1)];
   if (code === CONSTANT) return 0;
   if (code === LINEAR) return beyond[4 * channel + (isBefore ? 2 : 3)];
   const length = beyond[4 * channel];
@@ -176,14 +176,14 @@ export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: 
   }
   if (code === BOUNCE && period % 2 !== 0) {
     const mirrored = Math.min(stop, Math.max(start, stop - sinceStart[0]));
-    return -slopeInside(clip, first, end, mirrored, side === 'in' ? 'out' : 'in');
+    return -slopeInside(take, first, end, mirrored, side === 'in' ? 'out' : 'in');
   }
-  return slopeInside(clip, first, end, Math.min(stop, start + sinceStart[0]), side);
+  return slopeInside(take, first, end, Math.min(stop, start + sinceStart[0]), side);
 }
 
 /** For a time that has a segment on that side. */
-function slopeInside(clip: CompiledClip, first: number, end: number, time: number, side: 'in' | 'out'): number {
-  const { times, cubics } = clip;
+function slopeInside(take: CompiledTake, first: number, end: number, time: number, side: 'in' | 'out'): number {
+  const { times, cubics } = take;
   let key = lastNotAbove(times, first, end, time);
   if (side === 'in') while (key > first && times[key] >= time) key--;
   const o = 4 * key;

@@ -1,13 +1,13 @@
-/** Frames of a figure that is no character yet, evenly over its clip; used for guesses when a file is opened. */
+/** Frames of a figure that is no character yet, evenly over its take; used for guesses when a file is opened. */
 
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
 import { filePose } from '../model/skeleton/dofs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Take } from '../model/takes/take.ts';
 import { poseFrom, poseSource } from './pose.ts';
 
 /** A character with nothing but a skeleton and perhaps a take; its limits are not enforced. */
-export function bareFigure(skeleton: Skeleton, clip: ChannelClip | undefined): Character {
+export function bareFigure(skeleton: Skeleton, take: Take | undefined): Character {
   return {
     id: '',
     name: '',
@@ -16,8 +16,8 @@ export function bareFigure(skeleton: Skeleton, clip: ChannelClip | undefined): C
     shownSkin: 0,
     morphs: [],
     textures: [],
-    clips: clip ? [clip] : [],
-    shownClip: clip ? 0 : -1,
+    takes: take ? [take] : [],
+    shownTake: take ? 0 : -1,
     pose: filePose(skeleton, 0),
     clampsToLimits: false,
     placements: [DEFAULT_PLACEMENT],
@@ -28,19 +28,19 @@ export function bareFigure(skeleton: Skeleton, clip: ChannelClip | undefined): C
 
 /**
  * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
- * file pose, if there is no clip. The array is reused.
+ * file pose, if there is no take. The array is reused.
  */
 export function forFrames(
   skeleton: Skeleton,
-  clip: ChannelClip | undefined,
+  take: Take | undefined,
   most: number,
   visit: (dofs: Float64Array) => void,
 ): void {
-  const figure = bareFigure(skeleton, clip);
+  const figure = bareFigure(skeleton, take);
   const source = poseSource(figure);
   const dofs = new Float64Array(source.count);
-  const [start, end] = clip?.range ?? [0, 0];
-  const count = end > start ? Math.max(2, Math.min(most, clip?.samples?.frameCount ?? most)) : 1;
+  const [start, end] = take?.range ?? [0, 0];
+  const count = end > start ? Math.max(2, Math.min(most, take?.samples?.frameCount ?? most)) : 1;
   for (let i = 0; i < count; i++) {
     poseFrom(source, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
     visit(dofs);

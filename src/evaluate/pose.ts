@@ -2,19 +2,19 @@
  * A character's pose at a time, from several layers, later ones on top:
  *
  *     1. the pose as set       every DOF
- *     2. the clip shown        DOFs with a channel; needs a skeleton, since channels are counted by its DOFs
- *     3. retargeted take       overrides all joints; the character's own clip then only drives morphs
- *     4. unkeyed changes       over the clip, at the time when they were made only
+ *     2. the take shown        DOFs with a channel; needs a skeleton, since channels are counted by its DOFs
+ *     3. retargeted take       overrides all joints; the character's own take then only drives morphs
+ *     4. unkeyed changes       over the take, at the time when they were made only
  *     5. limits                of the joints, unless the character does not enforce them
  *     6. linked DOFs           override all the above
  */
 
 import type { Character } from '../model/document.ts';
-import { shownClip } from '../model/document.ts';
+import { shownTake } from '../model/document.ts';
 import { rootDofCount } from '../model/skeleton/dofs.ts';
-import type { Channel } from '../model/takes/clip.ts';
-import { type CompiledClip, compileClip } from './compiled-clip.ts';
-import { evaluateClip } from './curves.ts';
+import type { Channel } from '../model/takes/take.ts';
+import { type CompiledTake, compileTake } from './compiled-take.ts';
+import { evaluateTake } from './curves.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
@@ -35,11 +35,11 @@ export function dofCountOf(character: Character): number {
 /** Data for posing a character, looked up once for many times. Valid as long as the character is the same object. */
 export interface PoseSource {
   readonly character: Character;
-  /** Number of DOFs, and how many of them have a channel in the shown clip. */
+  /** Number of DOFs, and how many of them have a channel in the shown take. */
   readonly count: number;
   readonly driven: number;
   readonly skeleton: CompiledSkeleton | undefined;
-  readonly curves: CompiledClip | undefined;
+  readonly curves: CompiledTake | undefined;
   /** If samples drive it. */
   readonly joints: SampledJoints | undefined;
 }
@@ -47,13 +47,13 @@ export interface PoseSource {
 /** Everything that a character's pose is evaluated from, compiled once for all times. */
 export function poseSource(character: Character): PoseSource {
   const { skeleton } = character;
-  const clip = skeleton && shownClip(character);
+  const take = skeleton && shownTake(character);
   const count = dofCountOf(character);
-  const curves = clip && compileClip(clip);
+  const curves = take && compileTake(take);
   return {
     character,
     count,
-    driven: clip ? Math.min(clip.channels.length, count) : 0,
+    driven: take ? Math.min(take.channels.length, count) : 0,
     skeleton: skeleton && compileSkeleton(skeleton),
     curves,
     joints: curves?.samples && skeleton && sampledJoints(curves, skeleton),
@@ -79,7 +79,7 @@ export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Ar
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
   if (curves) {
     const time = timeSeconds + character.timeOffsetSeconds;
-    evaluateClip(curves, time, out, driven);
+    evaluateTake(curves, time, out, driven);
     if (curves.samples && joints) samplePose(curves.samples, curves, joints, time, out, driven, rotations);
   }
   if (driver && character.skeleton) drivenPose(character, driver, character.skeleton, timeSeconds, out);
@@ -94,10 +94,10 @@ export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Ar
 /** The channel that drives a DOF, whatever its kind; undefined if something else overrides it. */
 export function channelOf(character: Character, dof: number): Channel | undefined {
   if (!character.skeleton || dof >= dofCountOf(character) || dof < silentChannels(character)) return undefined;
-  return shownClip(character)?.channels[dof];
+  return shownTake(character)?.channels[dof];
 }
 
-/** Whether the DOF is driven by keys or samples of the shown clip, or by a retargeted take. */
+/** Whether the DOF is driven by keys or samples of the shown take, or by a retargeted take. */
 export function isDriven(character: Character, dof: number): boolean {
   if (dof < silentChannels(character)) return movedDofs(character)?.has(dof) ?? false;
   const channel = channelOf(character, dof);

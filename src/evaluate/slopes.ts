@@ -1,5 +1,5 @@
 /** Resolves tangents of all kinds to a slope on each side of a key. */
-import { FIXED_TANGENT, FLAT, type Keys, LINEAR, SMOOTH, type Tangents } from '../model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, type Keys, LINEAR, SMOOTH, type Tangents } from '../model/takes/take.ts';
 
 /** The slopes of a channel's tangents, in value per second, one per key. */
 export interface Slopes {

@@ -1,16 +1,16 @@
 /** How far a character has moved over the ground, for display "in place". */
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, shownTake } from '../model/document.ts';
 import type { Space } from '../model/space.ts';
 import type { CompiledSkeleton } from './kinematics.ts';
 import { carrierIn, retargetCarrier } from './space/carrier.ts';
 import { upAxis } from './space/space.ts';
 
-/** Index of the joint that moves the character in its shown clip; cached per clip and skeleton. */
+/** Index of the joint that moves the character in its shown take; cached per take and skeleton. */
 export function carrierOf(character: Character): number {
   const { skeleton, driver } = character;
-  const clip = shownClip(character);
+  const take = shownTake(character);
   if (driver && skeleton) return retargetCarrier(driver, skeleton);
-  return skeleton && clip ? carrierIn(skeleton, clip) : 0;
+  return skeleton && take ? carrierIn(skeleton, take) : 0;
 }
 
 /**

@@ -23,7 +23,7 @@ export function capturedContent(read: readonly CapturedFigure[], fileName: strin
     const joints = sharedJoints(figure.skeleton.joints);
     return joints === figure.skeleton.joints ? figure : { ...figure, skeleton: { ...figure.skeleton, joints } };
   });
-  const isAdded = figures.some(({ skeleton, clip }) => positionsMeant(skeleton, clip) === 'add');
+  const isAdded = figures.some(({ skeleton, take }) => positionsMeant(skeleton, take) === 'add');
   const positions = isAdded ? 'add' : 'replace';
   // The size of a collapsed figure can't be measured.
   const meant = figures.map((figure) => {

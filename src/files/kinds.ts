@@ -7,7 +7,7 @@
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
 import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
 import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
-import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
+import { type Character, isBvh, shownSkin, shownTake } from '../model/document.ts';
 import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/files.ts';
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/skeleton/axis-angle.ts';
 import { jointDofCount } from '../model/skeleton/dofs.ts';
@@ -15,10 +15,10 @@ import { withPositions } from '../model/skeleton/position-channels.ts';
 import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
-import { type ChannelClip, keysOf } from '../model/takes/clip.ts';
 import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
-import { type PartOrigin, withClip, withMorph, withSkin } from './open/assemble.ts';
+import { keysOf, type Take } from '../model/takes/take.ts';
+import { type PartOrigin, withMorph, withSkin, withTake } from './open/assemble.ts';
 
 /** One kind of file: its names, its content, and how it is saved. */
 export interface Kind {
@@ -100,7 +100,7 @@ export const KINDS = {
     content: 'anim',
     save: {
       label: 'Animation (.anim)',
-      has: (c) => shownClip(c) !== undefined,
+      has: (c) => shownTake(c) !== undefined,
       isOwn: (c) => !isBvh(c),
     },
   },
@@ -157,7 +157,7 @@ export const KINDS = {
     isRare: true,
     save: {
       label: 'Markers (.markers.json)',
-      has: ({ clips }) => clips.some(({ markers }) => markers !== undefined),
+      has: ({ takes }) => takes.some(({ markers }) => markers !== undefined),
       // They are kept with their takes.
       isOwn: () => false,
     },
@@ -260,10 +260,10 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   anim: {
     as: 'part',
     onAny: true,
-    add(character, { clip }, from) {
+    add(character, { take }, from) {
       const { skeleton, pose } = character;
-      const own = skeleton ? ownChannels(clip, skeleton, pose) : clip;
-      return withClip(withoutUnkeyed(character), own, from);
+      const own = skeleton ? ownChannels(take, skeleton, pose) : take;
+      return withTake(withoutUnkeyed(character), own, from);
     },
   },
   rig: { as: 'rig' },
@@ -271,8 +271,8 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   bvh: {
     as: 'characters',
     characters: ({ figures, guessed }) =>
-      figures.map(({ skeleton, clip }) =>
-        guessed ? { ...bare(withPositions(skeleton, guessed.positions), clip), space: guessed } : bare(skeleton, clip),
+      figures.map(({ skeleton, take }) =>
+        guessed ? { ...bare(withPositions(skeleton, guessed.positions), take), space: guessed } : bare(skeleton, take),
       ),
     takesParts: false,
   },
@@ -283,8 +283,8 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   markers: { as: 'markers' },
 };
 
-function bare(skeleton: Skeleton, clip?: ChannelClip): WholeCharacter {
-  return { skeleton, skins: [], morphs: [], clips: clip ? [clip] : [], textures: [] };
+function bare(skeleton: Skeleton, take?: Take): WholeCharacter {
+  return { skeleton, skins: [], morphs: [], takes: take ? [take] : [], textures: [] };
 }
 
 /** For content of that kind only, which TypeScript can't check. */
@@ -322,7 +322,7 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     ...materialFacts(skin),
   }),
   morph: ({ morph }) => ({ positions: morph.positions.indices.length, normals: morph.normals.indices.length }),
-  anim: ({ clip: { channels, range } }) => ({
+  anim: ({ take: { channels, range } }) => ({
     channels: channels.length,
     keys: sum(channels.map((c) => keysOf(c).times.length)),
     range,
@@ -333,7 +333,7 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
   bvh({ figures }) {
     const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
     // The same for all figures with samples: a row contains the channels of all roots.
-    const samples = figures.find(({ clip }) => clip?.samples)?.clip?.samples;
+    const samples = figures.find(({ take }) => take?.samples)?.take?.samples;
     const range = samples && rangeOfSamples(samples);
     return {
       joints: joints.length,
@@ -350,7 +350,7 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     roots: characters.length,
     vertices: sum(characters.flatMap(({ skins }) => skins.map(vertexCount))),
     morphs: sum(characters.map(({ morphs }) => morphs.length)),
-    clips: characters.flatMap(({ clips }) => clips.map(({ name }) => name)),
+    takes: characters.flatMap(({ takes }) => takes.map(({ name }) => name)),
     textures: characters.flatMap(({ textures }) => textures.map(({ name }) => name)),
   }),
   texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),

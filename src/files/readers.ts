@@ -33,7 +33,7 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   axskel: skel,
   skin: (name) => mapped(skinReader(name), (skin) => ({ kind: 'skin', skin })),
   morph: (name) => mapped(morphReader(name), (morph) => ({ kind: 'morph', morph })),
-  anim: (name) => mapped(animReader(name), (clip) => ({ kind: 'anim', clip })),
+  anim: (name) => mapped(animReader(name), (take) => ({ kind: 'anim', take })),
   rig: (name) => mapped(rigReader(name), (rig) => ({ kind: 'rig', rig })),
   bvh: captured,
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),

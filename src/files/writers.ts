@@ -8,7 +8,7 @@ import type { WriteResult, WrittenPieces } from '../formats/reader.ts';
 import { writeRig } from '../formats/rig/write.ts';
 import { writeSkel } from '../formats/skel/write.ts';
 import { writeSkin } from '../formats/skin/write.ts';
-import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
+import { type Character, isBvh, shownSkin, shownTake } from '../model/document.ts';
 import type { FileContent } from '../model/files.ts';
 import { vertexCount } from '../model/skin.ts';
 import { formatKindOf, type HeldBy, isSaved, KINDS, SAVED_KINDS, type SavedKind } from './kinds.ts';
@@ -75,10 +75,10 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     detail: ({ morphs }) => [{ count: morphs.length, one: 'morph' }],
   },
   anim: {
-    write: ({ clip }, name) => writeAnim(clip, name),
+    write: ({ take }, name) => writeAnim(take, name),
     detail: (character) => {
-      const clip = shownClip(character);
-      return clip ? [clip.name, { count: clip.channels.length, one: 'channel' }, { range: clip.range }] : [];
+      const take = shownTake(character);
+      return take ? [take.name, { count: take.channels.length, one: 'channel' }, { range: take.range }] : [];
     },
     copies: animCopies,
   },
@@ -90,15 +90,15 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
   bvh: {
     write: ({ figures }, name) => writeBvh(figures, name),
     detail(character, framesPerSecond) {
-      const clip = shownClip(character);
-      const frames = clip?.samples?.frameCount;
-      if (!clip) return ['the pose, 1 frame'];
+      const take = shownTake(character);
+      const frames = take?.samples?.frameCount;
+      if (!take) return ['the pose, 1 frame'];
       return [frames === undefined ? `at ${framesPerSecond} frames per second` : { count: frames, one: 'frame' }];
     },
     copies: bvhCopies,
     lost: (character) => {
       if (isBvh(character)) return [];
-      const isKeyed = character.clips.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
+      const isKeyed = character.takes.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
       return [
         'Limits are applied, but not stored.',
         ...(isKeyed ? ['Keys and tangents become one value per frame.'] : []),
@@ -112,8 +112,8 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
   },
   markers: {
     write: ({ markers }, name) => writeMarkers(markers, name),
-    detail: ({ clips }) => [
-      { count: clips.reduce((sum, { markers }) => sum + (markers?.length ?? 0), 0), one: 'marker' },
+    detail: ({ takes }) => [
+      { count: takes.reduce((sum, { markers }) => sum + (markers?.length ?? 0), 0), one: 'marker' },
     ],
     copies: markersCopies,
   },

@@ -6,7 +6,7 @@
  * power of the rotation in between; where that is still too far, a key is added halfway, and so on.
  */
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
-import { type Channel, FIXED_TANGENT, LINEAR, NO_EXTRAPOLATION, restChannel } from '../model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, LINEAR, NO_EXTRAPOLATION, restChannel } from '../model/takes/take.ts';
 import { hermite, normalize, rotationAt, rotationWithin } from './quaternion-curve.ts';
 import { writeAnglesNear, writeQuaternion } from './rotations.ts';
 import type { QuaternionCurve } from './scene.ts';

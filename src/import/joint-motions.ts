@@ -11,7 +11,7 @@
  */
 import type { Vec3 } from '../math/vec3.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton/skeleton.ts';
-import { type Channel, keysOf, restChannel } from '../model/takes/clip.ts';
+import { type Channel, keysOf, restChannel } from '../model/takes/take.ts';
 import { eulerRotation, fitRotation, QUATERNION_ROTATION, type RotationDofs, type SpareKeys } from './fit-rotation.ts';
 import { NOISE } from './noise.ts';
 import { visited } from './quaternion-curve.ts';

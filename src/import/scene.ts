@@ -1,6 +1,6 @@
 /**
  * The content of a file of another program (glTF, VRM, FBX) in our terms, before it becomes a character: nodes with
- * their rest, meshes on nodes, takes of curves on nodes. `to-character.ts` makes joints, one skin, morphs and clips of
+ * their rest, meshes on nodes, takes of curves on nodes. `to-character.ts` makes joints, one skin, morphs and takes of
  * it.
  *
  *     world of a node = world of its parent · T(translation) · R(rotation) · S(scale)
@@ -13,7 +13,7 @@ import type { Texture } from '../model/files.ts';
 import type { MorphRows } from '../model/morph.ts';
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
 import type { Attachments } from '../model/skin.ts';
-import type { Channel } from '../model/takes/clip.ts';
+import type { Channel } from '../model/takes/take.ts';
 
 /** All that is read of a file. */
 export interface Scene {

@@ -1,4 +1,4 @@
-/** Makes a character of a scene: joints, one skin, morphs and clips. */
+/** Makes a character of a scene: joints, one skin, morphs and takes. */
 
 import { computeNormals } from '../evaluate/skin/normals.ts';
 import { statedSpace } from '../evaluate/space/metres.ts';
@@ -11,7 +11,7 @@ import { DistinctNames } from '../model/names/distinct-names.ts';
 import { carriesCharacter } from '../model/skeleton/joint-types.ts';
 import { type Joint, NO_BOX, type Skeleton, UNLIMITED } from '../model/skeleton/skeleton.ts';
 import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
-import { type Channel, type ChannelClip, restChannel } from '../model/takes/clip.ts';
+import { type Channel, restChannel, type Take } from '../model/takes/take.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
 import { cleanFileName, cleanName } from './clean-names.ts';
 import { firstNotFinite } from './finite.ts';
@@ -71,14 +71,14 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
   const { morphs, weightsOf } = morphsOf(meshes, binding);
   const takeNames = new DistinctNames();
   const animations = takes.map(
-    (take, t): ChannelClip => ({
+    (take, t): Take => ({
       name: takeNames.add(cleanFileName(take.name) || `animation_${t}`),
       range: take.range,
       ...(take.framesPerSecond !== undefined && { framesPerSecond: take.framesPerSecond }),
       channels: [...jointChannels(joints, slots, motions, take), ...weightsOf(take)],
     }),
   );
-  return { skeleton, skins, morphs, clips: animations, textures: scene.textures, space: statedSpace(metres) };
+  return { skeleton, skins, morphs, takes: animations, textures: scene.textures, space: statedSpace(metres) };
 }
 
 const FIXED: Pick<JointMotion, 'motion' | 'offset' | 'pose'> = {

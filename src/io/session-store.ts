@@ -30,7 +30,7 @@ export interface SessionCard {
 export interface CardCharacter {
   readonly name: string;
   readonly joints: number;
-  readonly clips: number;
+  readonly takes: number;
 }
 
 /** A file as given. */

@@ -88,9 +88,9 @@ export interface DepthRange {
  * Near and far plane of a perspective camera at `distance` from its target. `reach` is how far drawn things (content
  * and grid) extend behind the target.
  *
- * Near is 2 % of the distance: this does not clip the ground in front of the character, and 24 bits of depth still
+ * Near is 2 % of the distance: this does not take the ground in front of the character, and 24 bits of depth still
  * resolve 3·10⁻⁶ of the distance. In scenes that are huge compared with the distance (a giant's fingertip), near is at
- * least 10⁻⁵ of far, to keep precision for the rest. Fitting near to the content would clip the ground.
+ * least 10⁻⁵ of far, to keep precision for the rest. Fitting near to the content would take the ground.
  */
 export function perspectiveDepth(distance: number, reach: number): DepthRange {
   const far = distance + reach;

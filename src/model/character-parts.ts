@@ -5,15 +5,15 @@ import { NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
 
 /** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
-  const { name, skeleton, skins, morphs, clips, poses, parts = NO_MARKS } = character;
+  const { name, skeleton, skins, morphs, takes, poses, parts = NO_MARKS } = character;
   const capture = skeleton && isBvh(character) ? skeleton : undefined;
   const captured: Part[] = [];
   const animations: Part[] = [];
-  clips.forEach((clip, i) => {
-    const mark = parts.clips[i];
-    if (capture && !isFrom(mark, 'anim', clip.name)) {
-      captured.push(part('bvh', clip.name, { skeleton: capture, clip }, mark));
-    } else animations.push(part('anim', clip.name, clip, mark));
+  takes.forEach((take, i) => {
+    const mark = parts.takes[i];
+    if (capture && !isFrom(mark, 'anim', take.name)) {
+      captured.push(part('bvh', take.name, { skeleton: capture, take }, mark));
+    } else animations.push(part('anim', take.name, take, mark));
   });
   // Without a take, the skeleton is saved alone.
   if (capture && captured.length === 0) captured.push(part('bvh', capture.name, { skeleton: capture }, parts.skeleton));

@@ -13,9 +13,9 @@ import { isOfBvh } from './skeleton/joint-types.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { Space } from './space.ts';
-import type { ChannelClip } from './takes/clip.ts';
 import type { JointPair, RetargetOptions } from './takes/retarget.ts';
 import type { ReviewedTake } from './takes/review.ts';
+import type { Take } from './takes/take.ts';
 
 /**
  * Everything that is saved and undone: characters in the order of the outliner, files kept for later, reviewed takes.
@@ -33,7 +33,7 @@ export interface Document {
 }
 
 /**
- * A skeleton, skins or both, with their animation. A skin or a clip alone is also a character, waiting for its
+ * A skeleton, skins or both, with their animation. A skin or a take alone is also a character, waiting for its
  * skeleton.
  */
 export interface Character {
@@ -46,12 +46,12 @@ export interface Character {
   readonly shownSkin: number;
   readonly morphs: readonly Morph[];
   readonly textures: readonly Texture[];
-  /** Takes; `shownClip` plays; -1 for none. */
-  readonly clips: readonly ChannelClip[];
-  readonly shownClip: number;
+  /** Takes; `shownTake` plays; -1 for none. */
+  readonly takes: readonly Take[];
+  readonly shownTake: number;
   /** One value per DOF of the character (see `dofs.ts`), as set; used for DOFs that no channel drives. */
   readonly pose: readonly number[];
-  /** DOFs set by hand over the clip at one time; discarded when the time changes. */
+  /** DOFs set by hand over the take at one time; discarded when the time changes. */
   readonly unkeyed?: Unkeyed;
   readonly clampsToLimits: boolean;
   /** Instances of the character in the scene, all sharing its data. At least one. */
@@ -95,7 +95,7 @@ export interface Driver {
 export interface DriverSource {
   readonly name: string;
   readonly skeleton: Skeleton;
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly pose: readonly number[];
   readonly clampsToLimits: boolean;
   readonly timeOffsetSeconds: number;
@@ -142,14 +142,14 @@ export function shownSkin(character: Character): Skin | undefined {
   return character.skins[character.shownSkin];
 }
 
-/** The take that plays; undefined if there is none, or none is shown (`shownClip` is -1). */
-export function shownClip(character: Character): ChannelClip | undefined {
-  return character.clips[character.shownClip];
+/** The take that plays; undefined if there is none, or none is shown (`shownTake` is -1). */
+export function shownTake(character: Character): Take | undefined {
+  return character.takes[character.shownTake];
 }
 
 /** Whether a take moves it, its own or a retargeted one: else its file pose is shown at any time. */
 export function isMoved(character: Character): boolean {
-  return character.driver !== undefined || shownClip(character) !== undefined;
+  return character.driver !== undefined || shownTake(character) !== undefined;
 }
 
 /** Whether a character is a BVH figure as it is, so that its file holds all of it. */
@@ -169,29 +169,29 @@ export function findCharacter({ characters }: Document, id: string | undefined):
 
 /** The visible characters that play something, or all that play if none is visible: their time is the transport's. */
 export function playingCharacters(document: Document): readonly Character[] {
-  const playing = document.characters.filter((c) => c.driver ?? shownClip(c));
+  const playing = document.characters.filter((c) => c.driver ?? shownTake(c));
   const seen = playing.filter((c) => !c.isHidden);
   return seen.length ? seen : playing;
 }
 
-/** Transport time in seconds at which the character's take starts; without a clip, where its own second 0 falls. */
+/** Transport time in seconds at which the character's take starts; without a take, where its own second 0 falls. */
 export function startSeconds(character: Character): number {
   const source = character.driver?.source;
-  const clip = source?.clip ?? shownClip(character);
-  return (clip?.range[0] ?? 0) - character.timeOffsetSeconds - (source?.timeOffsetSeconds ?? 0) + 0;
+  const take = source?.take ?? shownTake(character);
+  return (take?.range[0] ?? 0) - character.timeOffsetSeconds - (source?.timeOffsetSeconds ?? 0) + 0;
 }
 
-/** Transport range in seconds that covers all playing clips; undefined without clips. */
-export function rangeOfClips(document: Document): readonly [number, number] | undefined {
+/** Transport range in seconds that covers all playing takes; undefined without takes. */
+export function rangeOfTakes(document: Document): readonly [number, number] | undefined {
   let start = Number.POSITIVE_INFINITY;
   let end = Number.NEGATIVE_INFINITY;
   for (const character of playingCharacters(document)) {
     const source = character.driver?.source;
-    const clip = source?.clip ?? shownClip(character);
-    if (!clip) continue;
+    const take = source?.take ?? shownTake(character);
+    if (!take) continue;
     const offset = character.timeOffsetSeconds + (source?.timeOffsetSeconds ?? 0);
-    start = Math.min(start, clip.range[0] - offset);
-    end = Math.max(end, clip.range[1] - offset);
+    start = Math.min(start, take.range[0] - offset);
+    end = Math.max(end, take.range[1] - offset);
   }
   return start <= end ? [start, end] : undefined;
 }

@@ -9,8 +9,8 @@ import type { Positions } from './skeleton/position-channels.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { FileSpace } from './space.ts';
-import type { ChannelClip } from './takes/clip.ts';
 import type { Marker } from './takes/markers.ts';
+import type { Take } from './takes/take.ts';
 
 /** A file as provided: dropped, picked, fetched or read from disk. */
 export interface SourceFile {
@@ -44,7 +44,7 @@ interface Contents {
   readonly skel: { readonly file: { readonly skeletons: readonly Skeleton[] }; readonly part: Skeleton };
   readonly skin: { readonly file: { readonly skin: Skin }; readonly part: Skin };
   readonly morph: { readonly file: { readonly morph: Morph }; readonly part: Morph };
-  readonly anim: { readonly file: { readonly clip: ChannelClip }; readonly part: ChannelClip };
+  readonly anim: { readonly file: { readonly take: Take }; readonly part: Take };
   readonly rig: { readonly file: { readonly rig: Rig } };
   readonly bvh: {
     readonly file: { readonly figures: readonly CapturedFigure[]; readonly guessed?: GuessedCapture };
@@ -80,10 +80,10 @@ export interface GuessedCapture extends FileSpace {
   readonly positions: Positions;
 }
 
-/** One `ROOT` of a motion capture file: a skeleton and its motion; no clip if the file has no frames. */
+/** One `ROOT` of a motion capture file: a skeleton and its motion; no take if the file has no frames. */
 export interface CapturedFigure {
   readonly skeleton: Skeleton;
-  readonly clip?: ChannelClip;
+  readonly take?: Take;
 }
 
 /** A character that one file contains whole. Each part has its own name; skins name their textures by name. */
@@ -93,7 +93,7 @@ export interface WholeCharacter {
   readonly skins: readonly Skin[];
   readonly morphs: readonly Morph[];
   /** Takes: the first is shown. */
-  readonly clips: readonly ChannelClip[];
+  readonly takes: readonly Take[];
   readonly textures: readonly Texture[];
   /** Absent of text formats, whose units are anyone's. */
   readonly space?: FileSpace;

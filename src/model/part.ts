@@ -38,14 +38,14 @@ export interface PartMarks {
   readonly skeleton?: PartMark;
   readonly skins: readonly PartMark[];
   readonly morphs: readonly PartMark[];
-  readonly clips: readonly PartMark[];
+  readonly takes: readonly PartMark[];
   readonly poses?: PartMark;
 }
 
 /** The mark of a part that the store has not numbered yet. */
 export const UNMARKED: PartMark = { id: 0, revision: 0 };
 /** The marks of a character without parts. */
-export const NO_MARKS: PartMarks = { skins: [], morphs: [], clips: [] };
+export const NO_MARKS: PartMarks = { skins: [], morphs: [], takes: [] };
 
 /** The mark of a part just read from a file: the same id if it is the same file with new content. */
 export function readAs(before: PartMark | undefined, file: PartFile): PartMark {
@@ -60,12 +60,12 @@ export function ownRevision({ revision, withoutMarkers }: Pick<PartMark, 'revisi
 
 /** Applies a change to each mark, keeping their structure. */
 export function mapMarks(parts: PartMarks, change: (mark: PartMark) => PartMark): PartMarks {
-  const { skeleton, skins, morphs, clips, poses } = parts;
+  const { skeleton, skins, morphs, takes, poses } = parts;
   return {
     ...(skeleton && { skeleton: change(skeleton) }),
     skins: skins.map(change),
     morphs: morphs.map(change),
-    clips: clips.map(change),
+    takes: takes.map(change),
     ...(poses && { poses: change(poses) }),
   };
 }

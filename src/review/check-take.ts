@@ -7,7 +7,7 @@ import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Take } from '../model/takes/take.ts';
 import { Bones } from './checks/bones.ts';
 import type { Check } from './checks/check.ts';
 import { Deviations } from './checks/deviations.ts';
@@ -62,13 +62,13 @@ export class TakeCheck {
  * In order of time.
  * @param space as guessed or set; lengths are meaningless without
  */
-export function checkTake(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): readonly Flag[] {
+export function checkTake(skeleton: Skeleton, take: Take, space: Space = DEFAULT_SPACE): readonly Flag[] {
   if (skeleton.joints.length === 0) return [];
-  return runToEnd(checking(takeFrames(skeleton, clip, space), space));
+  return runToEnd(checking(takeFrames(skeleton, take, space), space));
 }
 
 /**
- * The same of what a character plays, as displayed, retargeted takes too; in seconds of the clip that plays. Yields
+ * The same of what a character plays, as displayed, retargeted takes too; in seconds of the take that plays. Yields
  * progress, 0 to 1. None without a take.
  */
 export function* checkDisplayed(character: Character): Steps<readonly Flag[]> {

@@ -2,7 +2,7 @@
 
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Take } from '../model/takes/take.ts';
 import type { TakeFacts } from './list.ts';
 import { type StickFigure, stickFigure } from './stick-figure.ts';
 import { takeFacts } from './take-facts.ts';
@@ -18,7 +18,7 @@ export interface TakeDigest {
 /** A take in a file; a file of several figures has several. */
 export interface TakeRead {
   readonly skeleton: Skeleton;
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly space: Space | undefined;
 }
 
@@ -26,10 +26,10 @@ export interface TakeRead {
 export function digestOf(path: string, takes: readonly TakeRead[]): TakeDigest {
   const [first] = takes;
   if (!first) return { path, problem: 'The file has no frames.' };
-  const [facts, ...others] = takes.map(({ skeleton, clip, space }) => takeFacts(skeleton, clip, space));
+  const [facts, ...others] = takes.map(({ skeleton, take, space }) => takeFacts(skeleton, take, space));
   const flags = [...facts.flags, ...others.flatMap((other) => other.flags)];
   return {
     path,
-    found: { facts: { ...facts, flags }, figure: stickFigure(first.skeleton, first.clip, first.space) },
+    found: { facts: { ...facts, flags }, figure: stickFigure(first.skeleton, first.take, first.space) },
   };
 }

@@ -26,7 +26,7 @@ export type FlagKind = (typeof FLAG_KINDS)[number];
 
 export interface Flag {
   readonly kind: FlagKind;
-  /** First and last second, of the clip; the same for what lasts one frame. */
+  /** First and last second, of the take; the same for what lasts one frame. */
   readonly from: number;
   readonly to: number;
   /** The joint that it is about, if it is about one. */

@@ -1,15 +1,15 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
-import { playedClip } from '../evaluate/bake.ts';
+import { playedTake } from '../evaluate/bake.ts';
 import { bareFigure } from '../evaluate/figure-frames.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { PoseRotations } from '../evaluate/rotations/pose-rotations.ts';
-import { framesOfClip } from '../evaluate/samples/key-frames.ts';
+import { framesOfTake } from '../evaluate/samples/key-frames.ts';
 import { metresPerUnit } from '../evaluate/space/metres.ts';
 import type { Character } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../model/space.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Take } from '../model/takes/take.ts';
 
 /** Frames per second of takes that have none. */
 export const KEYED_RATE = 60;
@@ -17,7 +17,7 @@ const MAX_KEYED_FRAMES = 100_000;
 
 export interface TakeFrames {
   readonly skeleton: Skeleton;
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly count: number;
   readonly frameSeconds: number;
   readonly startSeconds: number;
@@ -27,15 +27,15 @@ export interface TakeFrames {
   readonly above: Int32Array;
   /** The name of a joint. */
   nameOf(joint: number): string;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   secondsOf(frame: number): number;
   /** Writes the DOFs, and x y z of each point. Allocates nothing. */
   write(frame: number, dofs: Float64Array, points: Float64Array): void;
   readonly dofCount: number;
 }
 
-export function takeFrames(skeleton: Skeleton, clip: ChannelClip, space: Space = DEFAULT_SPACE): TakeFrames {
-  return framesOfFigure({ ...bareFigure(skeleton, clip), space }, skeleton, clip, 0);
+export function takeFrames(skeleton: Skeleton, take: Take, space: Space = DEFAULT_SPACE): TakeFrames {
+  return framesOfFigure({ ...bareFigure(skeleton, take), space }, skeleton, take, 0);
 }
 
 /**
@@ -44,17 +44,17 @@ export function takeFrames(skeleton: Skeleton, clip: ChannelClip, space: Space =
  */
 export function displayedFrames(character: Character): TakeFrames | undefined {
   const { unkeyed: _, ...keyed } = character;
-  const clip = playedClip(character);
-  if (!character.skeleton || !clip) return undefined;
+  const take = playedTake(character);
+  if (!character.skeleton || !take) return undefined;
   const offset = character.driver?.source.timeOffsetSeconds ?? 0;
-  return framesOfFigure({ ...keyed, timeOffsetSeconds: 0 }, character.skeleton, clip, offset);
+  return framesOfFigure({ ...keyed, timeOffsetSeconds: 0 }, character.skeleton, take, offset);
 }
 
-/** @param offsetSeconds from the figure's time to that of the clip */
-function framesOfFigure(figure: Character, skeleton: Skeleton, clip: ChannelClip, offsetSeconds: number): TakeFrames {
+/** @param offsetSeconds from the figure's time to that of the take */
+function framesOfFigure(figure: Character, skeleton: Skeleton, take: Take, offsetSeconds: number): TakeFrames {
   const space = figure.space ?? DEFAULT_SPACE;
   const source = poseSource(figure);
-  const { startSeconds, frameSeconds, frameCount } = framesOfClip(clip, KEYED_RATE);
+  const { startSeconds, frameSeconds, frameCount } = framesOfTake(take, KEYED_RATE);
   const compiled = compileSkeleton(skeleton);
   const ends = skeleton.joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
   const posing: Posing = {
@@ -71,8 +71,8 @@ function framesOfFigure(figure: Character, skeleton: Skeleton, clip: ChannelClip
   const secondsOf = (frame: number) => startSeconds + frame * frameSeconds;
   return {
     skeleton,
-    clip,
-    count: clip.samples ? frameCount : Math.min(MAX_KEYED_FRAMES, frameCount),
+    take,
+    count: take.samples ? frameCount : Math.min(MAX_KEYED_FRAMES, frameCount),
     frameSeconds,
     startSeconds,
     pointCount: skeleton.joints.length + ends.length,

@@ -2,7 +2,7 @@
 import { partsOf } from '../evaluate/retarget/roles.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
-import type { ChannelClip } from '../model/takes/clip.ts';
+import type { Take } from '../model/takes/take.ts';
 import { takeFrames } from './frames.ts';
 
 /** About 2 kB, so that thousands fit in a page. */
@@ -21,8 +21,8 @@ const MAX_POINTS = 64;
 const TURN = 0.6;
 
 /** In place: the middle of the figure stays in the middle of the picture. */
-export function stickFigure(skeleton: Skeleton, clip: ChannelClip, space: Space | undefined): StickFigure {
-  const frames = takeFrames(skeleton, clip, space);
+export function stickFigure(skeleton: Skeleton, take: Take, space: Space | undefined): StickFigure {
+  const frames = takeFrames(skeleton, take, space);
   const kept = pointsKept(skeleton, frames.above, space);
   const frameCount = Math.min(FRAMES, frames.count);
   const pointCount = kept.length;

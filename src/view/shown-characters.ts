@@ -6,7 +6,7 @@
 import { Box3, type Group, Vector3 } from 'three';
 import { placementMatrix } from '../evaluate/space/placements.ts';
 import { timeBetween } from '../math/time-between.ts';
-import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../model/document.ts';
+import { type Character, type Document, findCharacter, shownSkin, shownTake } from '../model/document.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
 import type { Look } from './look.ts';
@@ -195,7 +195,7 @@ export class ShownCharacters {
     const steps = Math.floor(Math.min(wanted, ALL_JOINTS / cost));
     for (const { view, character } of these) {
       const now = view.bounds(new Box3());
-      const isStill = !character.driver && !shownClip(character);
+      const isStill = !character.driver && !shownTake(character);
       if (!(end > start) || isStill || steps < 1) {
         all.push(now);
         continue;

@@ -169,7 +169,7 @@ export class ShownDocument {
     this.move();
   }
 
-  /** Frame rate for clips without frames of their own. */
+  /** Frame rate for takes without frames of their own. */
   setFramesPerSecond(framesPerSecond: number): void {
     if (framesPerSecond === this.framesPerSecond) return;
     this.framesPerSecond = framesPerSecond;

@@ -244,7 +244,7 @@ export class Viewport {
     this.shown.setPlayedRange(range);
   }
 
-  /** Frame rate for clips without frames of their own: for ghosts that are frames apart. */
+  /** Frame rate for takes without frames of their own: for ghosts that are frames apart. */
   setFramesPerSecond(framesPerSecond: number): void {
     this.shown.setFramesPerSecond(framesPerSecond);
   }

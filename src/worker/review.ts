@@ -34,8 +34,8 @@ async function digest(file: GivenBlob): Promise<TakeDigest> {
   const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, output.files, output.broken);
   const problem = [...output.diagnostics, ...diagnostics].find(({ severity }) => severity === 'error');
   if (problem) return { path, problem: `${problem.line > 0 ? `Line ${problem.line}: ` : ''}${problem.message}` };
-  const found = document.characters.flatMap(({ skeleton, clips, space }): TakeRead[] =>
-    skeleton ? clips.map((clip) => ({ skeleton, clip, space })) : [],
+  const found = document.characters.flatMap(({ skeleton, takes, space }): TakeRead[] =>
+    skeleton ? takes.map((take) => ({ skeleton, take, space })) : [],
   );
   return digestOf(path, found);
 }

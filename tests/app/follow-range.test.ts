@@ -1,17 +1,17 @@
 import { expect, it } from 'vitest';
 import { followRange } from '../../src/app/follow-range.ts';
-import { showClip } from '../../src/edit/commands/characters.ts';
-import { setClipRange } from '../../src/edit/commands/clips.ts';
+import { showTake } from '../../src/edit/commands/characters.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
+import { setTakeRange } from '../../src/edit/commands/take.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
-import { rangeOfClips, startSeconds } from '../../src/model/document.ts';
+import { rangeOfTakes, startSeconds } from '../../src/model/document.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
 import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
 
 const walking = character({
-  clips: [takeOfValues('walk', [0], [1, 3]), takeOfValues('run', [0], [-1, 2])],
-  shownClip: 0,
+  takes: [takeOfValues('walk', [0], [1, 3]), takeOfValues('run', [0], [-1, 2])],
+  shownTake: 0,
 });
 
 function following() {
@@ -21,11 +21,11 @@ function following() {
   return { store, transport };
 }
 
-it('uses the range of the first clip, and of a selected take', () => {
+it('uses the range of the first take, and of a selected take', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   expect(transport.get().range).toEqual([1, 3]);
-  store.apply(showClip, { characterId: 'c1', clip: 1 });
+  store.apply(showTake, { characterId: 'c1', take: 1 });
   expect(transport.get().range).toEqual([-1, 2]);
   store.undo();
   expect(transport.get().range).toEqual([1, 3]);
@@ -42,7 +42,7 @@ it('keeps a range that was set by hand', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, range: [1.5, 2] }));
-  store.apply(showClip, { characterId: 'c1', clip: 1 });
+  store.apply(showTake, { characterId: 'c1', take: 1 });
   expect(transport.get().range).toEqual([1.5, 2]);
 });
 
@@ -57,11 +57,11 @@ it('stops if nothing is left to play', () => {
 it('follows the range of an edited take', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
-  store.apply(setClipRange, { characterId: 'c1', range: [0, 5] });
+  store.apply(setTakeRange, { characterId: 'c1', range: [0, 5] });
   expect(transport.get().range).toEqual([0, 5]);
 });
 
-it('has a range for keying poses without any clip', () => {
+it('has a range for keying poses without any take', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(character()));
   expect(transport.get().range).toEqual([0, 2]);
@@ -77,7 +77,7 @@ it('keeps range and time when the first key creates a take, and when that is und
   expect(transport.get()).toMatchObject({ range: [0, 4], timeSeconds: 3 });
 });
 
-it('resets the range for another character without a clip', () => {
+it('resets the range for another character without a take', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, timeSeconds: 2.7, playing: true }));
@@ -98,7 +98,7 @@ function sampled(id: string, frameSeconds: number) {
       interpolation: 'linear' as const,
     },
   };
-  return character({ id, clips: [frames], shownClip: 0 });
+  return character({ id, takes: [frames], shownTake: 0 });
 }
 
 it('takes the frame rate of takes opened into an empty page, or replacing everything', () => {
@@ -125,13 +125,13 @@ it('keeps a frame rate that was set by hand', () => {
   const { store, transport } = following();
   store.replace('Open', documentOf(sampled('c1', 0.01)));
   transport.update((now) => ({ ...now, framesPerSecond: 24 }));
-  store.apply(setClipRange, { characterId: 'c1', range: [0, 0.05] });
+  store.apply(setTakeRange, { characterId: 'c1', range: [0, 0.05] });
   expect(transport.get().framesPerSecond).toBe(24);
 });
 
 it('starts where a character’s take does, even if retargeted', () => {
   const later = { ...walking, timeOffsetSeconds: -1.5 };
   expect(startSeconds(later)).toBe(2.5);
-  expect(startSeconds({ ...character(), shownClip: -1, timeOffsetSeconds: 0.5 })).toBe(-0.5);
-  expect(rangeOfClips(documentOf(later))?.[0]).toBe(startSeconds(later));
+  expect(startSeconds({ ...character(), shownTake: -1, timeOffsetSeconds: 0.5 })).toBe(-0.5);
+  expect(rangeOfTakes(documentOf(later))?.[0]).toBe(startSeconds(later));
 });

@@ -6,17 +6,17 @@ import { character, skeleton, skin, takeOfValues } from '../helpers/builders.ts'
 import type { pageWith } from './disk.ts';
 
 export const SKEL = saveCharacter(character(), 'skel')[0].text;
-export const ANIM = saveCharacter(character({ clips: [takeOfValues('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0]
+export const ANIM = saveCharacter(character({ takes: [takeOfValues('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0]
   .text;
 export const SKIN = saveCharacter(character({ skins: [skin()] }), 'skin')[0].text;
 /** A character with a take, by the names of its files. */
 export const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': ANIM };
 
 /** Edits of its take, its pose and its limits. */
-export const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
+export const longer = (c: Character): Character => ({ ...c, takes: c.takes.map((own) => ({ ...own, range: [0, 7] })) });
 export const posed = (c: Character): Character => ({
   ...c,
-  shownClip: -1,
+  shownTake: -1,
   pose: c.pose.map((v, i) => (i === 4 ? 0.25 : v)),
 });
 export const limited = (c: Character): Character => {

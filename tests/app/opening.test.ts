@@ -74,7 +74,7 @@ it('opening selects a new character, keeps the selection for a part of the selec
   expect(store.selection).toEqual({ characterId: 'c1' });
   const joint = { characterId: 'c1', joint: 1 };
   store.select(joint);
-  const walk = saveCharacter(character({ clips: [takeOfValues('walker_walk', [1])] }), 'anim')[0].text;
+  const walk = saveCharacter(character({ takes: [takeOfValues('walker_walk', [1])] }), 'anim')[0].text;
   await opener.open(() => [{ path: 'walker_walk.anim', blob: new Blob([walk]) }]);
   expect(store.selection).toEqual(joint);
   const [{ blob }] = sample();
@@ -87,7 +87,7 @@ it('opening selects a new character, keeps the selection for a part of the selec
 it.each([false, true])('a new take starts to play unless motion is to be reduced: %s', async (reducesMotion) => {
   const transport = observable({ ...DEFAULT_PLAYBACK, timeSeconds: 1.5 });
   const opener = openerOf(new Store(), { transport, reducesMotion });
-  const walk = saveCharacter(character({ clips: [takeOfValues('walker_walk', [1])] }), 'anim')[0].text;
+  const walk = saveCharacter(character({ takes: [takeOfValues('walker_walk', [1])] }), 'anim')[0].text;
   await opener.open(() => [...sample(), { path: 'walker_walk.anim', blob: new Blob([walk]) }]);
   expect(transport.get().playing).toBe(!reducesMotion);
   expect(transport.get().timeSeconds).toBe(transport.get().range[0]);
@@ -96,7 +96,7 @@ it.each([false, true])('a new take starts to play unless motion is to be reduced
 describe('a file with errors', () => {
   const file = (path: string, text: string) => ({ path, blob: new Blob([text]) });
   const parts = (['skel', 'skin', 'anim'] as const).map((kind) => {
-    const hero = character({ skins: [skin()], clips: [takeOfValues('hero_walk', new Array(9).fill(0))], shownClip: 0 });
+    const hero = character({ skins: [skin()], takes: [takeOfValues('hero_walk', new Array(9).fill(0))], shownTake: 0 });
     const [{ name, text }] = saveCharacter(hero, kind);
     return { whole: file(name, text), broken: file(name, text.replace(/ [0-9.]+/, ' 1x')) };
   });
@@ -109,7 +109,7 @@ describe('a file with errors', () => {
       const opener = openerOf(store, { messages });
       const lost = parts.filter(({ whole: { path } }) => path.endsWith(kind));
       await opener.open(() => parts.map((part) => (lost.includes(part) ? part.broken : part.whole)));
-      const open = () => store.document.characters.map(({ skins, clips }) => [skins.length, clips.length]);
+      const open = () => store.document.characters.map(({ skins, takes }) => [skins.length, takes.length]);
       expect(open()).toEqual({ skel: [], skin: [[0, 1]], anim: [[1, 0]] }[kind]);
       const fate = kind === 'skel' ? /not opened\. / : /not opened; the character was opened without it/;
       expect(textsOf(messages).at(-1)).toMatch(fate);

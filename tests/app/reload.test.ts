@@ -5,7 +5,7 @@ import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { saveCharacter } from '../../src/files/save/saving.ts';
 import { DiskError, type DiskFile } from '../../src/io/disk-files.ts';
 import type { Character } from '../../src/model/document.ts';
-import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../src/model/takes/take.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
 import { character, skeleton, takeOfValues } from '../helpers/builders.ts';
@@ -14,7 +14,7 @@ import { InThisThread } from './in-this-thread.ts';
 
 const SKEL = saveCharacter(character(), 'skel')[0].text;
 const animOf = (value: number, name = 'hero_walk') =>
-  saveCharacter(character({ clips: [takeOfValues(name, new Array(9).fill(value), [0, 2])] }), 'anim')[0].text;
+  saveCharacter(character({ takes: [takeOfValues(name, new Array(9).fill(value), [0, 2])] }), 'anim')[0].text;
 const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': animOf(0.5) };
 
 async function page(texts: Readonly<Record<string, string>> = HERO) {
@@ -56,8 +56,8 @@ async function page(texts: Readonly<Record<string, string>> = HERO) {
   return { ...base, transport, edit, reloadIt, own, parts, framed: () => framed };
 }
 
-const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
-const value = (c: Character) => keysOf(c.clips[0].channels[0]).values[0];
+const longer = (c: Character): Character => ({ ...c, takes: c.takes.map((own) => ({ ...own, range: [0, 7] })) });
+const value = (c: Character) => keysOf(c.takes[0].channels[0]).values[0];
 
 describe('reloading', () => {
   it('replaces the part whose file has changed, and nothing else', async () => {
@@ -118,7 +118,7 @@ describe('reloading', () => {
     expect(here.store.selection.keys).toEqual(keys);
     const other = takeOfValues('hero_walk', new Array(9).fill(0.5), [0, 2]);
     const text = saveCharacter(
-      character({ clips: [{ ...other, channels: other.channels.map((c, i) => (i === 4 ? restChannel() : c)) }] }),
+      character({ takes: [{ ...other, channels: other.channels.map((c, i) => (i === 4 ? restChannel() : c)) }] }),
       'anim',
     )[0].text;
     here.edit('hero_walk.anim', text);
@@ -128,12 +128,12 @@ describe('reloading', () => {
 
   it('reloading keeps showing the same take', async () => {
     const here = await page({ ...HERO, 'hero_run.anim': animOf(1, 'hero_run') });
-    const [run, walk] = ['hero_run', 'hero_walk'].map((name) => here.own().clips.findIndex((c) => c.name === name));
-    here.change((c) => ({ ...c, shownClip: walk }));
+    const [run, walk] = ['hero_run', 'hero_walk'].map((name) => here.own().takes.findIndex((c) => c.name === name));
+    here.change((c) => ({ ...c, shownTake: walk }));
     here.edit('hero_run.anim', animOf(3, 'hero_run'));
     await here.reloadIt();
-    expect(here.own().shownClip).toBe(walk);
-    expect(keysOf(here.own().clips[run].channels[0]).values[0]).toBe(3);
+    expect(here.own().shownTake).toBe(walk);
+    expect(keysOf(here.own().takes[run].channels[0]).values[0]).toBe(3);
   });
 
   it('changes nothing if a file is broken, and loads it once it is corrected', async () => {
@@ -153,7 +153,7 @@ describe('reloading', () => {
     const here = await page();
     here.change(longer);
     await here.reloadIt();
-    expect(here.own().clips[0].range).toEqual([0, 2]);
+    expect(here.own().takes[0].range).toEqual([0, 2]);
     expect(here.names()).toEqual([]);
     here.store.undo();
     expect(here.names()).toEqual(['hero_walk.anim']);
@@ -164,7 +164,7 @@ describe('reloading', () => {
     here.change(longer);
     here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
     await here.reloadIt();
-    expect(here.own().clips[0].range).toEqual([0, 7]);
+    expect(here.own().takes[0].range).toEqual([0, 7]);
     expect(here.names()).toEqual(['hero_walk.anim']);
   });
 
@@ -206,16 +206,16 @@ describe('reloading', () => {
     const here = await page();
     here.change((c) => ({
       ...c,
-      clips: [...c.clips, takeOfValues('new', new Array(9).fill(1), [0, 3])],
-      shownClip: 1,
+      takes: [...c.takes, takeOfValues('new', new Array(9).fill(1), [0, 3])],
+      shownTake: 1,
     }));
     const handle = here.disk.put('new.anim', '');
     here.disk.picks = handle;
     await here.saver.saveChanged();
     here.disk.files.set(handle, animOf(6, 'new'));
     await here.reloadIt();
-    expect(here.own().clips.map((c) => c.name)).toEqual(['hero_walk', 'new']);
-    expect(keysOf(here.own().clips[1].channels[0]).values[0]).toBe(6);
+    expect(here.own().takes.map((c) => c.name)).toEqual(['hero_walk', 'new']);
+    expect(keysOf(here.own().takes[1].channels[0]).values[0]).toBe(6);
   });
 
   it('reloading is available only for content of files, and not for the opening example', async () => {

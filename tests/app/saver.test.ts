@@ -1,7 +1,7 @@
 /** Saving to the files that parts came from, and to others. */
 import { describe, expect, it } from 'vitest';
-import { renameClip } from '../../src/edit/commands/clips.ts';
 import { addMarkers, removeMarkers } from '../../src/edit/commands/markers.ts';
+import { renameTake } from '../../src/edit/commands/take.ts';
 import { takeOfValues } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
 import { ANIM, HERO, limited, longer, posed, SKEL, SKIN, said } from './hero.ts';
@@ -49,7 +49,7 @@ describe('saving what changed', () => {
   it('counts markers as saved that were just read for a take that is', async () => {
     const page = await pageWith({ 'walk.bvh': BVH });
     await page.open([{ path: 'walk.markers.json', blob: new Blob(['[{ "time": 0.1, "label": "ends" }]']) }]);
-    expect(page.store.document.characters[0].clips[0].markers).toHaveLength(1);
+    expect(page.store.document.characters[0].takes[0].markers).toHaveLength(1);
     expect(page.names()).toEqual([]);
     page.store.apply(removeMarkers, { characterId: 'c1', indices: [0] });
     expect(page.names()).toEqual(['walk.markers.json']);
@@ -72,14 +72,14 @@ describe('saving what changed', () => {
   it('saves a renamed take to a file of that name, and under its own name to its own', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = 'as suggested';
-    page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_run' });
+    page.store.apply(renameTake, { characterId: 'c1', take: 0, name: 'hero_run' });
     expect(page.names()).toEqual(['hero_run.anim']);
-    page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_walk' });
+    page.store.apply(renameTake, { characterId: 'c1', take: 0, name: 'hero_walk' });
     page.change(longer);
     await page.saver.saveChanged();
     expect(page.disk.asked).toEqual([]);
     expect(page.text('hero_walk.anim')).toContain('range 0 7');
-    page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_run' });
+    page.store.apply(renameTake, { characterId: 'c1', take: 0, name: 'hero_run' });
     await page.saver.saveChanged();
     expect(page.disk.asked).toEqual(['hero_run.anim']);
     expect(page.names()).toEqual([]);
@@ -90,7 +90,7 @@ describe('saving what changed', () => {
     page.disk.picks = 'as suggested';
     page.change((c) => ({
       ...c,
-      clips: [takeOfValues('hero_new', [1]), ...c.clips].map((own) => ({ ...own, range: [0, 4] })),
+      takes: [takeOfValues('hero_new', [1]), ...c.takes].map((own) => ({ ...own, range: [0, 4] })),
     }));
     await page.saver.saveChanged();
     expect(page.disk.asked).toEqual(['hero_new.anim']);
@@ -113,7 +113,7 @@ describe('saving what changed', () => {
 
   it('leaves out a pose that a take overrides', async () => {
     const page = await pageWith(HERO);
-    page.change((c) => limited({ ...posed(c), shownClip: 0 }));
+    page.change((c) => limited({ ...posed(c), shownTake: 0 }));
     await page.saver.saveChanged();
     expect(page.text('hero.skel')).toContain('rotxlimit -2 3');
     expect(page.text('hero.skel')).not.toContain('pose');
@@ -132,7 +132,7 @@ describe('saving what changed', () => {
   it('asks for a location once, and then saves there', async () => {
     const page = await pageWith(HERO);
     page.disk.picks = page.disk.put('mine.anim', '');
-    page.change((c) => ({ ...c, clips: [...c.clips, takeOfValues('new', new Array(9).fill(1), [0, 3])] }));
+    page.change((c) => ({ ...c, takes: [...c.takes, takeOfValues('new', new Array(9).fill(1), [0, 3])] }));
     await page.saver.saveChanged();
     expect(page.disk.asked).toEqual(['new.anim']);
     expect(page.text('mine.anim')).toContain('range 0 3');
@@ -231,7 +231,7 @@ describe('saving as', () => {
     expect(page.text('copy.anim')).toContain('range 0 7');
     expect(page.text('hero_walk.anim')).toBe(ANIM);
     expect(page.names()).toEqual([]);
-    page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 9] })) }));
+    page.change((c) => ({ ...c, takes: c.takes.map((own) => ({ ...own, range: [0, 9] })) }));
     await page.saver.saveChanged();
     expect(page.text('copy.anim')).toContain('range 0 9');
     expect(page.text('hero_walk.anim')).toBe(ANIM);
@@ -253,7 +253,7 @@ describe('saving as', () => {
 
   it('a conversion that is refused is a message, and saving goes on after it', async () => {
     const page = await pageWith(HERO);
-    page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 1e6] })) }));
+    page.change((c) => ({ ...c, takes: c.takes.map((own) => ({ ...own, range: [0, 1e6] })) }));
     await page.saver.saveAs('c1', 'bvh');
     expect(page.messages.list.get()).toMatchObject([
       {

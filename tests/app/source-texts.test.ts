@@ -61,7 +61,7 @@ describe('the text of a file as it was opened', () => {
     const source = { name: 'a.skel', path: 'x/a.skel', bytes: 1 };
     const file = { kind: 'skel', source, holds: 'a' } as const;
     const mark = { id: 1, revision: 1, file };
-    const then = character({ parts: { skeleton: mark, skins: [], morphs: [], clips: [] } });
+    const then = character({ parts: { skeleton: mark, skins: [], morphs: [], takes: [] } });
     const given = new Blob([SKEL]);
     texts.note([{ path: source.path, blob: given }]);
     expect(texts.opened(source)).toBeUndefined();
@@ -76,7 +76,7 @@ describe('the text of a file as it was opened', () => {
     const texts = textsOf();
     const source = { name: 'a.skel', path: 'x/a.skel', bytes: 1 };
     const file = { kind: 'skel', source, holds: 'a' } as const;
-    const then = character({ parts: { skeleton: { id: 1, revision: 1, file }, skins: [], morphs: [], clips: [] } });
+    const then = character({ parts: { skeleton: { id: 1, revision: 1, file }, skins: [], morphs: [], takes: [] } });
     texts.note([{ path: source.path, blob: new Blob([SKEL]) }]);
     texts.noteOpened(documentOf(then));
     const [saved, now] = [new Blob(['saved']), { ...then, name: 'edited' }];

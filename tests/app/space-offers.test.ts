@@ -15,15 +15,15 @@ import { describeShared, sharedPath } from '../helpers/shared.ts';
 
 function capture(name: string, height = 150): ParsedFile {
   const skeleton = { ...figure({ height }), name };
-  const clip = { ...takeOfRoots(skeleton, [[0, height / 2, 0]]), name };
+  const take = { ...takeOfRoots(skeleton, [[0, height / 2, 0]]), name };
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
-  return { ...capturedContent([{ skeleton, clip }], source.name).value, source };
+  return { ...capturedContent([{ skeleton, take }], source.name).value, source };
 }
 
 function stated(name: string, height: number, metres: number): ParsedFile {
   const skeleton = { ...figure({ height }), name };
-  const clips = [{ ...takeOfRoots(skeleton, [[0, height / 2, 0]]), name }];
-  const whole: WholeCharacter = { skeleton, skins: [], morphs: [], clips, textures: [], space: statedSpace(metres) };
+  const takes = [{ ...takeOfRoots(skeleton, [[0, height / 2, 0]]), name }];
+  const whole: WholeCharacter = { skeleton, skins: [], morphs: [], takes, textures: [], space: statedSpace(metres) };
   return file(`${name}.glb`, { kind: 'character', characters: [whole] });
 }
 

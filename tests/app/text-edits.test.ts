@@ -204,8 +204,8 @@ describeShared('texts of real files that are edited', () => {
       expect(opened.saved(), path).toBe(written);
       // Nothing but its own part was replaced.
       store.redo();
-      expect(store.document.characters.map(({ skins, clips }) => [skins.length, clips.length])).toEqual(
-        before.characters.map(({ skins, clips }) => [skins.length, clips.length]),
+      expect(store.document.characters.map(({ skins, takes }) => [skins.length, takes.length])).toEqual(
+        before.characters.map(({ skins, takes }) => [skins.length, takes.length]),
       );
     }
   });

@@ -10,7 +10,7 @@ import { openFiles } from '../../src/files/open/open-files.ts';
 import { partsOf } from '../../src/model/character-parts.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { type ChannelClip, keysOf } from '../../src/model/takes/clip.ts';
+import { keysOf, type Take } from '../../src/model/takes/take.ts';
 import {
   animFile,
   file,
@@ -51,20 +51,20 @@ const hero = () => [
   skinFile('hero.skin', skin()),
   morphFile('hero_smile.morph', morph('hero_smile')),
 ];
-const moved = (own: ChannelClip, by = 1): ChannelClip => ({
+const moved = (own: Take, by = 1): Take => ({
   ...own,
   channels: own.channels.map((c, i) => (i === 0 ? { ...c, values: keysOf(c).values.map((v) => v + by) } : c)),
 });
-const withClip = (edit: (clip: ChannelClip) => ChannelClip) => (c: Character) => ({ ...c, clips: c.clips.map(edit) });
+const withTake = (edit: (take: Take) => Take) => (c: Character) => ({ ...c, takes: c.takes.map(edit) });
 
 describe('what is unsaved', () => {
   it('nothing that was just opened is unsaved', () => {
     expect(opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1]))).names()).toEqual([]);
   });
 
-  it('an edited clip is unsaved until undone', () => {
+  it('an edited take is unsaved until undone', () => {
     const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
-    change(withClip((c) => moved(c)));
+    change(withTake((c) => moved(c)));
     expect(names()).toEqual(['hero_walk.anim']);
     store.undo();
     expect(names()).toEqual([]);
@@ -72,10 +72,10 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('a clip changed back and forth is unsaved until undone', () => {
+  it('a take changed back and forth is unsaved until undone', () => {
     const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
-    change(withClip((c) => moved(c)));
-    change(withClip((c) => moved(c, -1)));
+    change(withTake((c) => moved(c)));
+    change(withTake((c) => moved(c, -1)));
     expect(names()).toEqual(['hero_walk.anim']);
     store.undo();
     store.undo();
@@ -90,19 +90,19 @@ describe('what is unsaved', () => {
     const save = () => {
       for (const part of partsOf(store.document.characters[0])) if (part.kind === 'anim') unsaved.written(part);
     };
-    change(withClip((c) => moved(c)));
+    change(withTake((c) => moved(c)));
     save();
     expect(names()).toEqual([]);
     store.undo();
-    change(withClip((c) => moved(c, 2)));
+    change(withTake((c) => moved(c, 2)));
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('a clip created here, and a renamed one, are unsaved', () => {
+  it('a take created here, and a renamed one, are unsaved', () => {
     const { names, change } = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
-    change((c) => ({ ...c, clips: [...c.clips, takeOfValues('new', [0])] }));
+    change((c) => ({ ...c, takes: [...c.takes, takeOfValues('new', [0])] }));
     expect(names()).toEqual(['new.anim']);
-    change(withClip((c) => ({ ...c, name: `${c.name}2` })));
+    change(withTake((c) => ({ ...c, name: `${c.name}2` })));
     expect(names()).toEqual(['hero_walk2.anim', 'new2.anim']);
   });
 
@@ -110,7 +110,7 @@ describe('what is unsaved', () => {
     const walk = () => animFile('hero_walk.anim', takeOfValues('hero_walk', [1]));
     const { open, names, change } = opened(...hero(), walk());
     expect(open(walk())).toEqual([]);
-    change(withClip((c) => moved(c)));
+    change(withTake((c) => moved(c)));
     expect(names()).toEqual(['hero_walk.anim']);
     expect(open(skinFile('hero.skin', skin()))).toEqual([]);
     expect(open(walk())).toEqual(['hero_walk.anim']);
@@ -137,7 +137,7 @@ describe('what is unsaved', () => {
     setDof(9, 1);
     expect(names()).toEqual([]);
     setDof(4, 0.5);
-    change((c) => ({ ...c, clips: [takeOfValues('hero_walk', new Array(10).fill(0))], shownClip: 0 }));
+    change((c) => ({ ...c, takes: [takeOfValues('hero_walk', new Array(10).fill(0))], shownTake: 0 }));
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
@@ -149,7 +149,7 @@ describe('what is unsaved', () => {
     ];
     const { store, names, change } = opened(...files);
     store.apply(renameCharacter, { characterId: 'c1', name: 'someone' });
-    change((c) => ({ ...c, shownClip: 1, timeOffsetSeconds: 2 }));
+    change((c) => ({ ...c, shownTake: 1, timeOffsetSeconds: 2 }));
     expect(names()).toEqual([]);
   });
 
@@ -207,7 +207,7 @@ describe('what is unsaved', () => {
   it('unsaved parts have character, kind and index', () => {
     const other = skelFile('b/other.skel', skeleton(2, 'other'));
     const { unsaved, change } = opened(skelFile('a/hero.skel', skeleton()), other);
-    change((c) => ({ ...c, clips: [takeOfValues('x', [0])] }), 1);
+    change((c) => ({ ...c, takes: [takeOfValues('x', [0])] }), 1);
     expect(unsaved.current()).toEqual([{ characterId: 'c2', kind: 'anim', index: 0, name: 'x.anim' }]);
   });
 
@@ -218,7 +218,7 @@ describe('what is unsaved', () => {
       animFile('b/walk.anim', takeOfValues('walk', [2])),
     );
     expect(names()).toEqual([]);
-    change((c) => ({ ...c, clips: [c.clips[0], moved(c.clips[1])] }));
+    change((c) => ({ ...c, takes: [c.takes[0], moved(c.takes[1])] }));
     expect(names()).toEqual(['walk.anim']);
   });
 
@@ -233,7 +233,7 @@ describe('what is unsaved', () => {
       ...hero(),
       animFile('hero_walk.anim', takeOfValues('hero_walk', [1])),
     );
-    change(withClip((c) => moved(c)));
+    change(withTake((c) => moved(c)));
     open(animFile('hero_walk.anim', takeOfValues('hero_walk', [7])));
     expect(names()).toEqual([]);
     store.undo();
@@ -247,7 +247,7 @@ describe('saving', () => {
       ...hero(),
       animFile('hero_walk.anim', takeOfValues('hero_walk', [1])),
     );
-    change(withClip((c) => moved(c)));
+    change(withTake((c) => moved(c)));
     const [character] = store.document.characters;
     for (const part of partsOf(character)) if (part.kind === 'anim') unsaved.written(part);
     expect(names()).toEqual([]);
@@ -260,8 +260,8 @@ describe('saving', () => {
     await Promise.resolve();
     const heard: string[][] = [];
     unsaved.parts.subscribe((parts) => heard.push(parts.map(({ name }) => name)));
-    change(withClip((c) => moved(c)));
-    change(withClip((c) => moved(c)));
+    change(withTake((c) => moved(c)));
+    change(withTake((c) => moved(c)));
     await Promise.resolve();
     setDof(1, 2);
     await Promise.resolve();
@@ -270,7 +270,7 @@ describe('saving', () => {
 
   it('saving can be taken down and given back', () => {
     const first = opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1])));
-    first.change(withClip((c) => moved(c)));
+    first.change(withTake((c) => moved(c)));
     first.setDof(4, 0.5);
     const store = new Store();
     store.adopt(undefined, { document: structuredClone(first.store.document), selection: {} });

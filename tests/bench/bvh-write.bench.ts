@@ -25,8 +25,8 @@ function ours(written: CapturedFigure): number {
   return bytes;
 }
 
-function bare({ clip }: CapturedFigure): number {
-  const values = clip?.samples?.values ?? new Float64Array(0);
+function bare({ take }: CapturedFigure): number {
+  const values = take?.samples?.values ?? new Float64Array(0);
   const row: string[] = new Array(3 * JOINTS);
   let length = 0;
   for (let at = 0; at < values.length; at += row.length) {

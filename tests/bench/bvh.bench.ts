@@ -72,7 +72,7 @@ function readOurs(bytes: Uint8Array): void {
   const reader = bvhReader('take.bvh', bytes.length);
   for (let from = 0; from < bytes.length; from += PIECE) reader.feed(bytes.subarray(from, from + PIECE));
   const { value, diagnostics } = reader.end();
-  if (!value?.[0].clip || diagnostics.length > 0) throw new Error(diagnostics[0]?.message ?? 'no clip');
+  if (!value?.[0].take || diagnostics.length > 0) throw new Error(diagnostics[0]?.message ?? 'no take');
 }
 
 function readWithLoader(text: string): void {

@@ -7,7 +7,7 @@ import { bench, describe } from 'vitest';
 import { runToEnd } from '../../src/evaluate/steps.ts';
 import type { Character } from '../../src/model/document.ts';
 import { oneSurface, type Skin } from '../../src/model/skin.ts';
-import { type ChannelClip, SMOOTH } from '../../src/model/takes/clip.ts';
+import { SMOOTH, type Take } from '../../src/model/takes/take.ts';
 import { CATALOGUE } from '../../src/teaching/catalogue/all.ts';
 import { compare } from '../../src/teaching/compare/compare.ts';
 import type { Targets } from '../../src/teaching/compare/targets.ts';
@@ -34,7 +34,7 @@ function bigCharacter(): Character {
     }),
   );
   const tangents = { kinds: new Uint8Array(KEYS).fill(SMOOTH), slopes: new Float64Array(KEYS) };
-  const clip: ChannelClip = {
+  const take: Take = {
     name: 'big',
     range: [0, 3],
     channels: Array.from({ length: 3 + 3 * JOINTS }, () => ({
@@ -50,7 +50,7 @@ function bigCharacter(): Character {
   const bare = character({ skeleton: { name: 'big', joints } });
   const bindings = new Evaluator(bare).frame(RIGHT_PROGRAM, undefined, ALL).world.slice();
   const skin = bigSkin(bindings);
-  return { ...bare, skins: [skin], shownSkin: 0, clips: [clip], shownClip: 0 };
+  return { ...bare, skins: [skin], shownSkin: 0, takes: [take], shownTake: 0 };
 }
 
 function bigSkin(bindings: Float64Array): Skin {

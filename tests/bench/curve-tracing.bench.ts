@@ -4,9 +4,9 @@
  * extrapolation. A frame has 16 ms, of which tracing may take a few.
  */
 import { bench, describe } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import type { TraceMap } from '../../src/evaluate/plot/trace-path.ts';
-import { type Channel, type ChannelClip, keysOf, SMOOTH } from '../../src/model/takes/clip.ts';
+import { type Channel, keysOf, SMOOTH, type Take } from '../../src/model/takes/take.ts';
 import { LineTrace, traceLine } from '../../src/ui/editors/curves/scene/trace.ts';
 
 const SECONDS = 10;
@@ -34,13 +34,13 @@ for (const [channels, keys] of [
   [1, 100_000],
 ]) {
   describe(`${channels} × ${keys} keys, all in view`, () => {
-    const clip: ChannelClip = {
+    const take: Take = {
       name: 'wiggling',
       range: [0, SECONDS],
       channels: Array.from({ length: channels }, (_, c) => wiggling(keys, c)),
     };
-    const curves = compileClip(clip);
-    const traces = clip.channels.map(() => new LineTrace());
+    const curves = compileTake(take);
+    const traces = take.channels.map(() => new LineTrace());
     let frame = 0;
     const mapOfFrame = (): TraceMap => ({
       left: -0.2 + 0.01 * Math.sin(frame++),
@@ -54,7 +54,7 @@ for (const [channels, keys] of [
 
     bench('ours', () => {
       const map = mapOfFrame();
-      clip.channels.forEach((channel, c) => {
+      take.channels.forEach((channel, c) => {
         traceLine(curves, c, channel, map, 1, traces[c]);
       });
     });
@@ -63,7 +63,7 @@ for (const [channels, keys] of [
     const high = new Float32Array(WIDTH);
     bench('bare loop', () => {
       const { left, perSecond, bottom, perUnit, low: floor } = mapOfFrame();
-      for (const { times, values } of clip.channels.map(keysOf)) {
+      for (const { times, values } of take.channels.map(keysOf)) {
         low.fill(Number.POSITIVE_INFINITY);
         high.fill(Number.NEGATIVE_INFINITY);
         for (let k = 0; k < times.length; k++) {
@@ -79,7 +79,7 @@ for (const [channels, keys] of [
 
 describe('1 × 100000 keys, dragged: another channel every time', () => {
   const base = wiggling(100_000, 0);
-  const curves = compileClip({ name: 'dragged', range: [0, SECONDS], channels: [base] });
+  const curves = compileTake({ name: 'dragged', range: [0, SECONDS], channels: [base] });
   const trace = new LineTrace();
   const map: TraceMap = { left: -0.2, low: -1.5, perSecond: 105, perUnit: 100, width: WIDTH, top: 22, bottom: HEIGHT };
   bench('ours', () => {

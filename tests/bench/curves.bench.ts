@@ -3,10 +3,10 @@
  * cubic per channel, without extrapolation. Goal: at most twice its time.
  */
 import { bench, describe } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
-import { evaluateClip } from '../../src/evaluate/curves.ts';
-import type { ChannelClip } from '../../src/model/takes/clip.ts';
-import { SMOOTH } from '../../src/model/takes/clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
+import { evaluateTake } from '../../src/evaluate/curves.ts';
+import type { Take } from '../../src/model/takes/take.ts';
+import { SMOOTH } from '../../src/model/takes/take.ts';
 
 const CHANNELS = 10_000;
 const SECONDS = 10;
@@ -28,7 +28,7 @@ function keyTimes(keys: number, random: Generator<number, never>): Float64Array 
   return times;
 }
 
-function randomClip(keys: number): ChannelClip {
+function randomTake(keys: number): Take {
   const random = noise(keys);
   const tangents = { kinds: new Uint8Array(keys).fill(SMOOTH), slopes: new Float64Array(keys) };
   return {
@@ -48,13 +48,13 @@ function randomClip(keys: number): ChannelClip {
 
 for (const keys of [4, 30, 300]) {
   describe(`10,000 channels of ${keys} keys, all at a random time`, () => {
-    const clip = compileClip(randomClip(keys));
-    const { firstKey, times, cubics } = clip;
+    const take = compileTake(randomTake(keys));
+    const { firstKey, times, cubics } = take;
     const out = new Float64Array(CHANNELS);
     const random = noise(7);
 
     bench('ours', () => {
-      evaluateClip(clip, SECONDS * random.next().value, out);
+      evaluateTake(take, SECONDS * random.next().value, out);
     });
 
     bench('bare loop', () => {

@@ -9,7 +9,7 @@ import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { runToEnd } from '../../src/evaluate/steps.ts';
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../src/model/takes/clip.ts';
+import { restChannel, SAMPLED, type Take } from '../../src/model/takes/take.ts';
 import { character, joint } from '../helpers/builders.ts';
 
 const JOINTS = 60;
@@ -27,7 +27,7 @@ const skeleton = {
 };
 
 /** Oscillating degrees, each DOF at its own pace. */
-function sway(phase: number): ChannelClip {
+function sway(phase: number): Take {
   const values = Float64Array.from(
     { length: WIDTH * FRAMES },
     (_, i) => 30 * Math.sin(phase + (i % WIDTH) + Math.floor(i / WIDTH) / 40),
@@ -49,7 +49,7 @@ function sway(phase: number): ChannelClip {
 }
 
 const [a, b] = [0, 0.3].map((phase, i) =>
-  character({ id: `c${i}`, skeleton, clips: [sway(phase)], shownClip: 0, timeOffsetSeconds: 0.003 * i }),
+  character({ id: `c${i}`, skeleton, takes: [sway(phase)], shownTake: 0, timeOffsetSeconds: 0.003 * i }),
 );
 const match = matchJoints(skeleton, skeleton);
 const times = commonFrames(a, b, 30, JOINTS);

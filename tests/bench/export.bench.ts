@@ -38,7 +38,7 @@ const { value = [] } = readBvh(takeText(), 'take.bvh');
 const source = { name: 'take.bvh', path: 'take.bvh', bytes: 0 };
 const opened = openFiles(EMPTY_DOCUMENT, [{ ...capturedContent(value, 'take.bvh').value, source }]);
 const [character] = opened.document.characters;
-const samples = character.clips[0].samples;
+const samples = character.takes[0].samples;
 if (!samples) throw new Error('The take has no samples.');
 
 const pool = new FloatPool('float32');

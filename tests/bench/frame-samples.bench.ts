@@ -8,8 +8,8 @@ import { bench, describe } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import type { Joint } from '../../src/model/skeleton/skeleton.ts';
-import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
 import { INTERPOLATIONS, type Interpolation } from '../../src/model/takes/samples.ts';
+import { SAMPLED, type Take } from '../../src/model/takes/take.ts';
 import { PosePlayer } from '../../src/view/motion/pose-track.ts';
 import { character, joint } from '../helpers/builders.ts';
 import { bareCrowd } from './bare-crowd.ts';
@@ -44,7 +44,7 @@ const skeleton = {
 };
 
 /** A random walk in degrees, up to 2° per frame. */
-function walk(seed: number, interpolation: Interpolation): ChannelClip {
+function walk(seed: number, interpolation: Interpolation): Take {
   const random = noise(seed);
   const values = new Float64Array(WIDTH * FRAMES);
   for (let i = 0; i < values.length; i++) {
@@ -66,7 +66,7 @@ function walk(seed: number, interpolation: Interpolation): ChannelClip {
   };
 }
 
-const clips = Array.from({ length: CHARACTERS }, (_, i) => walk(i, 'linear'));
+const takes = Array.from({ length: CHARACTERS }, (_, i) => walk(i, 'linear'));
 const compiled = compileSkeleton(skeleton);
 /** As in the page: all matrices of all characters in one array. */
 const worlds = new Float64Array(16 * JOINTS * CHARACTERS);
@@ -78,9 +78,9 @@ const between = () => ((tick++ * 2.003 + 0.31) % (FRAMES - 2)) * FRAME_SECONDS;
 const atFrames = () => ((tick++ * 2) % (FRAMES - 2)) * FRAME_SECONDS;
 
 function crowd(interpolation: Interpolation): PosePlayer[] {
-  return clips.map((clip, i) => {
-    const own = clip.samples && { ...clip, samples: { ...clip.samples, interpolation } };
-    return new PosePlayer(character({ id: `c${i}`, skeleton, clips: own ? [own] : [], shownClip: 0 }));
+  return takes.map((take, i) => {
+    const own = take.samples && { ...take, samples: { ...take.samples, interpolation } };
+    return new PosePlayer(character({ id: `c${i}`, skeleton, takes: own ? [own] : [], shownTake: 0 }));
   });
 }
 
@@ -96,7 +96,7 @@ const bare = {
   parent,
   offsets,
   frameSeconds: FRAME_SECONDS,
-  values: clips.map((clip) => clip.samples?.values ?? new Float64Array(0)),
+  values: takes.map((take) => take.samples?.values ?? new Float64Array(0)),
 };
 const bareSlerp = bareCrowd(bare, 'slerp');
 const bareMix = bareCrowd(bare, 'mixed angles');

@@ -17,12 +17,12 @@ import {
   SkinnedMesh,
 } from 'three';
 import { bench, describe } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { compileSkeleton } from '../../src/evaluate/kinematics.ts';
 import { compileSkin } from '../../src/evaluate/skin/deform.ts';
 import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
-import { type ChannelClip, keysOf, SMOOTH } from '../../src/model/takes/clip.ts';
+import { keysOf, SMOOTH, type Take } from '../../src/model/takes/take.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
@@ -34,7 +34,7 @@ const SECONDS = 2;
 const CHANNELS = 3 + 3 * JOINTS;
 
 const tangents = { kinds: new Uint8Array(KEYS).fill(SMOOTH), slopes: new Float64Array(KEYS) };
-const walk: ChannelClip = {
+const walk: Take = {
   name: 'walk',
   range: [0, SECONDS],
   channels: Array.from({ length: CHANNELS }, (_, c) => ({
@@ -53,7 +53,7 @@ const skeleton = {
   joints: Array.from({ length: JOINTS }, (_, j) => joint(Math.floor((j - 1) / 2), { limits: [limit, limit, limit] })),
 };
 const body = skin('hero', JOINTS - 1);
-const hero = character({ skeleton, skins: [body], clips: [walk], shownClip: 0 });
+const hero = character({ skeleton, skins: [body], takes: [walk], shownTake: 0 });
 
 let frame = 0;
 /** Each character is slightly later than the previous one. */
@@ -88,7 +88,7 @@ describe('100 characters of 25 joints, a frame', () => {
     for (const { mesh } of plain) mesh.skeleton.update();
   });
 
-  const { times, cubics } = compileClip(walk);
+  const { times, cubics } = compileTake(walk);
   const { parent, offsets, lower, upper } = compileSkeleton(skeleton);
   const { inverseBindings } = compileSkin(body);
   const pose = new Float64Array(CHANNELS);

@@ -4,11 +4,11 @@
  * of affine matrices) without look-ups. Goal, including bone textures: at most 3 times that.
  */
 import { bench, describe } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { compileSkin, skinMatrices } from '../../src/evaluate/skin/deform.ts';
-import { type ChannelClip, SMOOTH } from '../../src/model/takes/clip.ts';
+import { SMOOTH, type Take } from '../../src/model/takes/take.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
 
 const CHARACTERS = 100;
@@ -18,7 +18,7 @@ const SECONDS = 2;
 const CHANNELS = 3 + 3 * JOINTS;
 
 const tangents = { kinds: new Uint8Array(KEYS).fill(SMOOTH), slopes: new Float64Array(KEYS) };
-const walk: ChannelClip = {
+const walk: Take = {
   name: 'walk',
   range: [0, SECONDS],
   channels: Array.from({ length: CHANNELS }, (_, c) => ({
@@ -36,7 +36,7 @@ const skeleton = {
   name: 'hero',
   joints: Array.from({ length: JOINTS }, (_, j) => joint(Math.floor((j - 1) / 2), { limits: [limit, limit, limit] })),
 };
-const hero = character({ skeleton, clips: [walk], shownClip: 0 });
+const hero = character({ skeleton, takes: [walk], shownTake: 0 });
 /** Each slightly later than the previous one. */
 const crowd = Array.from({ length: CHARACTERS }, (_, i) => ({ ...hero, id: `c${i}`, timeOffsetSeconds: i / 100 }));
 const compiledSkin = compileSkin(skin('hero', JOINTS - 1));
@@ -59,7 +59,7 @@ describe('100 characters of 25 joints, a frame', () => {
     }
   });
 
-  const { times, cubics } = compileClip(walk);
+  const { times, cubics } = compileTake(walk);
   const { parent, offsets, lower, upper } = compiledSkeleton;
   const { inverseBindings } = compiledSkin;
 

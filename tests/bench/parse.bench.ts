@@ -124,11 +124,11 @@ for (const { name, vertices, print } of SKINS) {
   });
 }
 
-const clip = animBytes(60, 10_000);
-const clipNumbers = countNumbers(clip);
-describe(`.anim of 60 channels of 10,000 keys, ${megabytes(clip)}`, () => {
-  bench('bare loop', () => void bareLoop(clip, clipNumbers), LONG);
-  bench('reader, one piece', () => readInPieces(animReader('x.anim'), clip, clip.length), LONG);
-  bench('reader, pieces of 64 KB', () => readInPieces(animReader('x.anim'), clip, PIECE), LONG);
-  bench('lines split', () => void splitLines(clip), LONGEST);
+const take = animBytes(60, 10_000);
+const takeNumbers = countNumbers(take);
+describe(`.anim of 60 channels of 10,000 keys, ${megabytes(take)}`, () => {
+  bench('bare loop', () => void bareLoop(take, takeNumbers), LONG);
+  bench('reader, one piece', () => readInPieces(animReader('x.anim'), take, take.length), LONG);
+  bench('reader, pieces of 64 KB', () => readInPieces(animReader('x.anim'), take, PIECE), LONG);
+  bench('lines split', () => void splitLines(take), LONGEST);
 });

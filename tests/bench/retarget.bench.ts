@@ -30,8 +30,8 @@ const FRAMES = 240;
 const rows = Array.from({ length: FRAMES }, (_, f) =>
   Array.from({ length: jointDofCount(source) }, (_, d) => (d === 1 ? 0.9 : d < 3 ? 0 : 0.4 * Math.sin(f / 9 + d))),
 );
-const clip = takeOfRows(source, rows, 1 / 60);
-const driver = driverOf(source, clip, automaticPairs(source, WALKER_SKELETON));
+const take = takeOfRows(source, rows, 1 / 60);
+const driver = driverOf(source, take, automaticPairs(source, WALKER_SKELETON));
 const held = planRetarget(driver, WALKER_SKELETON, undefined, true);
 const free = planRetarget(driver, WALKER_SKELETON, undefined, false);
 const dofs = Float64Array.from(held.restDofs);

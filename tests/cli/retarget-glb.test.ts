@@ -72,7 +72,7 @@ describeShared('marrow convert TAKE --retarget CHARACTER OUT.glb', () => {
     const { code } = await command(['convert', TAKE, '--crop', '0.5,1', '--mirror', 'cut.glb'], folder);
     expect(code).toBe(0);
     const [cut] = await opened('cut.glb');
-    const [start, end] = cut.clips[0].range;
+    const [start, end] = cut.takes[0].range;
     expect(end - start).toBeCloseTo(0.5, 3);
     expect(requireSkeleton(cut).joints.length).toBeGreaterThan(50);
   });

@@ -26,7 +26,7 @@ async function byPage(take: string, target: string): Promise<string> {
   const [source, character] = document.characters;
   const live = setRetarget.run(document, { characterId: character.id, sourceId: source.id });
   const baked = bakeRetarget.run(live, { characterId: character.id }).characters[1];
-  const shown: Character = { ...baked, clips: [baked.clips[baked.shownClip]], shownClip: 0 };
+  const shown: Character = { ...baked, takes: [baked.takes[baked.shownTake]], shownTake: 0 };
   return savedFileOf(outputOf(bvhCopy('out.bvh', bvhOf(shown)))).text;
 }
 

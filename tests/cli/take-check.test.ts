@@ -55,10 +55,10 @@ describeShared('checks of exported takes', () => {
     expect(kinds(flagsOf(takeOf(read, { target: { character: { ...read, id: 'c2' } } }), read))).toEqual(kinds(own));
     // A jump of the root comes through; what was odd about the bones of the source doesn't, but that a leg whose length
     // changes for two frames turns the target's instead.
-    const [clip] = read.clips;
-    const values = clip.samples?.values.slice() ?? new Float64Array(0);
-    values[60 * (clip.samples?.scales.length ?? 0)] += 100;
-    const jumping = { ...read, clips: [{ ...clip, ...(clip.samples && { samples: { ...clip.samples, values } }) }] };
+    const [take] = read.takes;
+    const values = take.samples?.values.slice() ?? new Float64Array(0);
+    values[60 * (take.samples?.scales.length ?? 0)] += 100;
+    const jumping = { ...read, takes: [{ ...take, ...(take.samples && { samples: { ...take.samples, values } }) }] };
     const target = { character: { ...opened('cmu-01_01.bvh'), id: 'c2' } };
     expect(flagsOf(takeOf(jumping, { target }), jumping)).toEqual([
       expect.stringMatching(/^slide 0.* RightToeBase$/),

@@ -16,8 +16,8 @@ afterEach(() => rmSync(folder, { recursive: true, force: true }));
 
 const hero = character({
   skeleton: { name: 'hero', joints: [joint(-1), joint(0)] },
-  clips: [takeOfValues('walk', [0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0])],
-  shownClip: 0,
+  takes: [takeOfValues('walk', [0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0])],
+  shownTake: 0,
 });
 const [SKEL, ANIM, BVH] = (['skel', 'anim', 'bvh'] as const).map((kind) => saveCharacter(hero, kind)[0].text);
 const write = (path: string, content: string | Uint8Array) => {
@@ -56,7 +56,7 @@ describe('files of takes with one name', () => {
     if (to !== 'skel' && to !== 'rig') return;
     // Each take finds its skeleton again, and nothing else does.
     const { characters } = await json('info', 'out');
-    expect(characters.map(({ clips }: { clips: readonly string[] }) => clips.length)).toEqual([1, 1, 1]);
+    expect(characters.map(({ takes }: { takes: readonly string[] }) => takes.length)).toEqual([1, 1, 1]);
   });
 });
 
@@ -66,7 +66,7 @@ describe('a take of a .skel for another kind of character', () => {
     write('in/jump.anim', ANIM);
     for (const order of [['in/fig.bvh', 'in/jump.anim'], ['in/jump.anim', 'in/fig.bvh'], ['in']]) {
       const { characters } = await json('info', ...order);
-      expect(characters).toMatchObject([{ clips: ['fig', 'jump'] }]);
+      expect(characters).toMatchObject([{ takes: ['fig', 'jump'] }]);
     }
     expect((await command(['convert', 'in', '--to', 'bvh', '--out', 'out', '--fps', '30'], folder)).code).toBe(0);
     expect(filesIn('out')).toEqual(['fig.bvh', 'jump.bvh']);
@@ -97,7 +97,7 @@ describe('zips', () => {
     write('pack.zip', zipped(files));
     const { characters, diagnostics } = await json('info', 'pack.zip');
     expect(diagnostics).toEqual([]);
-    expect(characters).toMatchObject([{ name: 'hero', clips: ['walk'] }]);
+    expect(characters).toMatchObject([{ name: 'hero', takes: ['walk'] }]);
     expect((await json('pose', 'pack.zip', '--time', '0.5')).characters).toHaveLength(1);
     expect((await command(['review', 'pack.zip'], folder)).out).toContain('pack.zip/moves/walk.anim,');
     expect((await command(['convert', 'pack.zip', 'hero.glb'], folder)).code).toBe(0);

@@ -10,7 +10,7 @@ import { command } from '../helpers/command.ts';
 import { WALK } from './captures.ts';
 
 let folder = '';
-const hero = character({ skins: [skin()], clips: [takeOfValues('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0])] });
+const hero = character({ skins: [skin()], takes: [takeOfValues('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0])] });
 const text = (kind: 'skel' | 'skin' | 'anim') => saveCharacter(hero, kind)[0].text;
 
 beforeAll(() => {

@@ -39,11 +39,11 @@ function figure() {
 
 let arrays: TakeArrays;
 beforeAll(() => {
-  const { skeleton, clip } = figure();
+  const { skeleton, take } = figure();
   const own = character({
     skeleton,
-    clips: clip ? [clip] : [],
-    shownClip: 0,
+    takes: take ? [take] : [],
+    shownTake: 0,
     space: { up: 'y', unit: 'centimetres', lift: 0 },
   });
   arrays = takeArrays(takeOf(own, {}), new FloatPool('float32'));

@@ -15,7 +15,7 @@ import { filePose } from '../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../src/model/space.ts';
-import { SAMPLED } from '../../src/model/takes/clip.ts';
+import { SAMPLED } from '../../src/model/takes/take.ts';
 import { bvhMotion, motion } from '../formats/arbitraries.ts';
 import { character, joint } from '../helpers/builders.ts';
 import { BVH_FILES } from '../helpers/bvh-files.ts';
@@ -273,8 +273,8 @@ const anyCharacter: fc.Arbitrary<Character> = fc
     return fc.array(small, { minLength: 4 * width, maxLength: 4 * width }).map((values) =>
       character({
         skeleton: own,
-        shownClip: 0,
-        clips: [
+        shownTake: 0,
+        takes: [
           {
             name: 'any',
             range: [0, 0.3],

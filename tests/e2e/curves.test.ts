@@ -13,8 +13,8 @@ describeShared('the sample animation of the course', () => {
     withPage(async ({ page }) => {
       const bytes = sharedBytes('data/cse169/sample.anim');
       await drop('sample.anim', bytes)(page);
-      const clip = readAnim(bytes, 'sample.anim').value;
-      if (!clip) throw new Error('sample.anim could not be read.');
-      await expectDrawn(page, clip);
+      const take = readAnim(bytes, 'sample.anim').value;
+      if (!take) throw new Error('sample.anim could not be read.');
+      await expectDrawn(page, take);
     }));
 });

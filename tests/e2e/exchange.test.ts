@@ -54,9 +54,9 @@ function distance(a: Shape, b: Shape): number {
 
 /** @param order of the vertices in the file */
 function expected(character: Character, seconds: number, scale: number, order: Iterable<number>): Shape {
-  const { skeleton, skins, morphs, clips } = character;
+  const { skeleton, skins, morphs, takes } = character;
   if (!skeleton) throw new Error('no skeleton');
-  const { worlds, positions } = posed({ skeleton, skins, morphs, clips, textures: [] }, 0, seconds);
+  const { worlds, positions } = posed({ skeleton, skins, morphs, takes, textures: [] }, 0, seconds);
   const at = (j: number) => [12, 13, 14].map((k) => scale * worlds[16 * j + k]);
   return {
     joints: Object.fromEntries(skeleton.joints.map(({ name }, j) => [name, at(j)])),

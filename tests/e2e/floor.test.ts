@@ -16,10 +16,10 @@ it('a character with its origin in its middle stands on a floor below 0, and one
 
     // Beside the character, at the height of its middle, there is only background; with the floor at 0 there is the grid.
     await page.evaluate(() => window.marrow.run('view.front'));
-    const clip = { x: 700, y: 150, width: 200, height: 400 };
-    const before = await readPixels(page, clip);
+    const take = { x: 700, y: 150, width: 200, height: 400 };
+    const before = await readPixels(page, take);
     await page.getByRole('button', { name: 'Floor at 0' }).first().click();
-    await expect.poll(async () => Buffer.compare((await readPixels(page, clip)).data, before.data)).not.toBe(0);
+    await expect.poll(async () => Buffer.compare((await readPixels(page, take)).data, before.data)).not.toBe(0);
     await expect.poll(() => told.filter({ visible: true }).count()).toBe(0);
 
     await page.getByRole('button', { name: 'Show', exact: true }).click();

@@ -20,7 +20,7 @@ describe('dropping', () => {
         await ready(page);
         await dropPaths(page, [folder]);
         await shown(page, 'arm');
-        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['arm_raise']);
+        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['arm_raise']);
       } finally {
         rmSync(folder, { recursive: true });
       }
@@ -32,7 +32,7 @@ describe('dropping', () => {
       const zip = zipSync({ 'arm/arm.skel': strToU8(ARM), 'arm/arm_raise.anim': strToU8(RAISE) });
       await dropFiles(page, [{ name: 'arm.zip', bytes: zip }]);
       await shown(page, 'arm');
-      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['arm_raise']);
+      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['arm_raise']);
     }));
 
   it('shows names and lines of files as text, whatever is in them', () =>
@@ -48,7 +48,7 @@ describe('dropping', () => {
     withPage(async ({ page }) => {
       await openArm(page);
       await dropFiles(page, [{ name: 'raise.anim', bytes: RAISE }]);
-      await page.waitForFunction(() => window.marrow.characters()[0].clips.length === 1);
+      await page.waitForFunction(() => window.marrow.characters()[0].takes.length === 1);
       await page.evaluate(() => window.marrow.seek(1));
       await expect.poll(() => dof(page, 3)).toBeCloseTo(0.5, 9);
     }));

@@ -177,7 +177,7 @@ it('leaves what it has no use for to the camera', () =>
     await expect.poll(() => dofs(page)).toEqual(before);
   }));
 
-it('turns the view by the arrows while nothing plays, and switches modes by Space without a clip', () =>
+it('turns the view by the arrows while nothing plays, and switches modes by Space without a take', () =>
   withPage(async ({ page }) => {
     await openArm(page);
     const view = await turnOfView(page);

@@ -135,7 +135,7 @@ const matrices = (page: Page, seconds: number) =>
 /** The page as it opens, with its walker. */
 const withWalker = (body: (open: OpenPage) => Promise<void>) => withPage(body, { walking: true });
 
-const clips = (page: Page) => page.evaluate(() => window.marrow.characters().find((c) => c.name === 'walker')?.clips);
+const takes = (page: Page) => page.evaluate(() => window.marrow.characters().find((c) => c.name === 'walker')?.takes);
 
 it('moves the walker as the take moves, is changed by keyboard, baked, saved and undone', () =>
   withWalker(async ({ page }) => {
@@ -232,7 +232,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     const live: number[][][] = [];
     for (const seconds of times) live.push(await matrices(page, seconds));
     await page.getByRole('note').getByRole('button', { name: 'Bake' }).click();
-    await expect.poll(() => clips(page)).toEqual(['walker_walk', 'walker_step']);
+    await expect.poll(() => takes(page)).toEqual(['walker_walk', 'walker_step']);
     for (const [i, seconds] of times.entries()) {
       expectClose((await matrices(page, seconds)).flat(), live[i].flat(), 1e-6, `baked, at ${seconds} s`);
     }
@@ -271,10 +271,10 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       return steps;
     }, opened);
     expect(undone).toEqual(['Bake step into walker', 'Retarget step to walker']);
-    await expect.poll(() => clips(page)).toEqual(['walker_walk']);
+    await expect.poll(() => takes(page)).toEqual(['walker_walk']);
     await expect.poll(() => saved(page)).toEqual(before);
     while (await page.evaluate(() => window.marrow.redo()));
-    await expect.poll(() => clips(page)).toEqual(['walker_walk', 'walker_step']);
+    await expect.poll(() => takes(page)).toEqual(['walker_walk', 'walker_step']);
     expectClose((await matrices(page, times[1])).flat(), live[1].flat(), 1e-6, 'redone');
   }));
 

@@ -176,7 +176,7 @@ it('takes by the hundred are judged by keys and saved, then measured and marked,
       await page.evaluate(
         ([id, more]) => {
           const { id: characterId = '' } = window.marrow.characters().find(({ name }) => name === 'step') ?? {};
-          return window.marrow.run(id, { takes: [{ characterId, clip: 0 }], ...more });
+          return window.marrow.run(id, { takes: [{ characterId, take: 0 }], ...more });
         },
         [command, args] as const,
       );

@@ -136,7 +136,7 @@ describe('saving in place', () => {
 
   it('asks where a take made here goes, and then goes on writing there', () =>
     withHero(async (page) => {
-      await page.evaluate(() => window.marrow.run('clip.create', { range: [0, 1], name: 'hero_new' }));
+      await page.evaluate(() => window.marrow.run('take.create', { range: [0, 1], name: 'hero_new' }));
       await titled(page, '• hero_new.anim – Marrow');
       await page.keyboard.press('Control+s');
       await titled(page, 'Marrow');
@@ -175,7 +175,7 @@ describe('reloading', () => {
       await page.getByRole('treeitem', { name: 'tip' }).click();
       const before = {
         height: await height(page),
-        clip: await page.evaluate(() => window.marrow.save('hero_walk.anim')),
+        take: await page.evaluate(() => window.marrow.save('hero_walk.anim')),
       };
       // The take's edit is replaced too, since its file has changed. Undo restores it.
       await setRange(page, 5);
@@ -186,7 +186,7 @@ describe('reloading', () => {
       await expect.poll(() => height(page)).toBeGreaterThan(before.height + 5);
       await expect.poll(() => page.title()).toBe('Marrow');
       await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(1);
-      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
+      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['hero_walk']);
       await expect.poll(() => page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
       // Time hasn't changed: the curve is 4 at 0.5 s, added to the new offset.
       const at = await page.evaluate(() => {
@@ -201,7 +201,7 @@ describe('reloading', () => {
       await expect.poll(() => page.evaluate(() => window.marrow.save('hero_walk.anim'))).toContain('range 0 5');
       await page.keyboard.press('Control+z');
       await expect.poll(() => height(page)).toBe(before.height);
-      await expect.poll(() => page.evaluate(() => window.marrow.save('hero_walk.anim'))).toBe(before.clip);
+      await expect.poll(() => page.evaluate(() => window.marrow.save('hero_walk.anim'))).toBe(before.take);
     }));
 
   it('changes nothing where the file is wrong, and shows where', () =>
@@ -240,7 +240,7 @@ describe('reloading', () => {
       await dropFiles(page, [{ name: 'hero_walk.anim', bytes: anim(4) }]);
       await titled(page, 'Marrow');
       await expect.poll(() => height(page)).toBeGreaterThan(before);
-      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
+      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['hero_walk']);
       await expect.poll(() => page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
       await page.keyboard.press('Control+z');
       await titled(page, '• hero_walk.anim – Marrow');

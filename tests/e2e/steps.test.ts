@@ -1,7 +1,7 @@
 /** The steps of a joint and of a vertex, as the page shows and copies them. */
 import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
@@ -43,9 +43,9 @@ function waspAt(timeSeconds: number) {
 
 /** As `marrow channels` has it. */
 function rxOfHipAt(timeSeconds: number): number {
-  const clip = characterOf(...SHARED.wasp).clips[0];
+  const take = characterOf(...SHARED.wasp).takes[0];
   // Three of the root's translation, three of each joint before the hip, which is number 7.
-  return evaluateChannel(compileClip(clip), 3 + 3 * 7, timeSeconds);
+  return evaluateChannel(compileTake(take), 3 + 3 * 7, timeSeconds);
 }
 
 describeShared('the steps of the wasp', () => {

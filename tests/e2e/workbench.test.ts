@@ -50,7 +50,7 @@ describeShared('the page with the course’s files', () => {
     withPage(
       async ({ page }) => {
         await opened(page, 'wasp');
-        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['wasp_walk']);
+        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['wasp_walk']);
       },
       {
         query: `?files=${WASP.map((name) => `given/${name}`).join(',')}`,

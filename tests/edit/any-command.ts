@@ -9,18 +9,18 @@ import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../src/edit/keys/selection.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import type { Store } from '../../src/edit/store.ts';
-import { type Character, isBvh, type Placement, shownClip } from '../../src/model/document.ts';
+import { type Character, isBvh, type Placement, shownTake } from '../../src/model/document.ts';
 import type { ChannelKeys } from '../../src/model/session.ts';
 import { characterDofs } from '../../src/model/skeleton/dofs.ts';
-import { type ChannelClip, EXTRAPOLATIONS, TANGENT_KINDS } from '../../src/model/takes/clip.ts';
 import { NO_REVIEW } from '../../src/model/takes/review.ts';
 import { INTERPOLATIONS } from '../../src/model/takes/samples.ts';
+import { EXTRAPOLATIONS, TANGENT_KINDS, type Take } from '../../src/model/takes/take.ts';
 import type { Dice } from './dice.ts';
 import { RIG_COMMANDS, rigArguments } from './rig/random-rig.ts';
 
 /** One or more of the character's takes. */
-const someTakes = (dice: Dice, { id, clips }: Character) =>
-  [dice.below(clips.length), ...dice.some([...clips.keys()], 0.3)].map((clip) => ({ characterId: id, clip }));
+const someTakes = (dice: Dice, { id, takes }: Character) =>
+  [dice.below(takes.length), ...dice.some([...takes.keys()], 0.3)].map((take) => ({ characterId: id, take }));
 
 /** Paths of takes in review. */
 const REVIEWED = ['a.bvh', 'b/a.bvh', 'c.bvh'] as const;
@@ -28,7 +28,7 @@ const REVIEWED = ['a.bvh', 'b/a.bvh', 'c.bvh'] as const;
 interface Situation {
   readonly dice: Dice;
   readonly character: Character;
-  readonly clip: ChannelClip;
+  readonly take: Take;
   /** The document's other characters. */
   readonly others: readonly Character[];
   /** The selected keys, or any. */
@@ -51,8 +51,8 @@ function range(dice: Dice): [number, number] {
   return [from, from + dice.below(20) / 8];
 }
 
-function channels({ dice, clip }: Situation, share = 0.3): number[] {
-  return dice.some([...clip.channels.keys()], share);
+function channels({ dice, take }: Situation, share = 0.3): number[] {
+  return dice.some([...take.channels.keys()], share);
 }
 
 /** Ids; undefined where nothing is pinned. */
@@ -75,8 +75,8 @@ function placement(dice: Dice): Placement {
   return { position: [x, 0, z], turn: [0, dice.below(2), 0], scale: dice.pick([1, 2]) };
 }
 
-function anyTake(dice: Dice, { id, clips }: Character): TakeRef {
-  return { characterId: id, clip: dice.below(clips.length + 1) - 1 };
+function anyTake(dice: Dice, { id, takes }: Character): TakeRef {
+  return { characterId: id, take: dice.below(takes.length + 1) - 1 };
 }
 
 const of = ({ character, keys }: Situation) => ({ characterId: character.id, keys });
@@ -177,11 +177,11 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
       framesPerSecond: s.dice.pick([4, 8]),
       easeSeconds: s.dice.pick([0, 0.25]),
     },
-  'clip.create': ({ dice, character }) => ({ characterId: character.id, range: range(dice) }),
-  'clip.rename': ({ dice, character }) => ({ characterId: character.id, name: dice.pick(['walk', 'run', 'sting']) }),
-  'clip.duplicate': ({ character }) => (character.clips.length < 4 ? { characterId: character.id } : undefined),
-  'clip.remove': ({ character }) => (character.clips.length > 1 ? { characterId: character.id } : undefined),
-  'clip.setRange': ({ dice, character }) => ({ characterId: character.id, range: range(dice) }),
+  'take.create': ({ dice, character }) => ({ characterId: character.id, range: range(dice) }),
+  'take.rename': ({ dice, character }) => ({ characterId: character.id, name: dice.pick(['walk', 'run', 'sting']) }),
+  'take.duplicate': ({ character }) => (character.takes.length < 4 ? { characterId: character.id } : undefined),
+  'take.remove': ({ character }) => (character.takes.length > 1 ? { characterId: character.id } : undefined),
+  'take.setRange': ({ dice, character }) => ({ characterId: character.id, range: range(dice) }),
   'skeleton.setLimit': ({ dice, character }) => ({
     characterId: character.id,
     dof: dice.below(16),
@@ -190,13 +190,13 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   }),
   'skeleton.clearLimit': ({ dice, character }) => ({ characterId: character.id, dof: dice.below(16) }),
   'character.rename': ({ dice, character }) => ({ characterId: character.id, name: dice.pick(['wasp', 'bee', 'fly']) }),
-  'character.showClip': ({ dice, character }) => ({
+  'character.showTake': ({ dice, character }) => ({
     characterId: character.id,
-    clip: dice.is(0.1) ? -1 : dice.below(character.clips.length),
+    take: dice.is(0.1) ? -1 : dice.below(character.takes.length),
   }),
   'character.setTimeOffset': ({ dice, character }) => ({ characterId: character.id, seconds: seconds(dice) }),
   'takes.show': ({ dice, character }) => ({
-    takes: [{ characterId: character.id, clip: dice.below(character.clips.length + 1) - 1 }],
+    takes: [{ characterId: character.id, take: dice.below(character.takes.length + 1) - 1 }],
     alone: dice.is(0.5),
   }),
   'takes.alignStarts': ({ dice, character }) => ({
@@ -209,43 +209,43 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     const marker = { timeSeconds, label: dice.pick(['step', 'turn', '']) };
     return { characterId: character.id, markers: [dice.is(0.5) ? marker : { ...marker, endSeconds }] };
   },
-  'markers.change': ({ dice, character, clip }) =>
-    clip.markers && {
+  'markers.change': ({ dice, character, take }) =>
+    take.markers && {
       characterId: character.id,
-      index: dice.below(clip.markers.length),
+      index: dice.below(take.markers.length),
       marker: { timeSeconds: time(dice), label: 'moved' },
     },
-  'markers.remove': ({ dice, character, clip }) =>
-    clip.markers && { characterId: character.id, indices: [dice.below(clip.markers.length)] },
+  'markers.remove': ({ dice, character, take }) =>
+    take.markers && { characterId: character.id, indices: [dice.below(take.markers.length)] },
   'takes.lockFeet': ({ dice, others }) => {
     const onLegs = others.find(
-      ({ skeleton, clips }) => clips.length && skeleton?.joints.some(({ name }) => /Toe/.test(name)),
+      ({ skeleton, takes }) => takes.length && skeleton?.joints.some(({ name }) => /Toe/.test(name)),
     );
     return onLegs && { takes: someTakes(dice, onLegs), easeSeconds: dice.number() / 2 };
   },
   'takes.makeLoop': ({ dice, character }) =>
-    character.clips.length ? { takes: someTakes(dice, character), blendSeconds: dice.number() } : undefined,
+    character.takes.length ? { takes: someTakes(dice, character), blendSeconds: dice.number() } : undefined,
   'takes.setSpeed': ({ dice, character }) =>
-    character.clips.length ? { takes: someTakes(dice, character), factor: dice.pick([0.5, 0.8, 2]) } : undefined,
+    character.takes.length ? { takes: someTakes(dice, character), factor: dice.pick([0.5, 0.8, 2]) } : undefined,
   'takes.join': ({ dice, character }) =>
-    character.clips.length > 1 && character.clips.length < 4
-      ? { takes: [1, 0].map((clip) => ({ characterId: character.id, clip })), overlapSeconds: dice.number() }
+    character.takes.length > 1 && character.takes.length < 4
+      ? { takes: [1, 0].map((take) => ({ characterId: character.id, take })), overlapSeconds: dice.number() }
       : undefined,
   'takes.cutOut': ({ dice, others }) => {
-    const captured = others.find(({ clips }) => clips[0]?.samples);
-    const samples = captured?.clips[0].samples;
+    const captured = others.find(({ takes }) => takes[0]?.samples);
+    const samples = captured?.takes[0].samples;
     if (!captured || !samples) return undefined;
     const length = (samples.frameCount - 1) * samples.frameSeconds;
     const from = samples.startSeconds + (dice.number() * length) / 2;
     const align = dice.pick(['root', 'foot', 'none'] as const);
-    const takes = [{ characterId: captured.id, clip: 0 }];
-    return { takes, from, to: from + dice.number() * length, align, overlapSeconds: dice.number() / 4 };
+    const refs = [{ characterId: captured.id, take: 0 }];
+    return { takes: refs, from, to: from + dice.number() * length, align, overlapSeconds: dice.number() / 4 };
   },
   'takes.insert': ({ dice, character }) =>
-    character.clips.length
+    character.takes.length
       ? { into: someTakes(dice, character)[0], atSeconds: time(dice), holdSeconds: dice.number() }
       : undefined,
-  'takes.mirror': ({ dice, character }) => (character.clips.length ? { takes: someTakes(dice, character) } : undefined),
+  'takes.mirror': ({ dice, character }) => (character.takes.length ? { takes: someTakes(dice, character) } : undefined),
   'review.add': ({ dice }) => ({ paths: dice.some(REVIEWED, 0.5) }),
   'review.remove': ({ dice }) => ({ paths: dice.some(REVIEWED, 0.3) }),
   'review.set': ({ dice }) => ({
@@ -256,7 +256,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     takes: dice.some(REVIEWED, 0.5).map((path) => ({ path, ...NO_REVIEW, stars: dice.below(6), notes: path })),
   }),
   'takes.remove': ({ character }) =>
-    character.clips.length > 1 ? { takes: [{ characterId: character.id, clip: 0 }] } : undefined,
+    character.takes.length > 1 ? { takes: [{ characterId: character.id, take: 0 }] } : undefined,
   'retarget.set': ({ dice, character, others }) =>
     others.length > 0
       ? {
@@ -274,13 +274,13 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   'retarget.clear': ({ dice, character }) =>
     character.driver && dice.is(0.6) ? { characterId: character.id } : undefined,
   'retarget.bake': ({ dice, character }) =>
-    character.driver && character.clips.length < 4 && dice.is(0.3)
+    character.driver && character.takes.length < 4 && dice.is(0.3)
       ? { characterId: character.id, framesPerSecond: dice.pick([2, 5]) }
       : undefined,
   'keys.insert': (s) => ({ characterId: s.character.id, channels: channels(s), timeSeconds: time(s.dice) }),
-  'keys.add': ({ dice, character, clip }) => ({
+  'keys.add': ({ dice, character, take }) => ({
     characterId: character.id,
-    channel: dice.below(clip.channels.length),
+    channel: dice.below(take.channels.length),
     timeSeconds: time(dice),
     value: value(dice),
   }),
@@ -318,7 +318,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   'keys.break': of,
   'keys.paste': (s) => ({
     characterId: s.character.id,
-    copied: copyKeys(s.clip, s.keys),
+    copied: copyKeys(s.take, s.keys),
     timeSeconds: time(s.dice),
     into: s.dice.is(0.5) ? undefined : channels(s),
     mode: s.dice.pick(['merge', 'replace', 'insert']),
@@ -354,7 +354,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     timeSeconds: time(dice),
   }),
   'samples.split': ({ dice, character }) =>
-    character.clips.length < 4 ? { characterId: character.id, timeSeconds: time(dice) } : undefined,
+    character.takes.length < 4 ? { characterId: character.id, timeSeconds: time(dice) } : undefined,
   'samples.resample': ({ dice, character }) => ({ characterId: character.id, framesPerSecond: dice.pick([5, 8, 12]) }),
   'samples.reverse': ({ character }) => ({ characterId: character.id }),
   'samples.smooth': (s) => ({
@@ -426,7 +426,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     ids: dice.some([character, ...others].map(({ id }) => id)),
     hidden: dice.is(0.5),
   }),
-  'clip.setInterpolation': ({ dice, character }) => ({
+  'take.setInterpolation': ({ dice, character }) => ({
     characterId: character.id,
     interpolation: dice.pick(INTERPOLATIONS),
   }),
@@ -444,7 +444,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   }),
   'takes.endOverlay': ({ dice, character, others }) => {
     const overlaid = [character, ...others];
-    const before = overlaid.map((c) => ({ ...c, placements: [placement(dice)], shownClip: anyTake(dice, c).clip }));
+    const before = overlaid.map((c) => ({ ...c, placements: [placement(dice)], shownTake: anyTake(dice, c).take }));
     return { before, overlaid };
   },
 };
@@ -462,21 +462,21 @@ export const anyCommand = fc.oneof(
   { weight: 1, arbitrary: fc.constantFrom(...COMMANDS_HERE) },
 );
 
-/** One character's situation; commands that need keys or a clip get those of a clip without keys if there is none. */
+/** One character's situation; commands that need keys or a take get those of a take without keys if there is none. */
 export function argumentsFor(id: string, store: Store, dice: Dice): object | undefined {
   const [character, ...others] = store.document.characters;
-  const clip = shownClip(character) ?? { name: 'none', range: [0, 1], channels: [] };
-  return ARGUMENTS[id]?.({ dice, character, others, clip, keys: keysFor(store, clip, dice) });
+  const take = shownTake(character) ?? { name: 'none', range: [0, 1], channels: [] };
+  return ARGUMENTS[id]?.({ dice, character, others, take, keys: keysFor(store, take, dice) });
 }
 
 /** Usually the selected keys, else any. */
-export function keysFor({ selection }: Store, clip: ChannelClip, dice: Dice): readonly ChannelKeys[] {
-  return selection.keys && dice.is(0.7) ? selection.keys : someKeys(clip, dice);
+export function keysFor({ selection }: Store, take: Take, dice: Dice): readonly ChannelKeys[] {
+  return selection.keys && dice.is(0.7) ? selection.keys : someKeys(take, dice);
 }
 
-export function someKeys(clip: ChannelClip, dice: Dice): readonly ChannelKeys[] {
+export function someKeys(take: Take, dice: Dice): readonly ChannelKeys[] {
   const share = dice.number();
-  return allKeys(clip)
+  return allKeys(take)
     .filter(() => dice.is(0.4))
     .map(({ channel, indices }) => ({ channel, indices: dice.some(indices, share) }))
     .filter(({ indices }) => indices.length > 0);

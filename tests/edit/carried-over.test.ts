@@ -121,7 +121,7 @@ it('a pose of joints without names applies to a skeleton with more of them', () 
 describe('retargeting when a skeleton is read again', () => {
   const driver = (sourceId: string, own: Skeleton): Driver => ({
     sourceId,
-    source: { name: 'x', skeleton: own, clip: WALK, pose: [], clampsToLimits: true, timeOffsetSeconds: 0 },
+    source: { name: 'x', skeleton: own, take: WALK, pose: [], clampsToLimits: true, timeOffsetSeconds: 0 },
     pairs: LEG.joints.map((_, j) => ({ target: j, source: j })),
     options: { reference: 'rest', plantsFeet: false },
   });
@@ -139,7 +139,7 @@ describe('retargeting when a skeleton is read again', () => {
 
   it('retargeting when a skeleton is read again is driven by the same joints after these were renumbered or removed', () => {
     const bee = character({ id: 'c2', skeleton: LEG, driver: driver('c1', LEG) });
-    const { document } = reloaded({ skeleton: LEG, clips: [WALK], shownClip: 0 }, after, bee);
+    const { document } = reloaded({ skeleton: LEG, takes: [WALK], shownTake: 0 }, after, bee);
     expect(document.characters[1].driver?.pairs).toEqual([
       { target: 0, source: 0 },
       { target: 2, source: 1 },

@@ -34,12 +34,12 @@ describe('deltaTo and applyDelta', () => {
 
   it('share equal parts with the other value', () => {
     const skin = { positions: new Float64Array(3) };
-    const from = { name: 'a', skin, clips: [{ name: 'walk' }, { name: 'run' }] };
-    const target = { ...from, name: 'b', clips: [from.clips[0], { name: 'jump' }] };
+    const from = { name: 'a', skin, takes: [{ name: 'walk' }, { name: 'run' }] };
+    const target = { ...from, name: 'b', takes: [from.takes[0], { name: 'jump' }] };
     const made = applyDelta(from, deltaTo(target, from));
     expect(made).toStrictEqual(target);
     expect((made as typeof from).skin).toBe(skin);
-    expect((made as typeof from).clips[0]).toBe(from.clips[0]);
+    expect((made as typeof from).takes[0]).toBe(from.takes[0]);
   });
 
   it('deltaTo and applyDelta keep of a long column only the numbers that are others, however far apart', () => {

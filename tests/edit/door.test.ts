@@ -3,14 +3,15 @@ import { describe, expect, it } from 'vitest';
 import { command } from '../../src/edit/command.ts';
 import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
 import { argumentsFrom, finiteOnly } from '../../src/edit/schema/door.ts';
+import { presentId } from '../../src/edit/schema/old-names.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Character, Document } from '../../src/model/document.ts';
 import { character, documentOf, joint, takeOfValues } from '../helpers/builders.ts';
 
 const ARM = character({
   skeleton: { name: 'arm', joints: [joint(-1, { name: 'arm' })] },
-  clips: [takeOfValues('wave', [0, 1, 2, 3], [0, 2])],
-  shownClip: 0,
+  takes: [takeOfValues('wave', [0, 1, 2, 3], [0, 2])],
+  shownTake: 0,
 });
 const DEFAULTS = { timeSeconds: 0.5, playedRange: [0, 2] as const };
 
@@ -26,6 +27,14 @@ function run(id: string, args: unknown, document: Document = documentOf(ARM)): D
 }
 
 describe('arguments from scripts', () => {
+  it('old ids and the old name of a take give what the present ones give', () => {
+    const range = [0.5, 1.5];
+    expect(run(presentId('clip.setRange'), { clip: 0, range })).toEqual(run('take.setRange', { take: 0, range }));
+    expect(presentId('character.showClip')).toBe('character.showTake');
+    for (const id of ALL_COMMANDS.keys()) expect(presentId(id)).toBe(id);
+    expect(() => run('take.rename', { clip: 0, take: 0, name: 'x' })).toThrow('clip');
+  });
+
   it.each(['length', 2 ** 32 - 1, 'map', '__proto__', -1, 0.5, null])('a DOF with the index %j is refused', (index) => {
     const { skeleton } = ARM;
     const document = documentOf(character({ ...(skeleton && { skeleton }) }));
@@ -65,10 +74,10 @@ describe('arguments from scripts', () => {
 
   it('arguments from scripts that are left out are those of the page, but for those whose absence means something', () => {
     const keyed = run('keys.insert', { channels: [1] });
-    expect(keyed.characters[0].clips[0].channels[1]).toMatchObject({ times: Float64Array.of(0, 0.5) });
+    expect(keyed.characters[0].takes[0].channels[1]).toMatchObject({ times: Float64Array.of(0, 0.5) });
     const keys = [{ channel: 1, indices: [0] }];
     const set = run('keys.set', { keys, value: 7 });
-    expect(set.characters[0].clips[0].channels[1]).toMatchObject({
+    expect(set.characters[0].takes[0].channels[1]).toMatchObject({
       times: Float64Array.of(0),
       values: Float64Array.of(7),
     });
@@ -85,7 +94,7 @@ describe('arguments from scripts', () => {
     const document = documentOf(ARM);
     const result = (change: Partial<Character>) => finiteOnly(changed(change)).run(document, {});
     expect(() => result({ pose: ARM.pose.with(2, Infinity) })).toThrow('characters[0].pose[2] is Infinity');
-    expect(() => result({ clips: [{ ...ARM.clips[0], range: [0, Number.NaN] }] })).toThrow('clips[0].range[1] is NaN');
+    expect(() => result({ takes: [{ ...ARM.takes[0], range: [0, Number.NaN] }] })).toThrow('takes[0].range[1] is NaN');
     const free = joint(-1, { limits: Array.from({ length: 3 }, () => ({ min: -Infinity, max: Infinity })) });
     expect(() => result({ skeleton: { name: 'arm', joints: [free] } })).not.toThrow();
   });

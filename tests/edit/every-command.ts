@@ -9,8 +9,8 @@ import { type Character, DEFAULT_PLACEMENT, type Document } from '../../src/mode
 import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { oneSurface } from '../../src/model/skin.ts';
 import { DEFAULT_SPACE } from '../../src/model/space.ts';
-import { type ChannelClip, restChannel } from '../../src/model/takes/clip.ts';
 import { NO_REVIEW } from '../../src/model/takes/review.ts';
+import { restChannel, type Take } from '../../src/model/takes/take.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
 import { character, documentOf, joint, morph, skin, takeOfValues } from '../helpers/builders.ts';
 import { sliding } from './hold/sliding.ts';
@@ -48,7 +48,7 @@ const LINE = channelOf(
   'linear',
 );
 
-const WALK: ChannelClip = {
+const WALK: Take = {
   name: 'hero_walk',
   range: [0, 2],
   channels: Array.from({ length: DOFS }, (_, c) => (c === 3 ? WAVE : c === 6 ? LINE : restChannel())),
@@ -58,8 +58,8 @@ const HERO: Character = character({
   skeleton: { name: 'hero', joints: SIDES },
   morphs: [morph('smile')],
   skins: [skin('hero'), skin('armour')],
-  clips: [WALK, { ...WALK, name: 'hero_run' }],
-  shownClip: 0,
+  takes: [WALK, { ...WALK, name: 'hero_run' }],
+  shownTake: 0,
   pose: Array<number>(DOFS).fill(0),
   poses: [{ name: 'wave', values: Array<number>(DOFS).fill(0.25) }],
   ik: {
@@ -70,7 +70,7 @@ const HERO: Character = character({
 });
 const ALONE = documentOf(HERO);
 /** Shows no take. */
-const POSED = documentOf({ ...HERO, shownClip: -1 });
+const POSED = documentOf({ ...HERO, shownTake: -1 });
 const UNKEYED = documentOf({ ...HERO, unkeyed: { timeSeconds: 1, dofs: [3], values: [0.7] } });
 const CAPTURED = documentOf(swinging());
 
@@ -89,16 +89,16 @@ const bee = (id: string, more: Partial<Character> = {}): Character =>
   character({
     id,
     name: id,
-    clips: [takeOfValues(`${id}_walk`, Array<number>(9).fill(0.3), [1, 2])],
-    shownClip: 0,
+    takes: [takeOfValues(`${id}_walk`, Array<number>(9).fill(0.3), [1, 2])],
+    shownTake: 0,
     ...more,
   });
 const TWO = documentOf(HERO, bee('c2'));
 const BEES = documentOf(bee('c1'), bee('c2', { placements: [{ ...DEFAULT_PLACEMENT, position: [3, 0, 0] }] }));
 
-function driven({ skeleton, clips: [own], name, pose, clampsToLimits, timeOffsetSeconds }: Character): Document {
+function driven({ skeleton, takes: [own], name, pose, clampsToLimits, timeOffsetSeconds }: Character): Document {
   if (!skeleton) throw new Error('no skeleton');
-  const source = { name, skeleton, clip: own, pose, clampsToLimits, timeOffsetSeconds };
+  const source = { name, skeleton, take: own, pose, clampsToLimits, timeOffsetSeconds };
   const pairs = [{ target: 0, source: 0 }];
   const driver = { sourceId: 'c2', source, pairs, options: { reference: 'rest', plantsFeet: false } } as const;
   return documentOf({ ...HERO, driver }, bee('c2'));
@@ -145,7 +145,7 @@ function captured(args: object, idle: object): EditCase {
 export const CASES: Readonly<Record<string, EditCase>> = {
   'pose.setDofs': alone({ ...NOW, dofs: [{ index: 4, value: 0.5 }] }, { ...NOW, dofs: [{ index: 4, value: 0 }] }),
   'pose.reset': {
-    document: documentOf({ ...HERO, shownClip: -1, pose: HERO.pose.with(5, 1) }),
+    document: documentOf({ ...HERO, shownTake: -1, pose: HERO.pose.with(5, 1) }),
     args: { ...NOW, to: 'zero' },
     idle: { ...NOW, to: 'somewhere' },
   },
@@ -156,12 +156,12 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     { ...NOW, dofs: [{ index: 3, value: 0.9 }], easeIn: 0.2, easeOut: 0.3 },
     { ...NOW, dofs: [], easeIn: 0.2, easeOut: 0.3 },
   ),
-  'clip.create': alone({ ...WHO, range: [0, 3] }, { ...WHO, range: [3, 0] }),
-  'clip.rename': alone({ ...WHO, name: 'stroll' }, { ...WHO, name: 'hero_walk' }),
-  'clip.duplicate': alone(WHO, { ...WHO, clip: 2 }),
-  'clip.remove': alone(WHO, { ...WHO, clip: 2 }),
-  'clip.setRange': alone({ ...WHO, range: [-1, 1] }, { ...WHO, range: [0, 2] }),
-  'clip.setInterpolation': captured({ interpolation: 'cubic' }, { interpolation: 'linear' }),
+  'take.create': alone({ ...WHO, range: [0, 3] }, { ...WHO, range: [3, 0] }),
+  'take.rename': alone({ ...WHO, name: 'stroll' }, { ...WHO, name: 'hero_walk' }),
+  'take.duplicate': alone(WHO, { ...WHO, take: 2 }),
+  'take.remove': alone(WHO, { ...WHO, take: 2 }),
+  'take.setRange': alone({ ...WHO, range: [-1, 1] }, { ...WHO, range: [0, 2] }),
+  'take.setInterpolation': captured({ interpolation: 'cubic' }, { interpolation: 'linear' }),
   'character.setSpace': {
     document: documentOf({ ...HERO, space: DEFAULT_SPACE }),
     args: { ...WHO, space: { up: 'z', unit: 'inches', lift: 1 } },
@@ -201,7 +201,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'character.remove': { document: TWO, args: WHO, idle: { characterId: 'c9' } },
   'character.rename': alone({ ...WHO, name: 'heroine' }, { ...WHO, name: 'hero' }),
   'character.showSkin': alone({ ...WHO, skin: 1 }, { ...WHO, skin: 0 }),
-  'character.showClip': alone({ ...WHO, clip: -1 }, { ...WHO, clip: 0 }),
+  'character.showTake': alone({ ...WHO, take: -1 }, { ...WHO, take: 0 }),
   'character.setTimeOffset': alone({ ...WHO, seconds: 1 }, { ...WHO, seconds: 0 }),
   'character.place': alone(
     { ...WHO, index: 0, placement: { ...DEFAULT_PLACEMENT, scale: 2 } },
@@ -226,16 +226,16 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'characters.ownHeights': { document: UNEQUAL, args: BOTH, idle: { characterIds: [] } },
   'takes.show': {
     document: TWO,
-    args: { takes: [{ ...WHO, clip: 1 }], alone: true },
-    idle: { takes: [{ ...WHO, clip: 0 }] },
+    args: { takes: [{ ...WHO, take: 1 }], alone: true },
+    idle: { takes: [{ ...WHO, take: 0 }] },
   },
   'takes.alignStarts': { document: TWO, args: BOTH, idle: { characterIds: ['c1'] } },
   'takes.setTimeOffsets': { document: TWO, args: { ...BOTH, seconds: 1 }, idle: { ...BOTH, seconds: 0 } },
   'takes.arrange': { document: BEES, args: { ...BOTH, how: 'spot' }, idle: { characterIds: ['c1'], how: 'space' } },
   'takes.overlay': {
     document: BEES,
-    args: { first: { characterId: 'c1', clip: 0 }, second: { characterId: 'c2', clip: 0 } },
-    idle: { first: { characterId: 'c1', clip: 0 } },
+    args: { first: { characterId: 'c1', take: 0 }, second: { characterId: 'c2', take: 0 } },
+    idle: { first: { characterId: 'c1', take: 0 } },
   },
   'takes.endOverlay': {
     document: documentOf(...OVERLAID),
@@ -252,7 +252,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     { takes: ['a.bvh', 'b.bvh'].map((path) => ({ path, ...NO_REVIEW, tags: ['runs'], notes: path })) },
     { takes: [{ path: 'gone.bvh', ...NO_REVIEW, verdict: 'good' }] },
   ),
-  'takes.remove': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
+  'takes.remove': alone({ takes: [{ ...WHO, take: 0 }] }, { takes: [] }),
   'markers.add': {
     document: MARKED,
     args: { ...WHO, markers: [{ timeSeconds: 1, label: 'turn' }] },
@@ -266,27 +266,27 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'markers.remove': { document: MARKED, args: { ...WHO, indices: [0] }, idle: { ...WHO, indices: [] } },
   'takes.lockFeet': {
     document: documentOf(sliding(0.004)),
-    args: { takes: [{ ...WHO, clip: 0 }] },
-    idle: { takes: [{ ...WHO, clip: 0 }], toleranceMetres: 1 },
+    args: { takes: [{ ...WHO, take: 0 }] },
+    idle: { takes: [{ ...WHO, take: 0 }], toleranceMetres: 1 },
   },
   'takes.makeLoop': captured(
-    { takes: [{ ...WHO, clip: 0 }], blendSeconds: 0.25 },
-    { takes: [{ ...WHO, clip: 0 }], blendSeconds: -1 },
+    { takes: [{ ...WHO, take: 0 }], blendSeconds: 0.25 },
+    { takes: [{ ...WHO, take: 0 }], blendSeconds: -1 },
   ),
-  'takes.setSpeed': captured({ takes: [{ ...WHO, clip: 0 }], factor: 2 }, { takes: [{ ...WHO, clip: 0 }], factor: 1 }),
+  'takes.setSpeed': captured({ takes: [{ ...WHO, take: 0 }], factor: 2 }, { takes: [{ ...WHO, take: 0 }], factor: 1 }),
   'takes.join': alone(
-    { takes: [0, 1].map((clip) => ({ ...WHO, clip })), overlapSeconds: 0.1 },
-    { takes: [{ ...WHO, clip: 0 }] },
+    { takes: [0, 1].map((take) => ({ ...WHO, take })), overlapSeconds: 0.1 },
+    { takes: [{ ...WHO, take: 0 }] },
   ),
   'takes.cutOut': captured(
-    { takes: [{ ...WHO, clip: 0 }], from: 0.5, to: 1 },
-    { takes: [{ ...WHO, clip: 0 }], from: 5, to: 6 },
+    { takes: [{ ...WHO, take: 0 }], from: 0.5, to: 1 },
+    { takes: [{ ...WHO, take: 0 }], from: 5, to: 6 },
   ),
   'takes.insert': captured(
-    { into: { ...WHO, clip: 0 }, atSeconds: 1, holdSeconds: 0.5 },
-    { into: { ...WHO, clip: 0 }, atSeconds: 1, holdSeconds: 0 },
+    { into: { ...WHO, take: 0 }, atSeconds: 1, holdSeconds: 0.5 },
+    { into: { ...WHO, take: 0 }, atSeconds: 1, holdSeconds: 0 },
   ),
-  'takes.mirror': alone({ takes: [{ ...WHO, clip: 0 }] }, { takes: [] }),
+  'takes.mirror': alone({ takes: [{ ...WHO, take: 0 }] }, { takes: [] }),
   'channels.simplify': alone({ ...WHO, channels: [6], tolerance: 0.01 }, { ...WHO, channels: [3], tolerance: 1e-9 }),
   'channels.resample': alone(
     { ...WHO, channels: [3], framesPerSecond: 4, from: 0, to: 2, tangents: 'smooth' },
@@ -295,7 +295,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'channels.eulerFilter': {
     document: documentOf({
       ...HERO,
-      clips: [
+      takes: [
         {
           ...WALK,
           channels: WALK.channels.with(
@@ -312,7 +312,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     idle: { ...WHO, channels: [] },
   },
   'channels.bakeExtrapolation': {
-    document: documentOf({ ...HERO, clips: [{ ...WALK, channels: [{ ...WAVE, extrapolateOut: 'cycle' }, LINE] }] }),
+    document: documentOf({ ...HERO, takes: [{ ...WALK, channels: [{ ...WAVE, extrapolateOut: 'cycle' }, LINE] }] }),
     args: { ...WHO, channels: [0], from: 0, to: 5 },
     idle: { ...WHO, channels: [0], from: 0, to: 1 },
   },
@@ -346,7 +346,7 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'retarget.clear': { document: DRIVEN, args: WHO, idle: { characterId: 'c2' } },
   'retarget.bake': { document: DRIVEN, args: WHO, idle: { characterId: 'c2' } },
   'poses.mirror': {
-    document: documentOf({ ...HERO, shownClip: -1, pose: HERO.pose.with(6, 0.5) }),
+    document: documentOf({ ...HERO, shownTake: -1, pose: HERO.pose.with(6, 0.5) }),
     args: { ...NOW, way: 'swap' },
     idle: { ...NOW, way: 'toOther', joint: 0 },
   },

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { floorOf } from '../../src/edit/floor.ts';
 import { DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
-import { channel, character, clip, skeleton } from '../ui/builders.ts';
+import { channel, character, skeleton, take } from '../ui/builders.ts';
 
 /** One joint whose box goes from `low` to `high`. */
 function box(low: number, high: number): Skeleton {
@@ -11,7 +11,7 @@ function box(low: number, high: number): Skeleton {
   return { ...made, joints: [{ ...body, offset: [0, 0, 0], box: { min: [-0.1, low, -0.1], max: [0.1, high, 0.1] } }] };
 }
 
-const of = (low: number, high: number, id = 'c1') => character({ id, skeleton: box(low, high), skins: [], clips: [] });
+const of = (low: number, high: number, id = 'c1') => character({ id, skeleton: box(low, high), skins: [], takes: [] });
 
 it('the floor is at the lowest point of a character whose origin is in its middle', () => {
   expect(floorOf([of(-1, 1)])).toBeCloseTo(-1, 9);
@@ -41,6 +41,6 @@ it('the floor counts characters as placed, and not as posed', () => {
 it('a take that begins on the floor keeps it at 0', () => {
   const up = { ...channel(0), values: Float64Array.of(1) };
   const rest = { ...channel(0), values: Float64Array.of(0) };
-  const walk = clip([0, 1], rest, up, rest, rest, rest, rest);
-  expect(floorOf([{ ...of(-1, 1), clips: [walk], shownClip: 0 }])).toBe(0);
+  const walk = take([0, 1], rest, up, rest, rest, rest, rest);
+  expect(floorOf([{ ...of(-1, 1), takes: [walk], shownTake: 0 }])).toBe(0);
 });

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { playsFrames, sharedFrameRate } from '../../src/edit/frame-rate.ts';
 import type { Character } from '../../src/model/document.ts';
-import type { ChannelClip } from '../../src/model/takes/clip.ts';
+import type { Take } from '../../src/model/takes/take.ts';
 import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
 
 function sampled(id: string, frameSeconds: number, more: Partial<Character> = {}): Character {
-  const frames: ChannelClip = {
+  const frames: Take = {
     ...takeOfValues(id, [], [0, 10 * frameSeconds]),
     samples: {
       frameCount: 11,
@@ -17,11 +17,11 @@ function sampled(id: string, frameSeconds: number, more: Partial<Character> = {}
       interpolation: 'linear',
     },
   };
-  return character({ id, name: id, clips: [frames], shownClip: 0, ...more });
+  return character({ id, name: id, takes: [frames], shownTake: 0, ...more });
 }
 
 describe('what plays', () => {
-  const keyed = character({ id: 'k', clips: [takeOfValues('keys', [0, 1])], shownClip: 0 });
+  const keyed = character({ id: 'k', takes: [takeOfValues('keys', [0, 1])], shownTake: 0 });
 
   it('what plays has one rate if everything visible has the same', () => {
     expect(sharedFrameRate(documentOf(sampled('a', 0.0083333), sampled('b', 1 / 120)))).toBe(120);
@@ -34,7 +34,7 @@ describe('what plays', () => {
   it('what plays has frames if a take has a rate, stated or of its own', () => {
     expect(playsFrames(documentOf(keyed))).toBe(false);
     expect(playsFrames(documentOf(keyed, sampled('a', 0.01)))).toBe(true);
-    const stated = { ...keyed, clips: [{ ...takeOfValues('stated', [0, 1]), framesPerSecond: 25 }] };
+    const stated = { ...keyed, takes: [{ ...takeOfValues('stated', [0, 1]), framesPerSecond: 25 }] };
     expect(playsFrames(documentOf(stated))).toBe(true);
     expect(sharedFrameRate(documentOf(stated, sampled('a', 0.04)))).toBe(25);
   });

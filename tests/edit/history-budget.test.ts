@@ -22,7 +22,7 @@ function take(megabytes: number, values = new Float64Array((megabytes * MEGABYTE
     firstChannel: 0,
     interpolation: 'nearest',
   };
-  return documentOf(character({ clips: [{ ...takeOfValues('take', [0]), samples }], shownClip: 0 }));
+  return documentOf(character({ takes: [{ ...takeOfValues('take', [0]), samples }], shownTake: 0 }));
 }
 
 function limited(store: Store, megabytes: number): number {
@@ -48,7 +48,7 @@ describe('memory of undo', () => {
     // Two takes, each with its removal and its opening.
     expect(undone(store)).toBe(4);
     for (let i = 0; i < 3; i++) store.redo();
-    expect(store.document.characters[0].clips[0].samples?.values.length).toBe(125_000);
+    expect(store.document.characters[0].takes[0].samples?.values.length).toBe(125_000);
   });
 
   it('the newest step is kept whatever it keeps, and forgetting again forgets nothing', () => {

@@ -4,13 +4,13 @@ import type { Edit } from '../../src/edit/change.ts';
 import type { Command } from '../../src/edit/command.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
-import { type ChannelClip, keysOf } from '../../src/model/takes/clip.ts';
+import { keysOf, type Take } from '../../src/model/takes/take.ts';
 import { character, documentOf, skin, takeOfValues } from '../helpers/builders.ts';
 
 const KEYS = 100_000;
 
-/** A clip with one channel of many keys. */
-function longClip(count = KEYS): ChannelClip {
+/** A take with one channel of many keys. */
+function longTake(count = KEYS): Take {
   const short = takeOfValues('long', [0]);
   const column = () => ({ kinds: new Uint8Array(count), slopes: new Float64Array(count) });
   const times = Float64Array.from({ length: count }, (_, i) => i);
@@ -24,13 +24,13 @@ const setValue: Command<{ readonly key: number; readonly value: number }, Edit> 
   label: () => 'Set value',
   run(document, { key, value }) {
     const [first] = document.characters;
-    const [channel] = first.clips[0].channels;
+    const [channel] = first.takes[0].channels;
     const values = keysOf(channel).values.slice();
     // Two keys, as far apart as they can be.
     values[key] = value;
     values[values.length - 1 - key] = -value;
-    const clips = [{ ...first.clips[0], channels: [{ ...channel, values }] }];
-    return { document: { ...document, characters: [{ ...first, clips }] }, keys: [{ channel: 0, indices: [key] }] };
+    const takes = [{ ...first.takes[0], channels: [{ ...channel, values }] }];
+    return { document: { ...document, characters: [{ ...first, takes }] }, keys: [{ channel: 0, indices: [key] }] };
   },
 };
 
@@ -55,7 +55,7 @@ function bytesHeld(from: unknown, without: unknown): number {
 }
 
 describe('the history', () => {
-  const start = documentOf(character({ skins: [skin()], clips: [longClip()], shownClip: 0 }));
+  const start = documentOf(character({ skins: [skin()], takes: [longTake()], shownTake: 0 }));
 
   it('holds what its steps changed, however long the channels and however many the steps', () => {
     const store = new Store(start);
@@ -70,7 +70,7 @@ describe('the history', () => {
   });
 
   it('undoes and redoes everything through long channels, including the selection', () => {
-    const store = new Store(documentOf(character({ clips: [longClip(400)], shownClip: 0 })));
+    const store = new Store(documentOf(character({ takes: [longTake(400)], shownTake: 0 })));
     store.select({ characterId: 'c1' });
     const states: { readonly document: Document; readonly keys: unknown }[] = [];
     const now = () => ({ document: structuredClone(store.document), keys: store.selection.keys });

@@ -13,8 +13,8 @@ import { pasteKeys } from '../../src/edit/commands/paste.ts';
 import { setSlopes, setTangents, unifyTangents } from '../../src/edit/commands/tangents.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { Store, withSelectedKeys } from '../../src/edit/store.ts';
-import { shownClip } from '../../src/model/document.ts';
-import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
+import { shownTake } from '../../src/model/document.ts';
+import { keysOf, restChannel } from '../../src/model/takes/take.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 import { channelOf, pointsOf, rowsOf } from './keys/channels.ts';
 
@@ -34,7 +34,7 @@ const walk = {
     restChannel(4),
   ],
 };
-const start = documentOf(character({ clips: [walk], shownClip: 0 }));
+const start = documentOf(character({ takes: [walk], shownTake: 0 }));
 const characterId = 'c1';
 
 function opened(): Store {
@@ -44,7 +44,7 @@ function opened(): Store {
 }
 
 const channelIn = (store: Store, index: number) => {
-  const channel = shownClip(store.document.characters[0])?.channels[index];
+  const channel = shownTake(store.document.characters[0])?.channels[index];
   if (!channel) throw new Error('There is no such channel.');
   return channel;
 };
@@ -60,7 +60,7 @@ describe('commands on keys', () => {
     expect(store.selection.keys).toEqual(keys);
   });
 
-  it('leave every channel and clip that they are not about the object it is', () => {
+  it('leave every channel and take that they are not about the object it is', () => {
     const store = opened();
     store.apply(moveKeys, { characterId, keys: [{ channel: 0, indices: [0] }], seconds: 0, values: [1] });
     expect(channelIn(store, 1)).toBe(walk.channels[1]);

@@ -4,13 +4,13 @@ import { documentIn } from '../../src/edit/change.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
 import { setDofs } from '../../src/edit/commands/pose.ts';
 import { Store } from '../../src/edit/store.ts';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
-import { evaluateClip } from '../../src/evaluate/curves.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
+import { evaluateTake } from '../../src/evaluate/curves.ts';
 import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { type Character, type Document, shownClip } from '../../src/model/document.ts';
-import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/clip.ts';
+import { type Character, type Document, shownTake } from '../../src/model/document.ts';
+import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph, takeOfValues } from '../helpers/builders.ts';
 
 const hip = joint(-1, { name: 'hip', limits: [0, 1, 2].map(() => ({ min: -1, max: 1 })) });
@@ -30,8 +30,8 @@ const posed = (c: Character, time: number) => {
 const only = (document: Document) => document.characters[0];
 const key = (c: Character, timeSeconds: number, more: Partial<Parameters<typeof keyPose.run>[1]> = {}) =>
   keyPose.run(documentOf(c), { characterId: 'c1', timeSeconds, ...more });
-const take = (c: Character) => {
-  const shown = shownClip(c);
+const onlyTake = (c: Character) => {
+  const shown = shownTake(c);
   if (!shown) throw new Error('no take is shown');
   return shown;
 };
@@ -39,7 +39,7 @@ const points = (channel: Channel) => [...keysOf(channel).times].map((time, k) =>
 
 describe('pose.key on a character without animation', () => {
   it('creates a take that finds its skeleton again by its name', () => {
-    const made = take(only(key(bare, 0).document));
+    const made = onlyTake(only(key(bare, 0).document));
     expect(made.name).toBe('wasp_anim');
     expect(made.channels).toHaveLength(10);
     expect(made.channels.map(points)).toEqual(bare.pose.map((value) => [[0, value]]));
@@ -51,7 +51,7 @@ describe('pose.key on a character without animation', () => {
       ['linear', LINEAR],
       ['flat', FLAT],
     ] as const) {
-      const [channel] = take(only(key(bare, 0, { tangents }).document)).channels;
+      const [channel] = onlyTake(only(key(bare, 0, { tangents }).document)).channels;
       expect([channel.extrapolateIn, channel.extrapolateOut]).toEqual(['constant', 'constant']);
       expect([keysOf(channel).tangentsIn.kinds[0], keysOf(channel).tangentsOut.kinds[0]]).toEqual([kind, kind]);
     }
@@ -64,19 +64,19 @@ describe('pose.key on a character without animation', () => {
       { channel: 3, indices: [0] },
       { channel: 4, indices: [0] },
     ]);
-    expect(take(keyed).channels.map((c) => keysOf(c).times.length)).toEqual([0, 0, 0, 1, 1, 0, 0, 0, 0, 0]);
+    expect(onlyTake(keyed).channels.map((c) => keysOf(c).times.length)).toEqual([0, 0, 0, 1, 1, 0, 0, 0, 0, 0]);
     for (const time of [-1, 0.5, 7]) expect(posed(keyed, time)).toEqual(posed(bare, 0));
     expect([3, 5].map((dof) => isDriven(keyed, dof))).toEqual([true, false]);
   });
 
   it('plays what the transport plays, or up to the key and at least a second', () => {
     const range = (timeSeconds: number, playedRange?: readonly [number, number], offset = 0) =>
-      take(only(key({ ...bare, timeOffsetSeconds: offset }, timeSeconds, { playedRange }).document)).range;
+      onlyTake(only(key({ ...bare, timeOffsetSeconds: offset }, timeSeconds, { playedRange }).document)).range;
     expect(range(1, [0, 4])).toEqual([0, 4]);
     expect(range(1, [2, 2])).toEqual([0, 1]);
     expect(range(3)).toEqual([0, 3]);
     expect(range(-3)).toEqual([-3, 1]);
-    // The transport's seconds are not the clip's.
+    // The transport's seconds are not the take's.
     expect(range(1, [0, 4], 10)).toEqual([10, 14]);
   });
 
@@ -88,13 +88,13 @@ describe('pose.key on a character without animation', () => {
 
 describe('pose.key over a take', () => {
   const steady = takeOfValues('walk', [0, 0, 0, 0, 0, 0]);
-  const walking: Character = { ...bare, clips: [steady], shownClip: 0 };
+  const walking: Character = { ...bare, takes: [steady], shownTake: 0 };
 
   it('changes a key that is there, and leaves it its tangents', () => {
     const moved = documentIn(
       setDofs.run(documentOf(walking), { characterId: 'c1', dofs: [{ index: 3, value: 0.5 }], timeSeconds: 0 }),
     );
-    const [, , , channel] = take(only(key(only(moved), 0).document)).channels;
+    const [, , , channel] = onlyTake(only(key(only(moved), 0).document)).channels;
     expect(points(channel)).toEqual([[0, 0.5]]);
     expect(keysOf(channel).tangentsIn.kinds[0]).toBe(FLAT);
   });
@@ -103,7 +103,7 @@ describe('pose.key over a take', () => {
     const shifted = { ...walking, timeOffsetSeconds: 0.1 };
     const once = only(key(shifted, 0.2, { dofs: [3] }).document);
     const again = only(key(once, 0.3 - 0.1 + Number.EPSILON, { dofs: [3] }).document);
-    expect(keysOf(take(again).channels[3]).times).toHaveLength(2);
+    expect(keysOf(onlyTake(again).channels[3]).times).toHaveLength(2);
   });
 
   it('pose.key over a take makes what it keys no longer unkeyed, and nothing else', () => {
@@ -114,7 +114,7 @@ describe('pose.key over a take', () => {
   });
 
   it('adds the channels that are missing, standing at the pose', () => {
-    const { channels } = take(only(key(walking, 1, { dofs: [3] }).document));
+    const { channels } = onlyTake(only(key(walking, 1, { dofs: [3] }).document));
     expect(channels.slice(6)).toEqual(bare.pose.slice(6).map((value) => restChannel(value)));
     expect(channels[0]).toBe(steady.channels[0]);
   });
@@ -190,13 +190,13 @@ describe('continued keying', () => {
           for (const [d, was] of shown.entries()) expect(after[d]).toBeCloseTo(was, 9);
           for (const dof of dofs ?? shown.keys()) expect(isDriven(only(document), dof)).toBe(true);
           if (i > 0) continue;
-          const made = take(only(document));
+          const made = onlyTake(only(document));
           const channels = made.channels.map((c, d) => ({
             ...c,
             extrapolateIn: extrapolations[d][0],
             extrapolateOut: extrapolations[d][1],
           }));
-          document = documentOf({ ...only(document), clips: [{ ...made, channels }] });
+          document = documentOf({ ...only(document), takes: [{ ...made, channels }] });
         }
       }),
     );
@@ -210,14 +210,14 @@ describe('continued keying', () => {
           document = documentIn(setDofs.run(document, { characterId: 'c1', dofs: set, timeSeconds: at }));
           document = keyPose.run(document, { characterId: 'c1', timeSeconds: at, dofs, tangents }).document;
         }
-        const clip = take(only(document));
-        const { value: read, diagnostics } = readAnim(writeAnim(clip).text, 'wasp_anim.anim');
+        const take = onlyTake(only(document));
+        const { value: read, diagnostics } = readAnim(writeAnim(take).text, 'wasp_anim.anim');
         expect(diagnostics).toEqual([]);
         if (!read) throw new Error('was not read');
         const [here, there] = [new Float64Array(10), new Float64Array(10)];
         for (const t of times) {
-          evaluateClip(compileClip(clip), t, here);
-          evaluateClip(compileClip(read), t, there);
+          evaluateTake(compileTake(take), t, here);
+          evaluateTake(compileTake(read), t, there);
           expect([...there]).toEqual([...here]);
         }
       }),

@@ -4,7 +4,7 @@ import { bakeRetarget, setRetarget } from '../../src/edit/commands/retarget.ts';
 import { cropSamples, resampleSamples, reverseSamples, splitSamples } from '../../src/edit/commands/samples.ts';
 import { mirrorTakes, setTakeSpeed } from '../../src/edit/commands/take-edits.ts';
 import { cutOutOfTakes, insertIntoTake, joinTakes } from '../../src/edit/commands/take-joins.ts';
-import { type Document, shownClip } from '../../src/model/document.ts';
+import { type Document, shownTake } from '../../src/model/document.ts';
 import type { Marker } from '../../src/model/takes/markers.ts';
 import { documentOf } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
@@ -17,12 +17,12 @@ const MARKERS: readonly Marker[] = [
 ];
 const marked = documentOf(swinging({ ...swing, markers: MARKERS }));
 const c1 = { characterId: 'c1' };
-const takes = [{ ...c1, clip: 0 }];
+const takes = [{ ...c1, take: 0 }];
 
 /** `step 0.5`, `stand 1–1.5`. */
 function textOf(document: Document, index = 0): string[] {
-  const clip = shownClip(document.characters[index]);
-  return (clip?.markers ?? []).map(({ label, timeSeconds, endSeconds }) => {
+  const take = shownTake(document.characters[index]);
+  return (take?.markers ?? []).map(({ label, timeSeconds, endSeconds }) => {
     const shown = (seconds: number) => Number(seconds.toFixed(6));
     return `${label} ${shown(timeSeconds)}${endSeconds === undefined ? '' : `–${shown(endSeconds)}`}`;
   });
@@ -42,7 +42,7 @@ describe('markers of a take', () => {
     expect(textOf(cropSamples.run(marked, { ...c1, from: 0.75, to: 1.25 }))).toEqual(['stand 1–1.25']);
     const split = splitSamples.run(marked, { ...c1, timeSeconds: 1.25 });
     expect(textOf(split)).toEqual(['stand 1.25–1.5']);
-    expect(split.characters[0].clips[0].markers?.map(({ label }) => label)).toEqual(['step', 'stand']);
+    expect(split.characters[0].takes[0].markers?.map(({ label }) => label)).toEqual(['step', 'stand']);
     expect(textOf(reverseSamples.run(marked, c1))).toEqual(['stand 0.5–1', 'step 1.5']);
     expect(textOf(setTakeSpeed.run(marked, { takes, factor: 2 }))).toEqual(['step 0.25', 'stand 0.5–0.75']);
     expect(textOf(resampleSamples.run(marked, { ...c1, framesPerSecond: 30 }))).toEqual(['step 0.5', 'stand 1–1.5']);
@@ -60,23 +60,23 @@ describe('markers of a take', () => {
       documentOf(swinging({ ...swing, markers: [at(59.25, 'early'), at(59.75, 'late')] })),
       { ...c1, timeSeconds: 1 },
     );
-    const [before, after] = halves.characters[0].clips.map(({ markers }) => markers);
+    const [before, after] = halves.characters[0].takes.map(({ markers }) => markers);
     expect(before).toEqual([{ timeSeconds: expect.closeTo(59 / 60, 9), label: 'early' }]);
     expect(after).toEqual([{ timeSeconds: 1, label: 'late' }]);
   });
 
   it('markers of a take that is inserted stay at their frames, of which the first are faded into what precedes', () => {
     const hero = swinging(swing);
-    const two = documentOf({ ...hero, clips: [...hero.clips, { ...swing, name: 'again', markers: [MARKERS[0]] }] });
-    const args = { into: takes[0], take: { ...c1, clip: 1 }, overlapSeconds: 0.25 };
+    const two = documentOf({ ...hero, takes: [...hero.takes, { ...swing, name: 'again', markers: [MARKERS[0]] }] });
+    const args = { into: takes[0], take: { ...c1, take: 1 }, overlapSeconds: 0.25 };
     expect(textOf(insertIntoTake.run(two, { ...args, atSeconds: 1 }))).toEqual(['step 1.25']);
     expect(textOf(insertIntoTake.run(two, { ...args, atSeconds: 0 }))).toEqual(['step 0.5']);
   });
 
   it('a joined take has the markers of both, and its cross-fade as a span', () => {
     const hero = swinging({ ...swing, markers: MARKERS });
-    const two = documentOf({ ...hero, clips: [...hero.clips, { ...swing, name: 'again', markers: [MARKERS[0]] }] });
-    const both = { takes: [...takes, { ...c1, clip: 1 }] };
+    const two = documentOf({ ...hero, takes: [...hero.takes, { ...swing, name: 'again', markers: [MARKERS[0]] }] });
+    const both = { takes: [...takes, { ...c1, take: 1 }] };
     expect(textOf(joinTakes.run(two, { ...both, overlapSeconds: 0 }))).toEqual([
       'step 0.5',
       'stand 1–1.5',
@@ -89,7 +89,7 @@ describe('markers of a take', () => {
 
   it('a take that is retargeted and baked has the markers of its source', () => {
     const two = documentOf(
-      { ...swinging(), clips: [], shownClip: -1 },
+      { ...swinging(), takes: [], shownTake: -1 },
       { ...swinging({ ...swing, markers: MARKERS }), id: 'c2' },
     );
     const driven = setRetarget.run(two, { ...c1, sourceId: 'c2' });

@@ -78,7 +78,7 @@ export function oddly(args: unknown, dice: Dice): unknown {
 
 function extended(args: object, dice: Dice): unknown {
   if (Array.isArray(args)) return [...args, dice.pick(ODD)()];
-  const name = dice.pick(['__proto__', 'extra', 'length', 'constructor', 'timeSeconds', 'characterId', 'key', 'clip']);
+  const name = dice.pick(['__proto__', 'extra', 'length', 'constructor', 'timeSeconds', 'characterId', 'key', 'take']);
   return Object.fromEntries([...Object.entries(args), [name, dice.pick(ODD)()]]);
 }
 

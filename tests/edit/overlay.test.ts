@@ -30,8 +30,8 @@ const NO_BOX = { min: [0, 0, 0], max: [0, 0, 0] } as const;
 function post(id: string, height: number, more: Partial<Character> = {}): Character {
   const at = (y: number) => ({ offset: [0, y, 0] as const, box: NO_BOX });
   const joints = [joint(-1, { name: id, ...at(0) }), joint(0, { name: `${id} top`, ...at(height) })];
-  const clips = [takeOfValues(`${id}_walk`, Array(9).fill(0.3))];
-  return character({ id, name: id, skeleton: { name: id, joints }, clips, shownClip: 0, ...more });
+  const takes = [takeOfValues(`${id}_walk`, Array(9).fill(0.3))];
+  return character({ id, name: id, skeleton: { name: id, joints }, takes, shownTake: 0, ...more });
 }
 
 const at = (x: number, scale = 1): Partial<Character> => ({
@@ -39,8 +39,8 @@ const at = (x: number, scale = 1): Partial<Character> => ({
 });
 
 const refs = ({ characters }: Document, first = 0, second = 1) => ({
-  first: { characterId: characters[first].id, clip: 0 },
-  second: { characterId: characters[second].id, clip: 0 },
+  first: { characterId: characters[first].id, take: 0 },
+  second: { characterId: characters[second].id, take: 0 },
 });
 
 const heights = ({ characters }: Document) => characters.map((c) => c.placements[0].scale * ownHeight(c));
@@ -52,7 +52,7 @@ const captured: Document = openFiles(
   [170, 180].map((height, i) => {
     const skeleton = { ...figure({ height }), name: `actor${i}` };
     const source = { name: `actor${i}.bvh`, path: `actor${i}.bvh`, bytes: 1 };
-    const figures = [{ skeleton, clip: { ...takeOfRoots(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
+    const figures = [{ skeleton, take: { ...takeOfRoots(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
     return { ...capturedContent(figures, source.name).value, source };
   }),
 ).document;

@@ -12,7 +12,7 @@ type Point = readonly [number, number, number];
 function bvh(name: string, ...roots: readonly Point[]): ParsedFile {
   const figures = roots.map((root, i) => {
     const skeleton = { ...figure(), name: i ? `${name}${i}` : name };
-    return { skeleton, clip: { ...takeOfRoots(skeleton, [root]), name: skeleton.name } };
+    return { skeleton, take: { ...takeOfRoots(skeleton, [root]), name: skeleton.name } };
   });
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
   return { ...capturedContent(figures, source.name).value, source };

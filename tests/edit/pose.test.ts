@@ -3,7 +3,7 @@ import { documentIn } from '../../src/edit/change.ts';
 import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
 import { documentWithoutUnkeyed } from '../../src/edit/unkeyed.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph, takeOfValues } from '../helpers/builders.ts';
 
 const limited = joint(-1, {
@@ -55,16 +55,16 @@ describe('pose.setDofs', () => {
   });
 });
 
-describe('what is set by hand over a clip', () => {
+describe('what is set by hand over a take', () => {
   const playing = documentOf(
     character({
       skeleton: { name: 's', joints: [limited] },
-      clips: [takeOfValues('walk', [0, 0, 0, 0.5])],
-      shownClip: 0,
+      takes: [takeOfValues('walk', [0, 0, 0, 0.5])],
+      shownTake: 0,
     }),
   );
 
-  it('what is set by hand over a clip is no unkeyed change if the keys give that value, and is discarded when it returns to it', () => {
+  it('what is set by hand over a take is no unkeyed change if the keys give that value, and is discarded when it returns to it', () => {
     const shown = new Float64Array(dofCountOf(playing.characters[0]));
     poseAt(playing.characters[0], 1.5, shown);
     expect(set(playing, 3, shown[3], 1.5)).toBe(playing);
@@ -72,7 +72,7 @@ describe('what is set by hand over a clip', () => {
     expect(set(once, 3, shown[3], 1.5).characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [0], values: [2] });
   });
 
-  it('what is set by hand over a clip is unkeyed at that time, if a channel drives it', () => {
+  it('what is set by hand over a take is unkeyed at that time, if a channel drives it', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [3], values: [0.25] });
     expect(set(once, 0, 2, 1.5).characters[0].unkeyed).toEqual({
@@ -83,17 +83,17 @@ describe('what is set by hand over a clip', () => {
     expect(set(once, 0, 2, 1.6).characters[0].unkeyed).toEqual({ timeSeconds: 1.6, dofs: [0], values: [2] });
   });
 
-  it('what is set by hand over a clip is part of the pose if no channel drives it', () => {
+  it('what is set by hand over a take is part of the pose if no channel drives it', () => {
     expect(set(playing, 5, 0, 1.5).characters[0].unkeyed).toBeUndefined();
   });
 
-  it('what is set by hand over a clip is no part of the pose, and leaves no trace when discarded', () => {
+  it('what is set by hand over a take is no part of the pose, and leaves no trace when discarded', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(poseOf(once)).toEqual(poseOf(playing));
     expect(documentWithoutUnkeyed(once, 2).characters[0]).toEqual(playing.characters[0]);
   });
 
-  it('what is set by hand over a clip is discarded when the time changes', () => {
+  it('what is set by hand over a take is discarded when the time changes', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(documentWithoutUnkeyed(once, 1.5)).toBe(once);
     expect(documentWithoutUnkeyed(once, 1.6).characters[0].unkeyed).toBeUndefined();
@@ -107,11 +107,11 @@ describe('what is set by hand where a channel has no keys', () => {
     character({
       skeleton: { name: 's', joints: [limited] },
       morphs: [morph('smile')],
-      clips: [{ ...take, channels }, take],
-      shownClip: 0,
+      takes: [{ ...take, channels }, take],
+      shownTake: 0,
     }),
   );
-  const channelsOf = (document: typeof playing) => document.characters[0].clips[0].channels;
+  const channelsOf = (document: typeof playing) => document.characters[0].takes[0].channels;
 
   it('a value set by hand on a channel without keys holds at every time', () => {
     const once = set(playing, 4, 0.75, 1.5);
@@ -127,14 +127,14 @@ describe('what is set by hand where a channel has no keys', () => {
   it('belongs to the take: neither the pose beneath nor other channels change', () => {
     const once = set(playing, 4, 0.75);
     expect(once.characters[0].pose).toBe(playing.characters[0].pose);
-    expect(once.characters[0].clips[1]).toBe(take);
+    expect(once.characters[0].takes[1]).toBe(take);
     expect(channelsOf(once).filter((c, i) => c !== channelsOf(playing)[i])).toHaveLength(1);
   });
 
   it('shows, though it was set by hand over keys that are gone', () => {
     const byHand = set(playing, 3, 0.9, 2);
     const [hero] = byHand.characters;
-    const keyless = documentOf({ ...hero, clips: [{ ...take, channels: take.channels.with(3, restChannel()) }] });
+    const keyless = documentOf({ ...hero, takes: [{ ...take, channels: take.channels.with(3, restChannel()) }] });
     expect(set(keyless, 3, 0.1, 2).characters[0].unkeyed).toBeUndefined();
   });
 
@@ -159,10 +159,10 @@ describe('with auto-key', () => {
     const change = { characterId: 'c1', dofs: [{ index: 3, value: 5 }], timeSeconds: 0.5, key };
     const result = setDofs.run(still, change);
     const [hero] = documentIn(result).characters;
-    const [channel] = hero.clips[0].channels.slice(3);
+    const [channel] = hero.takes[0].channels.slice(3);
     // Within the limits, as without it.
     expect([[...keysOf(channel).times], [...keysOf(channel).values]]).toEqual([[0.5], [1]]);
-    expect(hero.clips[0].channels.filter((c) => keysOf(c).times.length > 0)).toHaveLength(1);
+    expect(hero.takes[0].channels.filter((c) => keysOf(c).times.length > 0)).toHaveLength(1);
     expect(hero.unkeyed).toBeUndefined();
     expect(hero.pose).toEqual(poseOf(still));
     expect('document' in result && result.keys).toEqual([{ channel: 3, indices: [0] }]);
@@ -171,7 +171,7 @@ describe('with auto-key', () => {
 
   it('a reset is one of every DOF', () => {
     const reset = resetPose.run(still, { characterId: 'c1', to: 'zero', timeSeconds: 0, key });
-    const [take] = documentIn(reset).characters[0].clips;
+    const [take] = documentIn(reset).characters[0].takes;
     expect(take.channels.map((c) => [...keysOf(c).values])).toEqual(new Array(7).fill([0]));
   });
 });

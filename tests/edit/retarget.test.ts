@@ -1,20 +1,20 @@
 import { describe, expect, it } from 'vitest';
 import type { Command } from '../../src/edit/command.ts';
 import { CommandError } from '../../src/edit/command-error.ts';
-import { placeCharacter, removeCharacter, setTimeOffset, showClip } from '../../src/edit/commands/characters.ts';
-import { setClipRange } from '../../src/edit/commands/clips.ts';
+import { placeCharacter, removeCharacter, setTimeOffset, showTake } from '../../src/edit/commands/characters.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
 import { insertKeys, moveKeys, removeKeys } from '../../src/edit/commands/keys.ts';
 import { setDofs } from '../../src/edit/commands/pose.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from '../../src/edit/commands/retarget.ts';
 import { cropSamples, smoothSamples } from '../../src/edit/commands/samples.ts';
+import { setTakeRange } from '../../src/edit/commands/take.ts';
 import { Store } from '../../src/edit/store.ts';
 import { commonFrames } from '../../src/evaluate/compare/distance.ts';
 import { channelOf, dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { retargetPlan } from '../../src/evaluate/retarget/make-plan.ts';
-import { type Character, DEFAULT_PLACEMENT, findCharacter, rangeOfClips, shownClip } from '../../src/model/document.ts';
+import { type Character, DEFAULT_PLACEMENT, findCharacter, rangeOfTakes, shownTake } from '../../src/model/document.ts';
 import { jointDofCount } from '../../src/model/skeleton/dofs.ts';
-import { keysOf } from '../../src/model/takes/clip.ts';
+import { keysOf } from '../../src/model/takes/take.ts';
 import { PARTS, person, takeOfRows } from '../evaluate/retarget/people.ts';
 import { character, documentOf, morph, takeOfValues } from '../helpers/builders.ts';
 
@@ -31,8 +31,8 @@ function store(): Store {
     id: 's',
     name: 'dancer',
     skeleton: SOURCE,
-    clips: [takeOfRows(SOURCE, ROWS)],
-    shownClip: 0,
+    takes: [takeOfRows(SOURCE, ROWS)],
+    shownTake: 0,
   });
   const own = person({ size: 0.6, droop: 0.6, motion: () => ({ kind: 'ball', order: 'xyz' }) });
   const target = character({
@@ -40,8 +40,8 @@ function store(): Store {
     name: 'walker',
     skeleton: own,
     morphs: [morph('smile')],
-    clips: [takeOfValues('own', [...Array<number>(3 + 3 * PARTS.length).fill(0.1), 0.7])],
-    shownClip: 0,
+    takes: [takeOfValues('own', [...Array<number>(3 + 3 * PARTS.length).fill(0.1), 0.7])],
+    shownTake: 0,
   });
   return new Store(documentOf(source, target));
 }
@@ -93,21 +93,21 @@ describe('putting a take onto another character', () => {
   it('follows edits of the take, in the same step', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
-    s.apply(setClipRange, { characterId: 's', range: [0, 0.5] });
-    expect(of(s, 't').driver?.source.clip).toBe(shownClip(of(s, 's')));
+    s.apply(setTakeRange, { characterId: 's', range: [0, 0.5] });
+    expect(of(s, 't').driver?.source.take).toBe(shownTake(of(s, 's')));
     s.undo();
-    expect(of(s, 't').driver?.source.clip.range).toEqual(shownClip(of(s, 's'))?.range);
-    expect(of(s, 't').driver?.source.clip.range[1]).toBeCloseTo(1.1, 12);
+    expect(of(s, 't').driver?.source.take.range).toEqual(shownTake(of(s, 's'))?.range);
+    expect(of(s, 't').driver?.source.take.range[1]).toBeCloseTo(1.1, 12);
   });
 
   it('putting a take onto another character does so while one drags, too', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     const drag = s.begin('Range');
-    drag.preview(setClipRange.run(drag.base, { characterId: 's', range: [0, 0.4] }));
-    expect(of(s, 't').driver?.source.clip.range).toEqual([0, 0.4]);
+    drag.preview(setTakeRange.run(drag.base, { characterId: 's', range: [0, 0.4] }));
+    expect(of(s, 't').driver?.source.take.range).toEqual([0, 0.4]);
     drag.cancel();
-    expect(of(s, 't').driver?.source.clip.range[1]).toBeCloseTo(1.1, 12);
+    expect(of(s, 't').driver?.source.take.range[1]).toBeCloseTo(1.1, 12);
   });
 
   it('minds nothing of the other character but what moves', () => {
@@ -121,7 +121,7 @@ describe('putting a take onto another character', () => {
   it('gives way to a take of its own that is shown', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
-    s.apply(showClip, { characterId: 't', clip: 0 });
+    s.apply(showTake, { characterId: 't', take: 0 });
     expect(of(s, 't').driver).toBeUndefined();
   });
 
@@ -193,7 +193,7 @@ describe('putting a take onto another character', () => {
     const before = poseOf(of(s, 't'), 0.3);
     s.apply(removeCharacter, { characterId: 's' });
     expect(poseOf(of(s, 't'), 0.3)).toEqual(before);
-    expect(rangeOfClips(s.document)?.[1]).toBeCloseTo(1.1, 12);
+    expect(rangeOfTakes(s.document)?.[1]).toBeCloseTo(1.1, 12);
   });
 
   it('changes pairs and options, and keeps omitted ones', () => {
@@ -250,7 +250,7 @@ describe('putting a take onto another character', () => {
     s.apply(setTimeOffset, { characterId: 's', seconds: 0.25 });
     expect(planOf()).toBe(plan);
     expect(poseOf(of(s, 't'), 0)).toEqual(before);
-    s.apply(setClipRange, { characterId: 's', range: [0, 0.4] });
+    s.apply(setTakeRange, { characterId: 's', range: [0, 0.4] });
     expect(planOf()).not.toBe(plan);
   });
 
@@ -272,8 +272,8 @@ describe('baking', () => {
     s.apply(bakeRetarget, { characterId: 't' });
     const baked = of(s, 't');
     expect(baked.driver).toBeUndefined();
-    expect(shownClip(baked)).toMatchObject({ name: 'person_take', samples: { frameCount: ROWS.length } });
-    expect(baked.clips).toHaveLength(2);
+    expect(shownTake(baked)).toMatchObject({ name: 'person_take', samples: { frameCount: ROWS.length } });
+    expect(baked.takes).toHaveLength(2);
     // Angles may be other forms of the same rotation: they are compared by what they do, which for small ones is all.
     live.forEach((pose, f) => {
       const now = poseOf(baked, f * 0.1);
@@ -281,7 +281,7 @@ describe('baking', () => {
     });
     s.undo();
     expect(of(s, 't').driver).toBeDefined();
-    expect(of(s, 't').clips).toHaveLength(1);
+    expect(of(s, 't').takes).toHaveLength(1);
   });
 
   it('gives what was displayed if both characters are offset in time', () => {
@@ -302,7 +302,7 @@ describe('baking', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     s.apply(bakeRetarget, { characterId: 't', framesPerSecond: 20, name: 'dance' });
-    expect(shownClip(of(s, 't'))).toMatchObject({ name: 'dance', samples: { frameCount: 23 } });
+    expect(shownTake(of(s, 't'))).toMatchObject({ name: 'dance', samples: { frameCount: 23 } });
   });
 
   it('gives a take that can be posed over like any other', () => {

@@ -144,7 +144,7 @@ describe('same height', () => {
       const { joints } = figure();
       const scaled = joints.map((j) => ({ ...j, offset: j.offset.map((v) => scale * v) as [number, number, number] }));
       const skeleton = { name: `figure${i}`, joints: scaled };
-      return { skeleton, clip: { ...takeOfRoots(skeleton, [[0, 85 * scale, 0]]), name: skeleton.name } };
+      return { skeleton, take: { ...takeOfRoots(skeleton, [[0, 85 * scale, 0]]), name: skeleton.name } };
     });
     const source = { name: 'pair.bvh', path: 'pair.bvh', bytes: 1 };
     const capture = { ...capturedContent([tall, small], source.name).value, source };

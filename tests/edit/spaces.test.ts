@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { CommandError } from '../../src/edit/command-error.ts';
-import { setInterpolation } from '../../src/edit/commands/clips.ts';
 import { setHidden, setPositionChannels, setSpace } from '../../src/edit/commands/spaces.ts';
+import { setInterpolation } from '../../src/edit/commands/take.ts';
 import { Store } from '../../src/edit/store.ts';
 import { capturedContent } from '../../src/files/captured.ts';
 import { openFiles } from '../../src/files/open/open-files.ts';
@@ -20,7 +20,7 @@ function bvh(name: string, ...roots: readonly (readonly [number, number, number]
   const skeleton = { ...figure(), name };
   const figures = roots.map((root, i) => ({
     skeleton: { ...skeleton, name: i ? `${name}${i}` : name },
-    clip: { ...takeOfRoots(skeleton, [root]), name: i ? `${name}${i}` : name },
+    take: { ...takeOfRoots(skeleton, [root]), name: i ? `${name}${i}` : name },
   }));
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
   return { ...capturedContent(figures, source.name).value, source };
@@ -63,14 +63,14 @@ describe('a figure of motion capture that is opened', () => {
 
   it('adds its position channels to the offsets where they look meant so, and says so', () => {
     const skeleton = figure({ positionsEverywhere: true });
-    const figures = [{ skeleton, clip: takeOfRoots(skeleton, [[0, 85, 0]], 0) }];
+    const figures = [{ skeleton, take: takeOfRoots(skeleton, [[0, 85, 0]], 0) }];
     const { value, diagnostics } = capturedContent(figures, 'made.bvh');
     expect(diagnostics.map((d) => d.code)).toEqual(['positions-near-zero']);
     const [opened] = openFiles(EMPTY_DOCUMENT, [{ ...value, source: { name: 'made.bvh', path: 'made.bvh', bytes: 1 } }])
       .document.characters;
     expect(opened.skeleton && positionsTaken(opened.skeleton)).toBe('add');
     // Measured as it is meant: not collapsed.
-    const plain = capturedContent([{ skeleton, clip: takeOfRoots(skeleton, [[0, 85, 0]]) }], '').value;
+    const plain = capturedContent([{ skeleton, take: takeOfRoots(skeleton, [[0, 85, 0]]) }], '').value;
     expect(opened.space).toEqual(plain.guessed?.space);
   });
 });
@@ -82,7 +82,7 @@ function session(name: string, hips: number, lies: boolean): ParsedFile {
   const row = new Array<number>(jointDofCount(skeleton)).fill(0);
   row.splice(0, 6, 0, hips, 0, 0, lies ? -Math.PI / 2 : 0, 0);
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
-  return { ...capturedContent([{ skeleton, clip: frames(skeleton, [row, row]) }], source.name).value, source };
+  return { ...capturedContent([{ skeleton, take: frames(skeleton, [row, row]) }], source.name).value, source };
 }
 
 describe('takes of one skeleton', () => {
@@ -151,11 +151,11 @@ describe('position channels of a character', () => {
     const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
     const store = new Store(documentOf(captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]), { space })));
     store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' });
-    const [{ skeleton: after, space: lifted, clips }] = store.document.characters;
+    const [{ skeleton: after, space: lifted, takes }] = store.document.characters;
     expect(after?.joints[1].motion).toMatchObject({ positions: 'add' });
     // Every bone counts twice, so the soles are as much lower as the legs are longer.
     expect(lifted?.lift).toBeCloseTo(0.765 - 0.0, 1);
-    expect(clips[0].samples?.values).toBe(store.document.characters[0].clips[0].samples?.values);
+    expect(takes[0].samples?.values).toBe(store.document.characters[0].takes[0].samples?.values);
     store.undo();
     expect(store.document.characters[0].skeleton).toEqual(skeleton);
   });
@@ -191,13 +191,13 @@ describe('what a take plays between frames', () => {
     const skeleton = figure();
     const store = new Store(documentOf(captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]))));
     store.apply(setInterpolation, { characterId: 'c1', interpolation: 'nearest' });
-    expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('nearest');
+    expect(store.document.characters[0].takes[0].samples?.interpolation).toBe('nearest');
     store.undo();
-    expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('linear');
+    expect(store.document.characters[0].takes[0].samples?.interpolation).toBe('linear');
   });
 
   it('what a take plays between frames is the keys’ own if there are only keys', () => {
-    const store = new Store(documentOf(character({ clips: [takeOfValues('walk', [0])], shownClip: 0 })));
+    const store = new Store(documentOf(character({ takes: [takeOfValues('walk', [0])], shownTake: 0 })));
     expect(() => store.apply(setInterpolation, { characterId: 'c1', interpolation: 'cubic' })).toThrow(CommandError);
   });
 });

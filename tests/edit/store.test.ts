@@ -248,13 +248,13 @@ describe('Store', () => {
       label: () => 'Rename',
     });
     const played = documentOf(
-      character({ name: 'a', skeleton: skeleton(4), clips: [takeOfValues('walk', [1])], shownClip: 0 }),
+      character({ name: 'a', skeleton: skeleton(4), takes: [takeOfValues('walk', [1])], shownTake: 0 }),
     );
     const store = new Store(played);
     store.select({ characterId: 'c1', joint: 3, vertex: 5, keys: [{ channel: 0, indices: [0] }] });
     const before = store.selection;
     store.apply(about(2), { name: 'b' });
-    // Keys are the clip's, which is still the same; the vertex was another thing to look at.
+    // Keys are the take's, which is still the same; the vertex was another thing to look at.
     expect(store.selection).toEqual({ characterId: 'c1', joint: 2, keys: [{ channel: 0, indices: [0] }] });
     const same = store.selection;
     store.apply(about(2), { name: 'c' });
@@ -302,7 +302,7 @@ describe('Store', () => {
   });
 
   it('selects no keys that the selected character does not have, where a command about another changes nothing', () => {
-    const walker = character({ id: 'w', clips: [takeOfValues('walk', [1, 2])], shownClip: 0 });
+    const walker = character({ id: 'w', takes: [takeOfValues('walk', [1, 2])], shownTake: 0 });
     const store = new Store(documentOf(walker, character({ id: 'bare' })));
     const selecting: Command<undefined, Edit> = {
       id: 'test.select',

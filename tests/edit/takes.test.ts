@@ -15,7 +15,7 @@ import {
   type Character,
   DEFAULT_PLACEMENT,
   type Document,
-  rangeOfClips,
+  rangeOfTakes,
   startSeconds,
 } from '../../src/model/document.ts';
 import { NO_MARKS, UNMARKED } from '../../src/model/part.ts';
@@ -25,12 +25,12 @@ import { character, documentOf, skin, takeOfValues } from '../helpers/builders.t
 function take(id: string, range: readonly [number, number] = [0, 1], more: Partial<Character> = {}): Character {
   const source = { name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 };
   const mark = { ...UNMARKED, file: { kind: 'bvh', source, holds: id } } as const;
-  const parts = { ...NO_MARKS, skeleton: mark, clips: [mark] };
+  const parts = { ...NO_MARKS, skeleton: mark, takes: [mark] };
   return character({
     id,
     name: id,
-    clips: [takeOfValues(id, [0], range)],
-    shownClip: 0,
+    takes: [takeOfValues(id, [0], range)],
+    shownTake: 0,
     sources: [source],
     parts,
     ...more,
@@ -43,42 +43,42 @@ const places = (document: Document) => document.characters.map((c) => c.placemen
 
 describe('takes that are shown', () => {
   it('alone are all that is seen, and the transport’s range is theirs', () => {
-    const alone = showTakes.run(three, { takes: [{ characterId: 'b', clip: 0 }], alone: true });
+    const alone = showTakes.run(three, { takes: [{ characterId: 'b', take: 0 }], alone: true });
     expect(hidden(alone)).toEqual([true, false, true]);
-    expect(rangeOfClips(alone)).toEqual([0.5, 2]);
-    expect(rangeOfClips(three)).toEqual([-1, 4]);
+    expect(rangeOfTakes(alone)).toEqual([0.5, 2]);
+    expect(rangeOfTakes(three)).toEqual([-1, 4]);
   });
 
   it('takes that are shown keep the time of all takes where every character is hidden', () => {
     const none = { ...three, characters: three.characters.map((c) => ({ ...c, isHidden: true })) };
-    expect(rangeOfClips(none)).toEqual([-1, 4]);
+    expect(rangeOfTakes(none)).toEqual([-1, 4]);
   });
 
   it('beside others hide nothing, and show another take of their character', () => {
     const document = documentOf(
-      take('a', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])], isHidden: true }),
+      take('a', [0, 1], { takes: [takeOfValues('x', [0]), takeOfValues('y', [0])], isHidden: true }),
       take('b'),
     );
-    const next = showTakes.run(document, { takes: [{ characterId: 'a', clip: 1 }] });
+    const next = showTakes.run(document, { takes: [{ characterId: 'a', take: 1 }] });
     expect(hidden(next)).toEqual([false, false]);
-    expect(next.characters[0].shownClip).toBe(1);
+    expect(next.characters[0].shownTake).toBe(1);
     expect(next.characters[1]).toBe(document.characters[1]);
   });
 
   it('change nothing where they are shown already', () => {
-    expect(showTakes.run(three, { takes: [{ characterId: 'a', clip: 0 }] })).toBe(three);
+    expect(showTakes.run(three, { takes: [{ characterId: 'a', take: 0 }] })).toBe(three);
   });
 
   it('takes that are shown are one of a character at a time', () => {
-    const document = documentOf(take('a', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])] }));
-    const both = [0, 1].map((c) => ({ characterId: 'a', clip: c }));
+    const document = documentOf(take('a', [0, 1], { takes: [takeOfValues('x', [0]), takeOfValues('y', [0])] }));
+    const both = [0, 1].map((c) => ({ characterId: 'a', take: c }));
     expect(() => showTakes.run(document, { takes: both })).toThrow(CommandError);
-    expect(() => showTakes.run(document, { takes: [{ characterId: 'a', clip: 2 }] })).toThrow('no take number 2');
+    expect(() => showTakes.run(document, { takes: [{ characterId: 'a', take: 2 }] })).toThrow('no take number 2');
   });
 
   it('takes that are shown are one step, whatever they hide, and undone to the identical document', () => {
     const store = new Store(three);
-    store.apply(showTakes, { takes: [{ characterId: 'b', clip: 0 }], alone: true });
+    store.apply(showTakes, { takes: [{ characterId: 'b', take: 0 }], alone: true });
     expect(store.undoLabel).toBe('Play b alone');
     store.undo();
     expect(store.document).toEqual(three);
@@ -91,7 +91,7 @@ describe('takes in time', () => {
     const next = alignStarts.run(three, { characterIds: ['a', 'b', 'c'] });
     expect(next.characters.map((c) => c.timeOffsetSeconds)).toEqual([0, 0.5, -1]);
     expect(next.characters[0]).toBe(three.characters[0]);
-    expect(rangeOfClips(next)).toEqual([0, 5]);
+    expect(rangeOfTakes(next)).toEqual([0, 5]);
     const later = alignStarts.run(three, { characterIds: ['b'], atSeconds: 2 });
     expect(later.characters[1].timeOffsetSeconds).toBe(-1.5);
   });
@@ -119,7 +119,7 @@ describe('takes in time', () => {
 describe('takes in space', () => {
   const ids = ['a', 'b', 'c'];
   /** Begins at x, z in its own coordinates. */
-  const at = (id: string, x: number, z: number) => take(id, [0, 1], { clips: [takeOfValues(id, [x, 0, z])] });
+  const at = (id: string, x: number, z: number) => take(id, [0, 1], { takes: [takeOfValues(id, [x, 0, z])] });
   const spread = documentOf(at('a', 5, 1), at('b', -3, 0), at('c', 0, 0));
 
   it('takes are placed side by side in rows, no two in one place', () => {
@@ -159,8 +159,8 @@ describe('takes in space', () => {
     const second = { ...DEFAULT_PLACEMENT, position: [4, 0, 0], turn: [0, 1, 0] } as const;
     const document = documentOf(take('a'), take('b', [0, 1], { placements: [second, second] }), take('c'));
     const next = overlayTakes.run(document, {
-      first: { characterId: 'a', clip: 0 },
-      second: { characterId: 'b', clip: 0 },
+      first: { characterId: 'a', take: 0 },
+      second: { characterId: 'b', take: 0 },
     });
     expect(hidden(next)).toEqual([false, false, true]);
     expect(next.characters[1].placements).toEqual([DEFAULT_PLACEMENT, second]);
@@ -170,22 +170,22 @@ describe('takes in space', () => {
     const on = (lift: number): Partial<Character> => ({ space: { up: 'y', unit: 'centimetres', lift } });
     const document = documentOf(take('a', [0, 1], on(0.2)), take('b', [0, 1], on(0.3)), take('c', [0, 1], on(0.4)));
     const next = overlayTakes.run(document, {
-      first: { characterId: 'a', clip: 0 },
-      second: { characterId: 'b', clip: 0 },
+      first: { characterId: 'a', take: 0 },
+      second: { characterId: 'b', take: 0 },
     });
     expect(next.characters.map((c) => c.space?.lift)).toEqual([0.2, 0.2, 0.4]);
   });
 
   it('comparing takes of one character shows the first on it', () => {
     const document = documentOf(
-      take('a', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])] }),
+      take('a', [0, 1], { takes: [takeOfValues('x', [0]), takeOfValues('y', [0])] }),
       take('b'),
     );
     const next = overlayTakes.run(document, {
-      first: { characterId: 'a', clip: 1 },
-      second: { characterId: 'a', clip: 0 },
+      first: { characterId: 'a', take: 1 },
+      second: { characterId: 'a', take: 0 },
     });
-    expect(next.characters[0].shownClip).toBe(1);
+    expect(next.characters[0].shownTake).toBe(1);
     expect(hidden(next)).toEqual([false, true]);
   });
 });
@@ -200,12 +200,12 @@ describe('takes that were compared', () => {
     take('a', [0, 1], at(1)),
     take('b', [0, 1], at(2)),
     take('c', [0, 1], at(3, { isHidden: true })),
-    take('d', [0, 1], at(4, { clips: [takeOfValues('x', [0]), takeOfValues('y', [0])] })),
+    take('d', [0, 1], at(4, { takes: [takeOfValues('x', [0]), takeOfValues('y', [0])] })),
   );
   const laid = (...[first, second]: readonly [readonly [string, number], readonly [string, number]]) =>
     overlayTakes.run(document, {
-      first: { characterId: first[0], clip: first[1] },
-      second: { characterId: second[0], clip: second[1] },
+      first: { characterId: first[0], take: first[1] },
+      second: { characterId: second[0], take: second[1] },
     });
   const end = (now: Document, overlaid: Document) =>
     endOverlay.run(now, { before: document.characters, overlaid: overlaid.characters });
@@ -228,7 +228,7 @@ describe('takes that were compared', () => {
       characters: overlaid.characters
         .filter((c) => c.id !== 'd')
         .map((c) => {
-          if (c.id === 'a') return { ...c, name: 'mine', clips: [takeOfValues('a', [0.5], [0, 3])] };
+          if (c.id === 'a') return { ...c, name: 'mine', takes: [takeOfValues('a', [0.5], [0, 3])] };
           if (c.id === 'b') return { ...c, placements: [{ ...DEFAULT_PLACEMENT, scale: 2 }], timeOffsetSeconds: 1 };
           return { ...c, isHidden: false };
         }),
@@ -246,15 +246,15 @@ describe('takes that were compared', () => {
     const fewer = {
       ...overlaid,
       characters: overlaid.characters.map((c) =>
-        c.id === 'd' ? { ...c, clips: [...c.clips, takeOfValues('z', [0])] } : c,
+        c.id === 'd' ? { ...c, takes: [...c.takes, takeOfValues('z', [0])] } : c,
       ),
     };
-    expect(end(fewer, overlaid).characters[3].shownClip).toBe(1);
+    expect(end(fewer, overlaid).characters[3].shownTake).toBe(1);
   });
 });
 
 describe('takes that are removed', () => {
-  const ref = (characterId: string, c: number) => ({ characterId, clip: c });
+  const ref = (characterId: string, c: number) => ({ characterId, take: c });
 
   it('takes that are removed go with the character that is nothing but its motion', () => {
     const next = removeTakes.run(three, { takes: [ref('a', 0), ref('c', 0)] });
@@ -264,15 +264,15 @@ describe('takes that are removed', () => {
   it('leave a character that is more than its motion', () => {
     const document = documentOf(take('a', [0, 1], { skins: [skin()] }));
     const next = removeTakes.run(document, { takes: [ref('a', 0)] });
-    expect(next.characters[0]).toMatchObject({ clips: [], shownClip: -1 });
+    expect(next.characters[0]).toMatchObject({ takes: [], shownTake: -1 });
   });
 
   it('takes that are removed keep showing the same take, or show the one after it', () => {
-    const clips = ['w', 'x', 'y', 'z'].map((name) => takeOfValues(name, [0]));
-    const shown = (shownClip: number, ...gone: number[]) => {
-      const document = documentOf(take('a', [0, 1], { clips, shownClip }));
+    const takes = ['w', 'x', 'y', 'z'].map((name) => takeOfValues(name, [0]));
+    const shown = (shownTake: number, ...gone: number[]) => {
+      const document = documentOf(take('a', [0, 1], { takes, shownTake }));
       const [after] = removeTakes.run(document, { takes: gone.map((c) => ref('a', c)) }).characters;
-      return after.clips[after.shownClip]?.name;
+      return after.takes[after.shownTake]?.name;
     };
     expect(shown(2, 0, 1)).toBe('y');
     expect(shown(1, 1)).toBe('y');

@@ -9,9 +9,9 @@ import { ALL_COMMANDS } from '../../src/edit/commands/all.ts';
 import type { State } from '../../src/edit/history.ts';
 import { Store, withSelectedKeys } from '../../src/edit/store.ts';
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import { type Document, findCharacter, shownClip } from '../../src/model/document.ts';
-import { type Channel, followingSamples, restChannel } from '../../src/model/takes/clip.ts';
+import { type Document, findCharacter, shownTake } from '../../src/model/document.ts';
 import type { Samples } from '../../src/model/takes/samples.ts';
+import { type Channel, followingSamples, restChannel } from '../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph, skin, takeOfValues } from '../helpers/builders.ts';
 import { expectSame, expectStep } from '../helpers/expect-edit.ts';
 import { anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';
@@ -60,7 +60,7 @@ const SAMPLES: Samples = {
 };
 
 function wasp(animated: readonly Channel[] | undefined): Document {
-  const clips = animated && [
+  const takes = animated && [
     {
       name: 'wasp_walk',
       range: [0, 2] as const,
@@ -77,9 +77,9 @@ function wasp(animated: readonly Channel[] | undefined): Document {
     skeleton: WASP,
     skins: [skin('wasp'), skin('armour')],
     morphs: [morph('sting')],
-    ...(clips && { clips, shownClip: 0 }),
+    ...(takes && { takes, shownTake: 0 }),
   });
-  const bee = character({ id: 'b1', name: 'bee', clips: [takeOfValues('bee_walk', Array(9).fill(0.3))], shownClip: 0 });
+  const bee = character({ id: 'b1', name: 'bee', takes: [takeOfValues('bee_walk', Array(9).fill(0.3))], shownTake: 0 });
   const others = [
     { ...swinging(SWING), id: 'm1' },
     { ...sliding(0.004), id: 'f1' },
@@ -203,8 +203,8 @@ function drag({ store }: Watched, id: string, dice: Dice): void {
 function between({ store }: Watched, dice: Dice): void {
   // Keys are of the character that is selected, which may be one that was just made.
   const selected = findCharacter(store.document, store.selection.characterId);
-  const clip = selected && shownClip(selected);
-  if (clip && dice.is(0.6)) store.select(withSelectedKeys(store.selection, someKeys(clip, dice)));
+  const take = selected && shownTake(selected);
+  if (take && dice.is(0.6)) store.select(withSelectedKeys(store.selection, someKeys(take, dice)));
 }
 
 const start = fc.option(fc.array(channelsOrRest({ steps: true, maxLength: 5 }), { maxLength: 6 }), { nil: undefined });

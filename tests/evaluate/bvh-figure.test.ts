@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { bakeClip, framesOf, ownFrames } from '../../src/evaluate/bake.ts';
+import { bakeTake, framesOf, ownFrames } from '../../src/evaluate/bake.ts';
 import { framesFor, toBvhFigure } from '../../src/evaluate/bvh-figure.ts';
 import { zxyAngles } from '../../src/evaluate/rotations/euler-angles.ts';
 import { writeRotationPart } from '../../src/math/mat3.ts';
@@ -57,7 +57,7 @@ function moving(motions: fc.Arbitrary<Motion>): fc.Arbitrary<Character> {
         tangentsIn: { kinds: Uint8Array.of(1, 1), slopes: new Float64Array(2) },
         tangentsOut: { kinds: Uint8Array.of(1, 1), slopes: new Float64Array(2) },
       }));
-      return character({ skeleton, pose: filePose(skeleton, 0), clips: [{ ...take, channels }], shownClip: 0 });
+      return character({ skeleton, pose: filePose(skeleton, 0), takes: [{ ...take, channels }], shownTake: 0 });
     });
   });
 }
@@ -103,8 +103,8 @@ describe('any character as a figure of BVH', () => {
     const skeleton = { name: 'x', joints: [joint(-1), joint(0, { motion: { kind: 'ball', order: 'yxz' } })] };
     const who = character({
       skeleton,
-      clips: [takeOfValues('x', [1, 2, 3, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])],
-      shownClip: 0,
+      takes: [takeOfValues('x', [1, 2, 3, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])],
+      shownTake: 0,
     });
     const { figure } = toBvhFigure(who, framesOf([0, 0], 30));
     expect(figure.skeleton.joints.map(({ motion }) => motion)).toEqual([
@@ -112,7 +112,7 @@ describe('any character as a figure of BVH', () => {
       { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' },
     ]);
     const degrees = [0.3, 0.2, 0.1, 0.6, 0.4, 0.5].map((v) => (v * 180) / Math.PI);
-    const row = Array.from(figure.clip?.samples?.values ?? []);
+    const row = Array.from(figure.take?.samples?.values ?? []);
     expect(row.slice(0, 3)).toEqual([1, 3, 3]);
     row.slice(3).forEach((v, i) => {
       expect(v).toBeCloseTo(degrees[i], 12);
@@ -122,7 +122,7 @@ describe('any character as a figure of BVH', () => {
   it('any character as a figure of BVH is the very samples of a take that nobody changed', () => {
     const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx'])] }, [[1, 2, 3, 4]]);
     const who = characterOf(own);
-    expect(toBvhFigure(who, framesFor(who, 30)).figure.clip).toBe(own.clip);
+    expect(toBvhFigure(who, framesFor(who, 30)).figure.take).toBe(own.take);
   });
 
   it('writes what is still sampled to the last bit where other channels have keys', () => {
@@ -131,20 +131,20 @@ describe('any character as a figure of BVH', () => {
       [1, 2, 4, 0.7, 5.4321],
     ];
     const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx', 'rz'])] }, rows);
-    if (!own.clip) throw new Error('There is a clip.');
-    const channels = own.clip.channels.map((c, i) => (i === 3 ? takeOfValues('', [Math.PI]).channels[0] : c));
-    const who = characterOf({ ...own, clip: { ...own.clip, channels } });
+    if (!own.take) throw new Error('There is a take.');
+    const channels = own.take.channels.map((c, i) => (i === 3 ? takeOfValues('', [Math.PI]).channels[0] : c));
+    const who = characterOf({ ...own, take: { ...own.take, channels } });
     const { figure } = toBvhFigure(who, framesFor(who, 30));
-    expect(Array.from(figure.clip?.samples?.values ?? [])).toEqual([
+    expect(Array.from(figure.take?.samples?.values ?? [])).toEqual([
       1, 2, 3, 180, 45.678901234567, 1, 2, 4, 180, 5.4321,
     ]);
   });
 
-  it('any character as a figure of BVH is one frame of the pose as set where there is no clip', () => {
+  it('any character as a figure of BVH is one frame of the pose as set where there is no take', () => {
     const who = character({ pose: [5, 0, 0, 0, 0, Math.PI / 2, 0, 0, 0] });
     const { figure } = toBvhFigure(who, framesFor(who, 30));
-    expect(figure.clip?.samples?.frameCount).toBe(1);
-    expect(Array.from(figure.clip?.samples?.values ?? []).slice(0, 4)).toEqual([5, 1, 0, 90]);
+    expect(figure.take?.samples?.frameCount).toBe(1);
+    expect(Array.from(figure.take?.samples?.values ?? []).slice(0, 4)).toEqual([5, 1, 0, 90]);
   });
 });
 
@@ -152,7 +152,7 @@ describe('any character as a figure of BVH', () => {
 function smallestFactor(who: Character): number {
   let least = 1;
   for (let frame = 0; frame <= 10; frame++) {
-    const dofs = bakeClip(who, { startSeconds: frame / 10, frameSeconds: 1, frameCount: 1 }).values;
+    const dofs = bakeTake(who, { startSeconds: frame / 10, frameSeconds: 1, frameCount: 1 }).values;
     let d = rootDofCount(who.skeleton);
     for (const { motion } of who.skeleton?.joints ?? []) {
       for (const { name } of dofsOf(motion)) {
@@ -164,8 +164,8 @@ function smallestFactor(who: Character): number {
   return least;
 }
 
-describe('the frames of a clip', () => {
-  it('the frames of a clip are as many as fit, with both ends of a range that holds whole ones', () => {
+describe('the frames of a take', () => {
+  it('the frames of a take are as many as fit, with both ends of a range that holds whole ones', () => {
     expect(framesOf([0, 2.3], 30).frameCount).toBe(70);
     expect(framesOf([0, 68 * 0.0333333], 30).frameCount).toBe(69);
     expect(framesOf([0, 68 * 0.0333333], 60).frameCount).toBe(137);
@@ -175,16 +175,16 @@ describe('the frames of a clip', () => {
     expect(framesOf([-1, 0.99], 1).frameCount).toBe(2);
   });
 
-  it('the frames of a clip are the samples’ own where there are some', () => {
+  it('the frames of a take are the samples’ own where there are some', () => {
     const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[1], [2]], 0.25);
     expect(ownFrames(characterOf(own))).toEqual({ startSeconds: 0, frameSeconds: 0.25, frameCount: 2 });
     expect(ownFrames(character())).toBeUndefined();
   });
 
-  it('leave out what was set by hand over the clip, and the character’s offset in time', () => {
-    const who = character({ clips: [takeOfValues('x', new Array(9).fill(0.5))], shownClip: 0, timeOffsetSeconds: 7 });
+  it('leave out what was set by hand over the take, and the character’s offset in time', () => {
+    const who = character({ takes: [takeOfValues('x', new Array(9).fill(0.5))], shownTake: 0, timeOffsetSeconds: 7 });
     const touched = { ...who, unkeyed: { timeSeconds: 0, dofs: [3], values: [9] } };
-    expect(bakeClip(touched, framesOf([0, 0], 1)).values).toEqual(new Float64Array(9).fill(0.5));
+    expect(bakeTake(touched, framesOf([0, 0], 1)).values).toEqual(new Float64Array(9).fill(0.5));
   });
 });
 

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileChannels } from '../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../src/evaluate/curves.ts';
 import { keySlope } from '../../src/evaluate/slopes.ts';
-import { keysOf, restChannel } from '../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../src/model/takes/take.ts';
 import { between, channelOf, channels, channelsOrRest } from '../edit/keys/channels.ts';
 
 /** Of a difference over 2⁻²⁰ s, for slopes of up to some thousands and cubics to match. */

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileChannels, compileClip } from '../../src/evaluate/compiled-clip.ts';
-import { evaluateChannel, evaluateClip } from '../../src/evaluate/curves.ts';
+import { compileChannels, compileTake } from '../../src/evaluate/compiled-take.ts';
+import { evaluateChannel, evaluateTake } from '../../src/evaluate/curves.ts';
 import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
 import {
   type Channel,
@@ -12,9 +12,9 @@ import {
   keysOf,
   restChannel,
   TANGENT_KINDS,
-} from '../../src/model/takes/clip.ts';
+} from '../../src/model/takes/take.ts';
 import { expectClose } from '../helpers/close.ts';
-import { referenceClip } from '../helpers/reference.ts';
+import { referenceTake } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
 
 type Tangent = 'flat' | 'linear' | 'smooth' | number;
@@ -84,12 +84,12 @@ describeShared('channels against the reference', () => {
   it.each(file.files)(
     'channels of $anim have the values of the reference',
     ({ anim, range, numchannels, channels }) => {
-      const clip = referenceClip(anim);
-      expect(clip.range).toEqual(range);
-      expect(clip.channels).toHaveLength(numchannels);
-      const compiled = compileClip(clip);
+      const take = referenceTake(anim);
+      expect(take.range).toEqual(range);
+      expect(take.channels).toHaveLength(numchannels);
+      const compiled = compileTake(take);
       for (const samples of channels) {
-        expect(keysOf(clip.channels[samples.index]).times).toHaveLength(samples.key_count);
+        expect(keysOf(take.channels[samples.index]).times).toHaveLength(samples.key_count);
         const evaluate = (t: number) => evaluateChannel(compiled, samples.index, t);
         expectSamples(evaluate, samples, file.tolerance.float64, `channel ${samples.index}`);
       }
@@ -327,48 +327,48 @@ describe('slopes of keys', () => {
   });
 });
 
-describe('a compiled clip', () => {
-  const clip = {
+describe('a compiled take', () => {
+  const take = {
     name: 'c',
     range: [0, 1] as const,
     channels: [channel([[0, 1]]), restChannel(), channel([[0, 3]])],
   };
 
-  it('a compiled clip is made once', () => {
-    expect(compileClip(clip)).toBe(compileClip(clip));
-    expect(compileClip({ ...clip })).not.toBe(compileClip(clip));
+  it('a compiled take is made once', () => {
+    expect(compileTake(take)).toBe(compileTake(take));
+    expect(compileTake({ ...take })).not.toBe(compileTake(take));
   });
 
-  it('a compiled clip is the same after an edit of one channel as if all of it were compiled anew', () => {
+  it('a compiled take is the same after an edit of one channel as if all of it were compiled anew', () => {
     const any = fc.record({ ks: keys(0), before: extrapolation, after: extrapolation });
     fc.assert(
       fc.property(fc.array(any, { minLength: 1, maxLength: 5 }), any, fc.nat(), (list, other, at) => {
         const made = (c: typeof other) => (c.ks.length ? channel(c.ks, c.before, c.after) : restChannel());
-        const before = { ...clip, channels: list.map(made) };
-        const kept = compileClip(before);
+        const before = { ...take, channels: list.map(made) };
+        const kept = compileTake(before);
         const channels = before.channels.with(at % list.length, made(other));
         const fresh = structuredClone(channels);
-        expect(compileClip({ ...clip, channels })).toEqual(compileChannels(fresh));
+        expect(compileTake({ ...take, channels })).toEqual(compileChannels(fresh));
         expect(kept.channelCount).toBe(list.length);
       }),
     );
   });
 
-  it('a compiled clip is the same after an edit anywhere in a long channel as if it were compiled anew', () => {
+  it('a compiled take is the same after an edit anywhere in a long channel as if it were compiled anew', () => {
     const kinds = ['flat', 'linear', 'smooth', 3] as const;
     const long = Array.from({ length: 700 }, (_, i): Key => [i, (i * 7919) % 13, kinds[i % 4], kinds[(i >> 2) % 4]]);
     const edit = fc.record({ at: fc.nat(699), removed: fc.nat(2), added: fc.nat(2), value: fc.integer() });
     fc.assert(
       fc.property(fc.array(edit, { minLength: 1, maxLength: 3 }), (edits) => {
         let keyList = long;
-        let held = compileClip({ ...clip, channels: [channel(long)] });
+        let held = compileTake({ ...take, channels: [channel(long)] });
         // Plus 0: a value of -0 is the same value, and may well be kept as 0.
         for (const { at, removed, added, value: to } of edits) {
           const put = Array.from({ length: added }, (_, i): Key => [at + i / 4, (to % 17) + 0, 'smooth', 'linear']);
           keyList = keyList.toSpliced(at, removed, ...put);
           keyList = keyList.map((key, i): Key => (i === at ? [key[0], (to % 5) + 0, 'smooth', 'flat'] : key));
           const edited = channel(keyList, 'linear');
-          held = compileClip({ ...clip, channels: [edited] });
+          held = compileTake({ ...take, channels: [edited] });
           expect(held).toEqual(compileChannels([structuredClone(edited)]));
         }
       }),
@@ -376,22 +376,22 @@ describe('a compiled clip', () => {
     );
   });
 
-  it('a compiled clip has the rest value of a channel without keys, at any time', () => {
-    const resting = { ...clip, channels: [restChannel(), restChannel(2.5), channel([[1, 7]])] };
+  it('a compiled take has the rest value of a channel without keys, at any time', () => {
+    const resting = { ...take, channels: [restChannel(), restChannel(2.5), channel([[1, 7]])] };
     const out = new Float64Array(3);
     for (const time of [-1e6, -1, 0, 0.5, 1e6]) {
-      evaluateClip(compileClip(resting), time, out);
+      evaluateTake(compileTake(resting), time, out);
       expect([...out]).toEqual([0, 2.5, 7]);
-      expect(evaluateChannel(compileClip(resting), 1, time)).toBe(2.5);
+      expect(evaluateChannel(compileTake(resting), 1, time)).toBe(2.5);
     }
   });
 
   it('fills as many channels as asked', () => {
     const out = new Float64Array(4).fill(-1);
-    evaluateClip(compileClip(clip), 0, out);
+    evaluateTake(compileTake(take), 0, out);
     expect(out).toEqual(Float64Array.of(1, 0, 3, -1));
     out.fill(-1);
-    evaluateClip(compileClip(clip), 0, out, 1);
+    evaluateTake(compileTake(take), 0, out, 1);
     expect(out).toEqual(Float64Array.of(1, -1, -1, -1));
   });
 
@@ -403,7 +403,7 @@ describe('a compiled clip', () => {
           list.map(({ ks, before, after }) => (ks.length ? channel(ks, before, after) : restChannel())),
         );
         const out = new Float64Array(list.length);
-        evaluateClip(c, tick / 8, out);
+        evaluateTake(c, tick / 8, out);
         expect([...out]).toEqual(list.map((_, i) => evaluateChannel(c, i, tick / 8)));
       }),
     );

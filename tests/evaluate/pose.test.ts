@@ -4,7 +4,7 @@ import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import type { Character } from '../../src/model/document.ts';
 import { character, joint, morph, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
 import { expectClose } from '../helpers/close.ts';
-import { referenceClip, referenceSkeleton } from '../helpers/reference.ts';
+import { referenceSkeleton, referenceTake } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
 
 interface AnimFile {
@@ -34,7 +34,7 @@ describeShared('poses of an animation against the reference', () => {
   it.each(cases)('poses of $anim are those of the reference', ({ skel, anim, frames }) => {
     const model = referenceSkeleton(skel);
     const compiled = compileSkeleton(model);
-    const played = character({ skeleton: model, clips: [referenceClip(anim)], shownClip: 0 });
+    const played = character({ skeleton: model, takes: [referenceTake(anim)], shownTake: 0 });
     for (const frame of frames) {
       const got = poseOf(played, frame.time);
       const what = `at ${frame.time}`;
@@ -53,16 +53,16 @@ describe('a pose', () => {
   const still = character({ skeleton: skeleton(1), skins: [skin()], morphs: [morph('smile')], pose: set });
   const played = (values: number[], more: Partial<Character> = {}) => ({
     ...still,
-    clips: [takeOfValues('walk', values)],
-    shownClip: 0,
+    takes: [takeOfValues('walk', values)],
+    shownTake: 0,
     ...more,
   });
 
-  it('a pose is the one set, without a clip', () => {
+  it('a pose is the one set, without a take', () => {
     expect(poseOf(still, 5)).toEqual(set);
   });
 
-  it('a pose is the clip’s where a channel drives it, morph weights included', () => {
+  it('a pose is the take’s where a channel drives it, morph weights included', () => {
     expect(poseOf(played([9, 8, 7, -1, -2, -3, 0.5]), 0)).toEqual([9, 8, 7, -1, -2, -3, 0.5]);
   });
 
@@ -71,7 +71,7 @@ describe('a pose', () => {
     expect(poseOf(played([9, 8, 7, -1, -2, -3, 0.5, 44, 55]), 0)).toEqual([9, 8, 7, -1, -2, -3, 0.5]);
   });
 
-  it('a pose is not driven by a clip that waits for a skeleton', () => {
+  it('a pose is not driven by a take that waits for a skeleton', () => {
     const { skeleton: _none, ...bodyless } = played([9, 8, 7, -1, -2]);
     const face = { ...bodyless, pose: [0, 0, 0, 0.7] };
     expect(poseOf(face, 0)).toEqual([0, 0, 0, 0.7]);
@@ -97,7 +97,7 @@ describe('a pose', () => {
         tangentsOut: { kinds: Uint8Array.of(3), slopes: Float64Array.of(1) },
       },
     ];
-    const late = played([], { clips: [{ ...ramp, channels }], timeOffsetSeconds: 2 });
+    const late = played([], { takes: [{ ...ramp, channels }], timeOffsetSeconds: 2 });
     expect(poseOf(late, 1)[0]).toBe(3);
   });
 

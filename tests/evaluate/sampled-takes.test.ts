@@ -33,7 +33,7 @@ describeShared('takes of the reference files', () => {
   const takesOf = (name: string): Character[] => {
     const { value } = readBvh(sharedBytes(`data/bvh/${name}`), name);
     return (value ?? []).map((figure) =>
-      character({ skeleton: figure.skeleton, clips: figure.clip ? [figure.clip] : [], shownClip: 0 }),
+      character({ skeleton: figure.skeleton, takes: figure.take ? [figure.take] : [], shownTake: 0 }),
     );
   };
 
@@ -54,7 +54,7 @@ describeShared('takes of the reference files', () => {
 
   it.each(Object.keys(files))('%s is halfway between two frames as far from the one as from the other', (name) => {
     for (const c of takesOf(name)) {
-      const samples = c.clips[0].samples;
+      const samples = c.takes[0].samples;
       if (!c.skeleton || !samples) throw new Error('A take has a skeleton and samples.');
       const step = samples.frameSeconds;
       for (let frame = 0; frame + 1 < Math.min(samples.frameCount, 600); frame += 7) {

@@ -30,16 +30,16 @@ describeShared('captured figures of many sources', () => {
   it.each(FILES)('%s is in %s, %s up, as tall as a person and on the ground', (file, unit, up) => {
     const { value } = readBvh(sharedBytes(`data/bvh/${file}`), file);
     expect(value).toHaveLength(1);
-    for (const { skeleton: read, clip } of value ?? []) {
-      const skeleton = withPositions(read, positionsMeant(read, clip));
-      const space = guessSpace(skeleton, clip);
+    for (const { skeleton: read, take } of value ?? []) {
+      const skeleton = withPositions(read, positionsMeant(read, take));
+      const space = guessSpace(skeleton, take);
       expect([space.unit, space.up]).toEqual([unit, up]);
       const compiled = compileSkeleton(skeleton);
       const world = new Float64Array(16 * skeleton.joints.length);
       const at = new Float64Array(3);
       let tallest = 0;
       const lows: number[] = [];
-      forFrames(skeleton, clip, 40, (dofs) => {
+      forFrames(skeleton, take, 40, (dofs) => {
         worldMatrices(compiled, dofs, world);
         let low = Infinity;
         let high = -Infinity;
@@ -63,7 +63,7 @@ describeShared('captured figures of many sources', () => {
   it('positions of MakeHuman’s captures are taken as added to OFFSET, no others’ are', () => {
     for (const [file] of FILES) {
       const { value } = readBvh(sharedBytes(`data/bvh/${file}`), file);
-      const meant = value?.map(({ skeleton, clip }) => positionsMeant(skeleton, clip));
+      const meant = value?.map(({ skeleton, take }) => positionsMeant(skeleton, take));
       expect(meant).toEqual([file.startsWith('makehuman') ? 'add' : 'replace']);
     }
   });

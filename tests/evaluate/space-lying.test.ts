@@ -5,7 +5,7 @@ import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
 import { firstDofs, jointDofCount, rootDofCount } from '../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import type { Joint, Skeleton } from '../../src/model/skeleton/skeleton.ts';
-import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
+import { SAMPLED, type Take } from '../../src/model/takes/take.ts';
 import { describeShared } from '../helpers/shared.ts';
 import { captured } from './retarget/captures.ts';
 import { BVH_ROOT, PARTS, person, takeOfRows } from './retarget/people.ts';
@@ -58,15 +58,15 @@ describe.each([
         zUp,
         motion: (part) => (part === 'hips' ? BVH_ROOT : { kind: 'ball', order: 'xyz' }),
       });
-      const clip = takeOfRows(skeleton, rows(skeleton, POSTURES[posture], zUp, size));
-      expect(guessSpace(skeleton, clip)).toMatchObject({ up, unit });
+      const take = takeOfRows(skeleton, rows(skeleton, POSTURES[posture], zUp, size));
+      expect(guessSpace(skeleton, take)).toMatchObject({ up, unit });
     }
   });
 });
 
 /** The figure below a root that lays it on its back, its lowest point on the ground. */
-function laidDown(skeleton: Skeleton, clip: ChannelClip): { readonly skeleton: Skeleton; readonly clip: ChannelClip } {
-  const { samples } = clip;
+function laidDown(skeleton: Skeleton, take: Take): { readonly skeleton: Skeleton; readonly take: Take } {
+  const { samples } = take;
   if (!samples) throw new Error('No samples.');
   const root: Joint = {
     ...skeleton.joints[0],
@@ -78,8 +78,8 @@ function laidDown(skeleton: Skeleton, clip: ChannelClip): { readonly skeleton: S
   const joints = [root, ...skeleton.joints.map((j) => ({ ...j, parent: j.parent + 1, limits: j.limits }))];
   const lying = { ...skeleton, joints };
   const width = samples.scales.length;
-  const withRoot = (lift: number): ChannelClip => ({
-    ...clip,
+  const withRoot = (lift: number): Take => ({
+    ...take,
     channels: Array.from({ length: width + 6 }, () => SAMPLED),
     samples: {
       ...samples,
@@ -93,7 +93,7 @@ function laidDown(skeleton: Skeleton, clip: ChannelClip): { readonly skeleton: S
     },
   });
   const lift = liftOntoGround(lying, withRoot(0), { up: 'y', unit: 'asIs', lift: 0 });
-  return { skeleton: lying, clip: withRoot(lift) };
+  return { skeleton: lying, take: withRoot(lift) };
 }
 
 describeShared('real takes', () => {
@@ -101,23 +101,23 @@ describeShared('real takes', () => {
   it.each(['bandai-namco-bow-normal.bvh', 'lafan1-dance-10frames.bvh', 'mixamo-names.bvh', 'xsens-armchair.bvh'])(
     '%s laid on the back is told neither upright nor of another size',
     (file) => {
-      const { skeleton, clips, space } = captured(file);
+      const { skeleton, takes, space } = captured(file);
       if (!skeleton) throw new Error('No skeleton.');
-      const lying = laidDown(skeleton, clips[0]);
-      expect(guessSpace(lying.skeleton, lying.clip)).toEqual({ up: 'y', unit: space?.unit, lift: 0, known: 'guessed' });
+      const lying = laidDown(skeleton, takes[0]);
+      expect(guessSpace(lying.skeleton, lying.take)).toEqual({ up: 'y', unit: space?.unit, lift: 0, known: 'guessed' });
     },
   );
 
   it.each(['cmu-01_01.bvh', 'mixamo-names.bvh', 'boxing-extra-line.bvh', 'no-end-sites.bvh', 'poser-sl-walk.bvh'])(
     '%s has the unit of its skeleton’s proportions, whatever part of it is played',
     (file) => {
-      const { skeleton, clips, space } = captured(file);
-      const [clip] = clips;
+      const { skeleton, takes, space } = captured(file);
+      const [take] = takes;
       if (!skeleton) throw new Error('No skeleton.');
-      const [start, end] = clip.range;
+      const [start, end] = take.range;
       for (const part of [0, 0.4, 0.8]) {
         const range = [start + part * (end - start), start + (part + 0.1) * (end - start)] as const;
-        const { up, unit } = guessSpace(skeleton, { ...clip, range });
+        const { up, unit } = guessSpace(skeleton, { ...take, range });
         expect([up, unit]).toEqual([space?.up, space?.unit]);
       }
     },

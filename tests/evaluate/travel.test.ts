@@ -21,9 +21,9 @@ const carrierIn = (rows: readonly (readonly [number, number, number])[]) => {
     STUDIO,
     rows.map(([root, hips, leg]) => [root, 0, 0, hips, 0, 0, leg, 0, 0, 0, 0, 0]),
   );
-  const { skeleton, clip } = figure;
-  if (!clip) throw new Error('No clip was made.');
-  return carrierOf(captured(skeleton, clip));
+  const { skeleton, take } = figure;
+  if (!take) throw new Error('No take was made.');
+  return carrierOf(captured(skeleton, take));
 };
 
 const travelOf = (space: 'y' | 'z', carrier: number, dofs: readonly number[]) => {
@@ -40,8 +40,8 @@ const travelOf = (space: 'y' | 'z', carrier: number, dofs: readonly number[]) =>
 describeShared('captures of studios', () => {
   it('captures of studios are carried by the joint that travels', () => {
     const carriers = ['bandai-namco-bow-normal.bvh', 'rokoko-dance.bvh', 'cmu-01_01.bvh'].map((name) => {
-      const [{ skeleton, clip }] = sharedFigures(name);
-      return clip && skeleton.joints[carrierOf(captured(skeleton, clip))].name;
+      const [{ skeleton, take }] = sharedFigures(name);
+      return take && skeleton.joints[carrierOf(captured(skeleton, take))].name;
     });
     expect(carriers).toEqual(['Hips', 'Hips', 'Hips']);
     expect(sharedFigures('bandai-namco-bow-normal.bvh')[0].skeleton.joints[1].name).toBe('Hips');
@@ -82,11 +82,11 @@ describe('the joint that carries a character', () => {
     ).toBe(0);
   });
 
-  it('the joint that carries a character is the root if nothing moves, and if there is no clip', () => {
+  it('the joint that carries a character is the root if nothing moves, and if there is no take', () => {
     expect(carrierIn([[3, 4, 5]])).toBe(0);
     expect(carrierOf(character({ skeleton: skeleton(3) }))).toBe(0);
     expect(
-      carrierOf(character({ skeleton: skeleton(3), clips: [takeOfValues('walk', [0, 1, 2])], shownClip: 0 })),
+      carrierOf(character({ skeleton: skeleton(3), takes: [takeOfValues('walk', [0, 1, 2])], shownTake: 0 })),
     ).toBe(0);
     expect(carrierOf(character())).toBe(0);
   });

@@ -15,7 +15,7 @@ import { firstDofs, jointDofCount } from '../../src/model/skeleton/dofs.ts';
 import { jointTypeOf } from '../../src/model/skeleton/joint-types.ts';
 import { SCALE_MODES } from '../../src/model/skeleton/skeleton.ts';
 import { textureNames } from '../../src/model/skin.ts';
-import { keysOf } from '../../src/model/takes/clip.ts';
+import { keysOf } from '../../src/model/takes/take.ts';
 
 const FOLDER = fileURLToPath(new URL('../../public/samples/', import.meta.url));
 const samples = makeSamples();
@@ -63,13 +63,13 @@ describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
   });
 
   it('reads back as generated', () => {
-    const { skeleton, skin, morphs, clip, rig } = sample;
+    const { skeleton, skin, morphs, take, rig } = sample;
     const text = (name: string) => String(files.get(name));
     expect(readSkel(text(`${skeleton.name}.skel`), `${skeleton.name}.skel`).value).toEqual([skeleton]);
     if (skin) expect(readSkin(text(`${skin.name}.skin`), `${skin.name}.skin`).value).toEqual(skin);
     for (const morph of morphs)
       expect(readMorph(text(`${morph.name}.morph`), `${morph.name}.morph`).value).toEqual(morph);
-    expect(readAnim(text(`${clip.name}.anim`), `${clip.name}.anim`).value).toEqual(clip);
+    expect(readAnim(text(`${take.name}.anim`), `${take.name}.anim`).value).toEqual(take);
     expect(readRig(text(`${sample.id}.rig`), `${sample.id}.rig`).value).toEqual(rig);
   });
 
@@ -81,12 +81,12 @@ describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
   });
 
   it('the folder of samples has a channel for every DOF, and keys within the limits', () => {
-    const { skeleton, morphs, clip } = sample;
-    expect(clip.channels.length).toBe(3 + jointDofCount(skeleton) + morphs.length);
+    const { skeleton, morphs, take } = sample;
+    expect(take.channels.length).toBe(3 + jointDofCount(skeleton) + morphs.length);
     const first = firstDofs(skeleton);
     skeleton.joints.forEach((joint, j) => {
       joint.limits.forEach(({ min, max }, i) => {
-        for (const value of keysOf(clip.channels[first[j] + i]).values) {
+        for (const value of keysOf(take.channels[first[j] + i]).values) {
           expect(value).toBeGreaterThanOrEqual(min);
           expect(value).toBeLessThanOrEqual(max);
         }
@@ -141,15 +141,15 @@ function skinTests(sample: Sample, skin: NonNullable<Sample['skin']>): void {
 
 describe('tangents', () => {
   it('tangents has every kind of extrapolation and every kind of tangent', () => {
-    const { clip } = samples.find((s) => s.id === 'tangents') ?? samples[0];
-    const moving = clip.channels.filter((c) => keysOf(c).times.length > 1);
+    const { take } = samples.find((s) => s.id === 'tangents') ?? samples[0];
+    const moving = take.channels.filter((c) => keysOf(c).times.length > 1);
     expect(moving.map((c) => c.extrapolateOut)).toEqual(['linear', 'constant', 'cycle', 'bounce', 'cycle_offset']);
     expect(new Set(moving.flatMap((c) => [...keysOf(c).tangentsIn.kinds, ...keysOf(c).tangentsOut.kinds]))).toEqual(
       new Set([0, 1, 2, 3]),
     );
     for (const channel of moving) {
-      expect(clip.range[0]).toBeLessThan(keysOf(channel).times[0]);
-      expect(clip.range[1]).toBeGreaterThan(keysOf(channel).times[keysOf(channel).times.length - 1]);
+      expect(take.range[0]).toBeLessThan(keysOf(channel).times[0]);
+      expect(take.range[1]).toBeGreaterThan(keysOf(channel).times[keysOf(channel).times.length - 1]);
     }
   });
 });
@@ -162,7 +162,7 @@ describe('cube', () => {
 
 describe('joint types', () => {
   const sample = samples.find((s) => s.id === 'joints') ?? samples[0];
-  const { skeleton, clip } = sample;
+  const { skeleton, take } = sample;
 
   it('the joint types are all there, every mode of a scale, a coupled DOF and a bone with a length too', () => {
     const types = new Set(skeleton.joints.map(({ motion }) => jointTypeOf(motion).keyword));
@@ -178,7 +178,7 @@ describe('joint types', () => {
     skeleton.joints.forEach((joint, j) => {
       const count = joint.motion.kind === 'fixed' ? 0 : joint.pose.length;
       for (let d = 0; d < count && !joint.couples; d++) {
-        const { values } = keysOf(clip.channels[first[j] + d]);
+        const { values } = keysOf(take.channels[first[j] + d]);
         expect(Math.max(...values) - Math.min(...values)).toBeGreaterThan(0.2);
       }
     });

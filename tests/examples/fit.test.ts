@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { fitChannel } from '../../examples/characters/motion/fit.ts';
-import { compileChannels } from '../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
-import { keysOf } from '../../src/model/takes/clip.ts';
+import { keysOf } from '../../src/model/takes/take.ts';
 
 const wave = (t: number) => Math.sin(2 * Math.PI * t) + 0.3 * Math.cos(6 * Math.PI * t);
 const options = { from: 0, to: 1, frame: 0.02, tolerance: 0.004, extrapolation: 'cycle' } as const;

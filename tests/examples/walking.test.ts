@@ -8,8 +8,8 @@ import { pathSeconds } from '../../examples/characters/motion/path.ts';
 import { jointIndex, posedFrames } from '../../examples/characters/shape/skeletons.ts';
 import { FLAT_FROM, HEEL_LIFTS, TOE_LEAVES, WALK_PATH } from '../../examples/characters/walker/gait.ts';
 import { ANKLE_HEIGHT, HEEL_CONTACT, TOE_OFFSET } from '../../examples/characters/walker/skeleton.ts';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
-import { evaluateClip } from '../../src/evaluate/curves.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
+import { evaluateTake } from '../../src/evaluate/curves.ts';
 import { clampDofs, compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { firstDofs } from '../../src/model/skeleton/dofs.ts';
@@ -26,9 +26,9 @@ function find(id: string): Sample {
 }
 
 /** Poses an example as in playback: curves, limits, matrices. */
-function player({ skeleton, clip, morphs }: Sample) {
+function player({ skeleton, take, morphs }: Sample) {
   const compiled = compileSkeleton(skeleton);
-  const curves = compileClip(clip);
+  const curves = compileTake(take);
   const first = firstDofs(skeleton);
   const dofs = new Float64Array(3 + 3 * skeleton.joints.length + morphs.length);
   const world = new Float64Array(16 * skeleton.joints.length);
@@ -36,7 +36,7 @@ function player({ skeleton, clip, morphs }: Sample) {
     dofs,
     dofOf: (joint: string, axis: number) => first[jointIndex(skeleton, joint)] + axis,
     seek(seconds: number) {
-      evaluateClip(curves, seconds, dofs);
+      evaluateTake(curves, seconds, dofs);
       clampDofs(compiled, dofs);
       worldMatrices(compiled, dofs, world);
     },
@@ -89,7 +89,7 @@ describe('the walker', () => {
   });
 
   it('drives every morph through most of its range', () => {
-    const first = walker.clip.channels.length - walker.morphs.length;
+    const first = walker.take.channels.length - walker.morphs.length;
     const extremes = walker.morphs.map(() => [1, 0]);
     for (const t of between(0, pathSeconds(WALK_PATH)).flatMap((t) => between(t, t + 0.1))) {
       play.seek(t);
@@ -218,7 +218,7 @@ describe('the crawler', () => {
 describe.each([walker, crawler].map((s) => [s.id, s] as const))('%s, played in a loop', (id, sample) => {
   it('ends as it began, but for the way that it came', () => {
     const play = player(sample);
-    const [from, to] = sample.clip.range;
+    const [from, to] = sample.take.range;
     play.seek(from);
     const first = play.world.slice();
     play.seek(to);
@@ -230,7 +230,7 @@ describe.each([walker, crawler].map((s) => [s.id, s] as const))('%s, played in a
 
   it('stays on its way: the walker on its line, the crawler on its circle', () => {
     const play = player(sample);
-    for (const t of between(...sample.clip.range)) {
+    for (const t of between(...sample.take.range)) {
       play.seek(t);
       const [x, y, z] = play.point('root', [0, 0, 0]);
       const off = id === 'walker' ? level([x, y, 0], [0, 0, 0]) : level([x, y, z], [0, 0, 0]) - 1;

@@ -30,7 +30,7 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, ImportedKind>, FileContent |
   axskel: { kind: 'skel', skeletons: [{ name: 'x', joints: [HINGE], form: 'axis-angle' }] },
   skin: { kind: 'skin', skin: skin() },
   morph: { kind: 'morph', morph: morph('x') },
-  anim: { kind: 'anim', clip: takeOfValues('x', [1]) },
+  anim: { kind: 'anim', take: takeOfValues('x', [1]) },
   rig: { kind: 'rig', rig: { name: 'x', skeleton: 'x.skel', morphs: [] } },
   bvh: {
     kind: 'bvh',
@@ -112,6 +112,6 @@ function writtenAs(name: string, content: FileContent): Uint8Array {
 
 it('the save dialog is told the range that an animation is saved with', () => {
   const take = { ...takeOfValues('walk', [1]), range: [0, 6.4] } as const;
-  const told = WRITERS.anim.detail(character({ clips: [take], shownClip: 0 }), 30);
+  const told = WRITERS.anim.detail(character({ takes: [take], shownTake: 0 }), 30);
   expect(told).toContainEqual({ range: [0, 6.4] });
 });

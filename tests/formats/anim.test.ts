@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { FIXED_TANGENT, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/take.ts';
 import { told } from './read-in-pieces.ts';
 
 const anim = (text: string) => readAnim(text, 'walk.anim');
@@ -103,7 +103,7 @@ describe('reading .anim', () => {
     const { text } = writeAnim(made);
     expect(text).toMatch(/keys 1 \{\s+2 0.25 flat flat\s+\}/);
     const read = readAnim(text, 'a.anim').value;
-    expect(read && evaluateChannel(compileClip(read), 0, -7)).toBe(0.25);
+    expect(read && evaluateChannel(compileTake(read), 0, -7)).toBe(0.25);
   });
 
   it('skips what it does not know', () => {

@@ -19,13 +19,7 @@ import {
   UNLIMITED,
 } from '../../src/model/skeleton/skeleton.ts';
 import type { Attachments, Material, Skin } from '../../src/model/skin.ts';
-import {
-  type Channel,
-  type ChannelClip,
-  EXTRAPOLATIONS,
-  FIXED_TANGENT,
-  type Tangents,
-} from '../../src/model/takes/clip.ts';
+import { type Channel, EXTRAPOLATIONS, FIXED_TANGENT, type Take, type Tangents } from '../../src/model/takes/take.ts';
 
 /** Any finite double, -0 included. */
 export const finite = fc.oneof(
@@ -262,7 +256,7 @@ const keyed: fc.Arbitrary<Channel> = fc.integer({ min: 1, max: 6 }).chain((n) =>
 const keyless = fc.record({ kind: fc.constant('rest' as const), value: fc.constant(0), ...extrapolations });
 const channel = fc.oneof({ weight: 6, arbitrary: keyed }, { weight: 1, arbitrary: keyless });
 
-export const clip: fc.Arbitrary<ChannelClip> = fc.record({
+export const take: fc.Arbitrary<Take> = fc.record({
   name: fc.constant('x'),
   range: ordered,
   channels: fc.array(channel, { minLength: 1, maxLength: 4 }),

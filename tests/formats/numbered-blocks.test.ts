@@ -121,7 +121,7 @@ describe('numbers between the keyword of a block and its brace', () => {
     const text = `animation {\nrange 0 1\n${KEYS.replace('extra', 'channel {\nextra').replace('keys 2', 'keys tx 2 keys of')}}`;
     const { value, diagnostics } = readAsOpened('x.anim', text.replace(' keys of', ' of it'));
     expect(told({ diagnostics })).toEqual(['warning name-unexpected 5:6']);
-    expect(value?.kind === 'anim' && value.clip.channels).toHaveLength(1);
+    expect(value?.kind === 'anim' && value.take.channels).toHaveLength(1);
   });
 
   it('channels of another keyword are told on their lines, and no braces, which agree', () => {

@@ -50,9 +50,9 @@ describe('any model that is written and read', () => {
     );
   });
 
-  it('any model that is written and read is the same clip', () => {
+  it('any model that is written and read is the same take', () => {
     fc.assert(
-      fc.property(arbitrary.clip, (clip) => expectRoundTrip('x.anim', { kind: 'anim', clip })),
+      fc.property(arbitrary.take, (take) => expectRoundTrip('x.anim', { kind: 'anim', take })),
       RUNS,
     );
   });

@@ -24,13 +24,13 @@ const CASES: readonly (readonly [string, FileContent, string])[] = [
     { kind: 'skel', skeletons: [{ name: 'x', joints: [{ ...ARM, limits: [{ min: -Infinity, max: 1 }] }] }] },
     'found -Infinity in joint 0 "arm".',
   ],
-  ['x.anim', { kind: 'anim', clip: { ...WALK, range: [0, Number.NaN] } }, 'found NaN in the range.'],
+  ['x.anim', { kind: 'anim', take: { ...WALK, range: [0, Number.NaN] } }, 'found NaN in the range.'],
   [
     'x.anim',
-    { kind: 'anim', clip: { ...WALK, channels: [{ ...WALK.channels[0], kind: 'rest', value: Infinity }] } },
+    { kind: 'anim', take: { ...WALK, channels: [{ ...WALK.channels[0], kind: 'rest', value: Infinity }] } },
     'found Infinity in channel 0.',
   ],
-  ['x.anim', { kind: 'anim', clip: { ...WALK, channels: [] } }, 'Expected channels in walk, found none'],
+  ['x.anim', { kind: 'anim', take: { ...WALK, channels: [] } }, 'Expected channels in walk, found none'],
   [
     'x.skin',
     { kind: 'skin', skin: { ...SKIN, positions: SKIN.positions.with(4, Number.NaN) } },

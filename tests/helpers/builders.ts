@@ -13,7 +13,7 @@ import {
   UNLIMITED,
 } from '../../src/model/skeleton/skeleton.ts';
 import { type Material, oneSurface, type Skin } from '../../src/model/skin.ts';
-import type { ChannelClip } from '../../src/model/takes/clip.ts';
+import type { Take } from '../../src/model/takes/take.ts';
 
 export function joint(parent: number, more: Partial<Joint> = {}): Joint {
   return {
@@ -68,12 +68,8 @@ export function morph(name: string, vertex = 0): Morph {
   return { name, positions: rows, normals: { indices: new Uint32Array(0), values: new Float64Array(0) } };
 }
 
-/** A clip whose channels are constant. */
-export function takeOfValues(
-  name: string,
-  values: readonly number[],
-  range: readonly [number, number] = [0, 1],
-): ChannelClip {
+/** A take whose channels are constant. */
+export function takeOfValues(name: string, values: readonly number[], range: readonly [number, number] = [0, 1]): Take {
   return {
     name,
     range,
@@ -99,8 +95,8 @@ export function character(more: Partial<Character> = {}): Character {
     shownSkin: 0,
     morphs: [],
     textures: [],
-    clips: [],
-    shownClip: -1,
+    takes: [],
+    shownTake: -1,
     pose: filePose(own, more.morphs?.length ?? 0),
     clampsToLimits: true,
     placements: [DEFAULT_PLACEMENT],
@@ -118,8 +114,8 @@ export function file(path: string, content: FileContent): ParsedFile {
   return { ...content, source: { path, name: path.slice(path.lastIndexOf('/') + 1), bytes: 1 } };
 }
 
-/** Marks of clips read from these files; undefined for one created in the page. */
-export function clipsFrom(...paths: (string | undefined)[]): PartMarks {
+/** Marks of takes read from these files; undefined for one created in the page. */
+export function takesFrom(...paths: (string | undefined)[]): PartMarks {
   const markOf = (path: string | undefined): PartMark => {
     if (path === undefined) return UNMARKED;
     const name = path.slice(path.lastIndexOf('/') + 1);
@@ -129,10 +125,10 @@ export function clipsFrom(...paths: (string | undefined)[]): PartMarks {
       file: { kind, source: { name, path, bytes: 1 }, holds: name.slice(0, name.lastIndexOf('.')) },
     };
   };
-  return { ...NO_MARKS, clips: paths.map(markOf) };
+  return { ...NO_MARKS, takes: paths.map(markOf) };
 }
 
 export const skelFile = (path: string, ...skeletons: Skeleton[]) => file(path, { kind: 'skel', skeletons });
 export const skinFile = (path: string, content: Skin) => file(path, { kind: 'skin', skin: content });
 export const morphFile = (path: string, content: Morph) => file(path, { kind: 'morph', morph: content });
-export const animFile = (path: string, content: ChannelClip) => file(path, { kind: 'anim', clip: content });
+export const animFile = (path: string, content: Take) => file(path, { kind: 'anim', take: content });

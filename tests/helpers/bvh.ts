@@ -5,7 +5,7 @@ import type { CapturedFigure } from '../../src/model/files.ts';
 import { rootDofCount } from '../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
-import { restChannel, SAMPLED } from '../../src/model/takes/clip.ts';
+import { restChannel, SAMPLED } from '../../src/model/takes/take.ts';
 import { joint } from './builders.ts';
 
 export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: Partial<Joint> = {}): Joint {
@@ -30,7 +30,7 @@ export function bvhFigure(
   const firstChannel = rootDofCount(skeleton);
   return {
     skeleton,
-    clip: {
+    take: {
       name: skeleton.name,
       range: [0, (rows.length - 1) * frameSeconds],
       channels: Array.from({ length: firstChannel + scales.length }, (_, c) =>

@@ -97,7 +97,7 @@ function freeze(value: unknown): void {
  * those parts.
  */
 const HOLDS_PARTS: readonly string[] = [
-  ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'clips', 'channels', 'samples'],
+  ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'takes', 'channels', 'samples'],
   ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sources'],
 ];
 
@@ -107,7 +107,7 @@ function expectShared(before: unknown, after: unknown, where: string): void {
   if (sameValue(after, before)) throw new Error(`${where} was made anew, and nothing in it is different`);
   for (const key of HOLDS_PARTS) {
     // For another skeleton, a take's channels belong to other DOFs.
-    if (key === 'clips' && before.skeleton !== after.skeleton) continue;
+    if (key === 'takes' && before.skeleton !== after.skeleton) continue;
     const [was, is] = [before[key], after[key]];
     if (!Array.isArray(was) || !Array.isArray(is)) expectShared(was, is, `${where}.${key}`);
     else {
@@ -130,7 +130,7 @@ function nameOf(item: unknown): unknown {
 
 /** Changed parts, written to their formats. */
 function expectReadsBack(character: Character, before: Character | undefined): void {
-  const { skeleton, skins, morphs, clips, poses } = character;
+  const { skeleton, skins, morphs, takes, poses } = character;
   const isNew = (part: object, of: readonly object[] | undefined) => !of?.includes(part);
   if (skeleton && skeleton !== before?.skeleton && !isBvh(character)) {
     // No `.skel` has End Sites or BVH's joints, and its names are single words.
@@ -143,13 +143,13 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   for (const morph of morphs.filter((part) => isNew(part, before?.morphs))) {
     expectRoundTrip({ kind: 'morph', morph: { ...morph, name: 'x' } });
   }
-  for (const { markers: _besideIt, ...clip } of clips.filter((part) => isNew(part, before?.clips))) {
+  for (const { markers: _besideIt, ...take } of takes.filter((part) => isNew(part, before?.takes))) {
     // A `.bvh` has no keys; an `.anim` has no samples, and no resting channel without a key.
-    const isCapture = skeleton !== undefined && isBvh(character) && clip.channels.every(({ kind }) => kind !== 'keys');
-    if (isCapture && clip.samples) expectRoundTrip({ kind: 'bvh', figures: [{ skeleton, clip }] }, false);
+    const isCapture = skeleton !== undefined && isBvh(character) && take.channels.every(({ kind }) => kind !== 'keys');
+    if (isCapture && take.samples) expectRoundTrip({ kind: 'bvh', figures: [{ skeleton, take }] }, false);
     const isExact =
-      !clip.samples && clip.channels.every((c) => c.kind === 'keys' || (c.kind === 'rest' && c.value === 0));
-    expectRoundTrip({ kind: 'anim', clip: { ...clip, name: 'x' } }, isExact);
+      !take.samples && take.channels.every((c) => c.kind === 'keys' || (c.kind === 'rest' && c.value === 0));
+    expectRoundTrip({ kind: 'anim', take: { ...take, name: 'x' } }, isExact);
   }
   if (poses && poses !== before?.poses) {
     expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });

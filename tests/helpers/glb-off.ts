@@ -31,8 +31,8 @@ export interface Off {
 export function offBy(character: Character, glb: Glb, player: Player, take: number, times: readonly number[]): Off {
   const { skeleton, driver, morphs } = character;
   if (!skeleton) throw new Error('A skeleton was expected.');
-  const played = { ...character, shownClip: take };
-  const start = (driver?.source.clip ?? character.clips[take])?.range[0] ?? 0;
+  const played = { ...character, shownTake: take };
+  const start = (driver?.source.take ?? character.takes[take])?.range[0] ?? 0;
   const compiled = compileSkeleton(skeleton);
   const dofs = new Float64Array(dofCountOf(character));
   const world = new Float64Array(16 * skeleton.joints.length);

@@ -97,8 +97,8 @@ export async function gltfReference(json: GltfJson, buffers: readonly Uint8Array
   const mixer = new AnimationMixer(scene);
   const restWeights = meshes.map((mesh) => [...(mesh.morphTargetInfluences ?? [])]);
   return {
-    takes: animations.map((clip) => ({
-      range: [Math.min(...clip.tracks.map((t) => t.times[0])), clip.duration],
+    takes: animations.map((take) => ({
+      range: [Math.min(...take.tracks.map((t) => t.times[0])), take.duration],
     })),
     pose(take, time = 0) {
       mixer.stopAllAction();

@@ -64,8 +64,8 @@ export async function hero(): Promise<Character> {
   const [walker] = openFiles(EMPTY_DOCUMENT, read.files).document.characters;
   if (!walker?.skeleton) throw new Error('The walker was expected.');
   const joints = walker.skeleton.joints.map((joint) => ({ ...joint, name: MIXAMO.get(joint.name) ?? joint.name }));
-  const clips = walker.clips.map((clip) => ({ ...clip, name: 'stride', range: [0, STRIDE] as const }));
-  return { ...walker, name: 'hero', skeleton: { ...walker.skeleton, joints }, clips };
+  const takes = walker.takes.map((take) => ({ ...take, name: 'stride', range: [0, STRIDE] as const }));
+  return { ...walker, name: 'hero', skeleton: { ...walker.skeleton, joints }, takes };
 }
 
 /** As VRM 1.0: a GLB with the parts of the body. */

@@ -1,6 +1,6 @@
 /** Invariants of every document. */
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { type Character, type Document, shownClip } from '../../src/model/document.ts';
+import { type Character, type Document, shownTake } from '../../src/model/document.ts';
 import type { Morph } from '../../src/model/morph.ts';
 import type { Selection } from '../../src/model/session.ts';
 import { couplesOf } from '../../src/model/skeleton/couples.ts';
@@ -8,15 +8,15 @@ import { characterDofs } from '../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
+import { columnOf, type Samples } from '../../src/model/takes/samples.ts';
 import {
   type Channel,
-  type ChannelClip,
   EXTRAPOLATIONS,
   FIXED_TANGENT,
   keysOf,
   TANGENT_KINDS,
-} from '../../src/model/takes/clip.ts';
-import { columnOf, type Samples } from '../../src/model/takes/samples.ts';
+  type Take,
+} from '../../src/model/takes/take.ts';
 
 /** Like `expect`, but fast enough for ten thousand calls. */
 function must(holds: boolean, what: string): void {
@@ -42,15 +42,15 @@ export function checkDocument({ characters }: Document): void {
 }
 
 export function checkCharacter(character: Character): void {
-  const { name, skeleton, skins, morphs, clips, pose, poses, placements, ik, unkeyed, driver } = character;
+  const { name, skeleton, skins, morphs, takes, pose, poses, placements, ik, unkeyed, driver } = character;
   const joints = skeleton?.joints.length ?? 0;
   const dofs = characterDofs(skeleton, morphs).length;
   if (skeleton) checkSkeleton(skeleton);
   for (const skin of skins) checkSkin(skin);
   for (const morph of morphs) checkMorph(morph);
-  for (const clip of clips) checkClip(clip);
+  for (const take of takes) checkTake(take);
   must(skins.length === 0 || isIndex(character.shownSkin, skins.length), `the shown skin of ${name} is there`);
-  must(character.shownClip === -1 || isIndex(character.shownClip, clips.length), `the shown take of ${name} is there`);
+  must(character.shownTake === -1 || isIndex(character.shownTake, takes.length), `the shown take of ${name} is there`);
   must(pose.length === dofs, `the pose of ${name} has a value for each of ${dofs} DOFs`);
   must(allFinite(pose) && Number.isFinite(character.timeOffsetSeconds), `pose and time offset of ${name} are finite`);
   must(placements.length > 0, `${name} is placed somewhere`);
@@ -143,7 +143,7 @@ function checkMorph({ name, positions, normals }: Morph): void {
   }
 }
 
-function checkClip({ name, range, channels, samples }: ChannelClip): void {
+function checkTake({ name, range, channels, samples }: Take): void {
   must(allFinite(range) && range[0] <= range[1], `the range of ${name} is one`);
   channels.forEach((channel, c) => {
     const where = `channel ${c} of ${name}`;
@@ -155,7 +155,7 @@ function checkClip({ name, range, channels, samples }: ChannelClip): void {
   if (samples) checkSamples(name, samples, channels.length);
 }
 
-/** A channel without its clip's samples. */
+/** A channel without its take's samples. */
 export function checkChannel(channel: Channel, where = 'the channel'): void {
   const { extrapolateIn, extrapolateOut } = channel;
   const { times, values, tangentsIn, tangentsOut } = keysOf(channel);
@@ -198,7 +198,7 @@ export function checkSelection({ characters }: Document, { characterId, joint, k
   const character = characters.find(({ id }) => id === characterId);
   if (!character) throw new Error('not so: the selected character is there');
   must(joint === undefined || isIndex(joint, character.skeleton?.joints.length ?? 0), 'the selected joint is there');
-  const channels = shownClip(character)?.channels ?? [];
+  const channels = shownTake(character)?.channels ?? [];
   must(ascends((keys ?? []).map(({ channel }) => channel)), 'channels of selected keys ascend');
   for (const { channel, indices } of keys ?? []) {
     const count = keysOf(channels[channel]).times.length;

@@ -10,7 +10,7 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../src/model/skeleton/skeleton.ts';
-import { type ChannelClip, SAMPLED } from '../../src/model/takes/clip.ts';
+import { SAMPLED, type Take } from '../../src/model/takes/take.ts';
 import { character } from './builders.ts';
 
 type Point = readonly [number, number, number];
@@ -62,7 +62,7 @@ export function figure(options: FigureOptions = {}): Skeleton {
  * A take of the figure: rows of the root's position, everything else standing.
  * @param others what position channels of the other joints hold; their OFFSET where absent
  */
-export function takeOfRoots(skeleton: Skeleton, roots: readonly Point[], others?: number): ChannelClip {
+export function takeOfRoots(skeleton: Skeleton, roots: readonly Point[], others?: number): Take {
   const scales: number[] = [];
   const row: number[] = [];
   for (const { motion, offset } of skeleton.joints) {
@@ -90,7 +90,7 @@ export function takeOfRoots(skeleton: Skeleton, roots: readonly Point[], others?
   };
 }
 
-export function captured(skeleton: Skeleton, clip?: ChannelClip, more: Partial<Character> = {}): Character {
-  const own = character({ skeleton, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 });
+export function captured(skeleton: Skeleton, take?: Take, more: Partial<Character> = {}): Character {
+  const own = character({ skeleton, takes: take ? [take] : [], shownTake: take ? 0 : -1 });
   return { ...own, pose: filePose(skeleton, 0), ...more };
 }

@@ -13,14 +13,14 @@ import type { ReferencePose } from './gltf-reference.ts';
  * @param as other than a new character
  */
 export function posed(
-  { skeleton, morphs, skins, clips }: WholeCharacter,
+  { skeleton, morphs, skins, takes }: WholeCharacter,
   take = -1,
   time = 0,
   as: Partial<Character> = {},
 ): ReferencePose {
   const pose = wholeFilePose(skeleton, morphs);
   const values = Float64Array.from(pose);
-  poseAt({ ...newCharacter('a', 'a'), skeleton, morphs, clips, pose, shownClip: take, ...as }, time, values);
+  poseAt({ ...newCharacter('a', 'a'), skeleton, morphs, takes, pose, shownTake: take, ...as }, time, values);
   const compiled = compileSkeleton(skeleton);
   const worlds = new Float64Array(16 * compiled.jointCount);
   worldMatrices(compiled, values, worlds);

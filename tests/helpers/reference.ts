@@ -7,7 +7,7 @@ import type { Diagnostic } from '../../src/model/diagnostic.ts';
 import type { Morph } from '../../src/model/morph.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import type { Skin } from '../../src/model/skin.ts';
-import type { ChannelClip } from '../../src/model/takes/clip.ts';
+import type { Take } from '../../src/model/takes/take.ts';
 import { sharedBytes } from './shared.ts';
 
 type Read<T> = (bytes: Uint8Array, name: string) => { readonly value?: T; readonly diagnostics: readonly Diagnostic[] };
@@ -22,4 +22,4 @@ function read<T>(path: string, reader: Read<T>): T {
 export const referenceSkeleton = (path: string): Skeleton => read(path, readSkel)[0];
 export const referenceSkin = (path: string): Skin => read(path, readSkin);
 export const referenceMorph = (path: string): Morph => read(path, readMorph);
-export const referenceClip = (path: string): ChannelClip => read(path, readAnim);
+export const referenceTake = (path: string): Take => read(path, readAnim);

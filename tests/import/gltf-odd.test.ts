@@ -31,7 +31,7 @@ async function expectAsThree(made: Made): Promise<void> {
   // A valid file has this shape.
   const reference = await gltfReference(made.json as unknown as GltfJson, made.buffers);
   expect(farthest(posedNodes(whole), reference.pose())).toBeLessThan(1 / 2000);
-  whole.clips.forEach(({ range: [start, end] }, take) => {
+  whole.takes.forEach(({ range: [start, end] }, take) => {
     for (let n = 0; n <= 16; n++) {
       const time = start + ((end - start) * n * 0.9999) / 16;
       expect(farthest(posedNodes(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);

@@ -43,9 +43,9 @@ async function readShared(file: string) {
 describeShared('glTF files of many programs', () => {
   it.each(FILES)('%s is where three.js has it, at rest and at any time of its takes', async (file) => {
     const { whole, reference } = await readShared(file);
-    expect(whole.clips.map(({ range }) => range)).toEqual(reference.takes.map(({ range }) => range));
+    expect(whole.takes.map(({ range }) => range)).toEqual(reference.takes.map(({ range }) => range));
     expect(farthest(posedNodes(whole), reference.pose())).toBeLessThan(1 / 2000);
-    whole.clips.forEach(({ range: [start, end] }, take) => {
+    whole.takes.forEach(({ range: [start, end] }, take) => {
       for (let n = 0; n < MOMENTS; n++) {
         // Not at the very end, where three.js begins again; between keys.
         const time = start + ((end - start) * (n * 0.9999)) / (MOMENTS - 1);

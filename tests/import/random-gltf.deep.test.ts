@@ -18,9 +18,9 @@ it('random glTF files are where three.js has them, at rest and between the keys 
       }
       // A valid file has this shape.
       const reference = await gltfReference(made.json as unknown as GltfJson, made.buffers);
-      expect(whole.clips.map(({ range }) => range)).toEqual(reference.takes.map(({ range }) => range));
+      expect(whole.takes.map(({ range }) => range)).toEqual(reference.takes.map(({ range }) => range));
       expect(farthest(posedNodes(whole), reference.pose())).toBeLessThan(1 / 2000);
-      whole.clips.forEach(({ range: [start, end] }, take) => {
+      whole.takes.forEach(({ range: [start, end] }, take) => {
         for (let n = 0; n < 6; n++) {
           const time = start + (end - start) * (0.0137 + 0.1931 * n);
           expect(farthest(posedNodes(whole, take, time), reference.pose(take, time))).toBeLessThan(1 / 2000);

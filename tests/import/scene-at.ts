@@ -1,20 +1,20 @@
 /** Where the nodes and vertices of a scene are at a time of a take: an evaluator of its own, as plain as it can be. */
-import { type CompiledClip, compileChannels } from '../../src/evaluate/compiled-clip.ts';
+import { type CompiledTake, compileChannels } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import type { AxisCurves, Scene, SceneTake } from '../../src/import/scene.ts';
 import type { EulerOrder } from '../../src/model/skeleton/skeleton.ts';
-import type { Channel } from '../../src/model/takes/clip.ts';
+import type { Channel } from '../../src/model/takes/take.ts';
 
 /** 16 numbers, column-major. */
 export type Matrix = number[];
 
-const compiled = new WeakMap<Channel, CompiledClip>();
+const compiled = new WeakMap<Channel, CompiledTake>();
 
 function channelAt(channel: Channel | undefined, time: number, rest: number): number {
   if (!channel) return rest;
-  const clip = compiled.get(channel) ?? compileChannels([channel]);
-  compiled.set(channel, clip);
-  return evaluateChannel(clip, 0, time);
+  const take = compiled.get(channel) ?? compileChannels([channel]);
+  compiled.set(channel, take);
+  return evaluateChannel(take, 0, time);
 }
 
 function valuesOf(curves: AxisCurves | undefined, time: number, rest: readonly number[]): number[] {

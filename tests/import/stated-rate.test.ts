@@ -12,7 +12,7 @@ const mode = (value: number) => prop('TimeMode', { int: value });
 
 function rateIn(settings: ReturnType<typeof prop>[], at = keys): number | undefined {
   const character = toCharacter(sceneOf({ ...turning(at), settings }));
-  return character?.clips[0].framesPerSecond;
+  return character?.takes[0].framesPerSecond;
 }
 
 describe('the frame rate of an FBX file', () => {
@@ -77,5 +77,5 @@ it('the frame rate of a glTF file is that of its keys, of all channels together'
   const given = { fileName: 'x.glb', bytes: glbOf(made), beside: async () => undefined };
   const { value } = await importFile('gltf', given);
   // Rotations are fitted by keys in between, which are on no frame.
-  expect(value?.characters[0].clips[0].framesPerSecond).toBe(24);
+  expect(value?.characters[0].takes[0].framesPerSecond).toBe(24);
 });

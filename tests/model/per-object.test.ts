@@ -14,9 +14,9 @@ describe('perObject', () => {
   it('perObject keeps undefined as a result too', () => {
     const make = vi.fn(() => undefined);
     const of = perObject(make);
-    const clip = {};
-    of(clip);
-    of(clip);
+    const take = {};
+    of(take);
+    of(take);
     expect(make).toHaveBeenCalledTimes(1);
   });
 

@@ -6,8 +6,8 @@ import { firstDofs } from '../../src/model/skeleton/dofs.ts';
 import { positionsMeant, withPositions } from '../../src/model/skeleton/position-channels.ts';
 import type { BvhChannel, Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../src/model/space.ts';
-import type { ChannelClip } from '../../src/model/takes/clip.ts';
 import type { Samples } from '../../src/model/takes/samples.ts';
+import type { Take } from '../../src/model/takes/take.ts';
 import { checkTake } from '../../src/review/check-take.ts';
 import { type Flag, type FlagKind, flagText } from '../../src/review/flags.ts';
 import { captured, retargeted } from '../evaluate/retarget/captures.ts';
@@ -16,17 +16,17 @@ import { BVH_FILES, sharedFigures } from '../helpers/bvh-files.ts';
 import { figure } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
-interface Take {
+interface ReadTake {
   readonly skeleton: Skeleton;
-  readonly clip: ChannelClip & { readonly samples: Samples };
+  readonly take: Take & { readonly samples: Samples };
   readonly space: Space;
 }
 
-function takeOf(file: string): Take {
-  const [{ skeleton: read, clip }] = sharedFigures(file);
-  if (!clip?.samples) throw new Error(`${file} has no frames.`);
-  const skeleton = withPositions(read, positionsMeant(read, clip));
-  return { skeleton, clip: { ...clip, samples: clip.samples }, space: guessSpace(skeleton, clip) };
+function takeOf(file: string): ReadTake {
+  const [{ skeleton: read, take }] = sharedFigures(file);
+  if (!take?.samples) throw new Error(`${file} has no frames.`);
+  const skeleton = withPositions(read, positionsMeant(read, take));
+  return { skeleton, take: { ...take, samples: take.samples }, space: guessSpace(skeleton, take) };
 }
 
 /** A value of a frame as the file has it: degrees, file units. */
@@ -34,13 +34,13 @@ type Change = (frame: number, was: number) => number;
 
 /** The take with the values of one channel changed from frame to frame, last one included. */
 function planted(
-  { clip, skeleton }: Take,
+  { take, skeleton }: ReadTake,
   joint: string,
   channel: BvhChannel,
   [first, last]: readonly [number, number],
   change: Change,
 ) {
-  const { samples } = clip;
+  const { samples } = take;
   const j = skeleton.joints.findIndex(({ name }) => name === joint);
   const { motion } = skeleton.joints[j];
   const c = motion.kind === 'bvh' ? motion.channels.indexOf(channel) : -1;
@@ -51,21 +51,21 @@ function planted(
     const at = f * samples.scales.length + column;
     values[at] = change(f, values[at]);
   }
-  return withValues(clip, values);
+  return withValues(take, values);
 }
 
-function withValues(clip: Take['clip'], values: Float64Array): Take['clip'] {
-  return { ...clip, samples: { ...clip.samples, values } };
+function withValues(take: ReadTake['take'], values: Float64Array): ReadTake['take'] {
+  return { ...take, samples: { ...take.samples, values } };
 }
 
-function newFlags(take: Take, clip: ChannelClip, kind: FlagKind): readonly Flag[] {
-  const before = checkTake(take.skeleton, take.clip, take.space).map(flagText);
-  return checkTake(take.skeleton, clip, take.space).filter((f) => f.kind === kind && !before.includes(flagText(f)));
+function newFlags(read: ReadTake, take: Take, kind: FlagKind): readonly Flag[] {
+  const before = checkTake(read.skeleton, read.take, read.space).map(flagText);
+  return checkTake(read.skeleton, take, read.space).filter((f) => f.kind === kind && !before.includes(flagText(f)));
 }
 
 describeShared('faults planted in real takes', () => {
   const mixamo = takeOf('mixamo-names.bvh');
-  const whole = (take: Take) => [0, take.clip.samples.frameCount - 1] as const;
+  const whole = (read: ReadTake) => [0, read.take.samples.frameCount - 1] as const;
 
   it.each([
     ['toes up the shin', 'LeftFoot', 'rx', -90],
@@ -74,8 +74,8 @@ describeShared('faults planted in real takes', () => {
     ['a hand folded back', 'RightHand', 'rz', 140],
   ] as const)('a foot or a hand that points where none can is found: %s', (_, joint, channel, degrees) => {
     const name = `mixamorig:${joint}`;
-    const clip = planted(mixamo, name, channel, whole(mixamo), (_f, was) => was + degrees);
-    expect(newFlags(mixamo, clip, 'turned').map((flag) => flag.joint)).toContain(name);
+    const take = planted(mixamo, name, channel, whole(mixamo), (_f, was) => was + degrees);
+    expect(newFlags(mixamo, take, 'turned').map((flag) => flag.joint)).toContain(name);
     // A heel strikes for a moment only.
     const short = planted(mixamo, name, channel, [10, 20], (_f, was) => was + degrees);
     expect(newFlags(mixamo, short, 'turned')).toEqual([]);
@@ -86,11 +86,11 @@ describeShared('faults planted in real takes', () => {
     (file) => {
       const source = captured('cmu-01_01.bvh');
       const document = documentOf(source, retargeted(source, captured(file)));
-      const [, { skeleton, clips, space }] = bakeRetarget.run(document, { characterId: file }).characters;
-      const clip = clips.at(-1);
-      if (!skeleton || !space || !clip?.samples) throw new Error(`${file} is not baked.`);
-      const right: Take = { skeleton, clip: { ...clip, samples: clip.samples }, space };
-      expect(checkTake(skeleton, clip, space).filter(({ kind }) => kind === 'turned')).toEqual([]);
+      const [, { skeleton, takes, space }] = bakeRetarget.run(document, { characterId: file }).characters;
+      const take = takes.at(-1);
+      if (!skeleton || !space || !take?.samples) throw new Error(`${file} is not baked.`);
+      const right: ReadTake = { skeleton, take: { ...take, samples: take.samples }, space };
+      expect(checkTake(skeleton, take, space).filter(({ kind }) => kind === 'turned')).toEqual([]);
       // The bone from ankle to toe is in line with the shin there, so that toes come out up the shin.
       const wrong = planted(right, 'LeftFoot', 'rz', whole(right), (_f, was) => was + 2.2);
       expect(newFlags(right, wrong, 'turned')[0]).toMatchObject({ joint: 'LeftFoot', from: 0 });
@@ -98,8 +98,8 @@ describeShared('faults planted in real takes', () => {
   );
 
   it.each(BVH_FILES)('no foot or hand of a real capture is called turned: %s', (file) => {
-    const { skeleton, clip, space } = takeOf(file);
-    expect(checkTake(skeleton, clip, space).filter(({ kind }) => kind === 'turned')).toEqual([]);
+    const { skeleton, take, space } = takeOf(file);
+    expect(checkTake(skeleton, take, space).filter(({ kind }) => kind === 'turned')).toEqual([]);
   });
 
   const bow = takeOf('bandai-namco-bow-normal.bvh');
@@ -112,42 +112,42 @@ describeShared('faults planted in real takes', () => {
     ['hips that turn', chair, 'Hips', 'ry', 25],
     ['a shoulder', walk, 'LeftArm', 'rz', 30],
   ] as const)('a spike of %s is found at its frame, at its joint', (_, take, joint, channel, degrees) => {
-    const frame = Math.floor(take.clip.samples.frameCount / 2);
+    const frame = Math.floor(take.take.samples.frameCount / 2);
     const found = newFlags(
       take,
       planted(take, joint, channel, [frame, frame], (_f, was) => was + degrees),
       'spike',
     );
     expect(found).toHaveLength(1);
-    expect(found[0].from).toBeCloseTo(frame * take.clip.samples.frameSeconds, 9);
+    expect(found[0].from).toBeCloseTo(frame * take.take.samples.frameSeconds, 9);
     expect(found[0].joint).toBe(joint);
   });
 
   it('a jump that stays is a spike of the root where it jumps', () => {
-    const clip = planted(bow, 'joint_Root', 'tx', [60, bow.clip.samples.frameCount - 1], (_f, was) => was + 40);
-    const found = newFlags(bow, clip, 'spike');
+    const take = planted(bow, 'joint_Root', 'tx', [60, bow.take.samples.frameCount - 1], (_f, was) => was + 40);
+    const found = newFlags(bow, take, 'spike');
     expect(found.map(({ from }) => Math.round(from * 30))).toEqual([60]);
     expect(found[0].amount).toBeCloseTo(0.4, 1);
   });
 
   it('a joint that trembles has jitter for as long as it does', () => {
-    const clip = planted(walk, 'RightForeArm', 'ry', [600, 720], (f, was) => was + (f % 2 === 0 ? 3 : -3));
-    const [flag, ...others] = newFlags(walk, clip, 'jitter');
+    const take = planted(walk, 'RightForeArm', 'ry', [600, 720], (f, was) => was + (f % 2 === 0 ? 3 : -3));
+    const [flag, ...others] = newFlags(walk, take, 'jitter');
     expect(others).toEqual([]);
     expect(Math.abs(flag.from - 600 / 120)).toBeLessThan(0.05);
     expect(Math.abs(flag.to - 720 / 120)).toBeLessThan(0.05);
   });
 
   it('standing feet that drift sideways by half a metre in a second slide', () => {
-    const { frameCount } = bow.clip.samples;
-    const clip = planted(
+    const { frameCount } = bow.take.samples;
+    const take = planted(
       bow,
       'joint_Root',
       'tx',
       [0, frameCount - 1],
       (f, was) => was + 50 * Math.min(1, Math.max(0, (f - 40) / 30)),
     );
-    const found = newFlags(bow, clip, 'slide');
+    const found = newFlags(bow, take, 'slide');
     expect(found.length).toBeGreaterThan(0);
     for (const { from, amount } of found) {
       expect(from).toBeGreaterThan(1.2);
@@ -157,9 +157,9 @@ describeShared('faults planted in real takes', () => {
   });
 
   it('a figure that sinks 20 cm for half a second is below the floor meanwhile', () => {
-    const { frameSeconds } = chair.clip.samples;
-    const clip = planted(chair, 'Hips', 'ty', [100, 130], (_f, was) => was - 20);
-    const found = newFlags(chair, clip, 'floor');
+    const { frameSeconds } = chair.take.samples;
+    const take = planted(chair, 'Hips', 'ty', [100, 130], (_f, was) => was - 20);
+    const found = newFlags(chair, take, 'floor');
     expect(found.map(({ from, to }) => [Math.round(from / frameSeconds), Math.round(to / frameSeconds)])).toEqual([
       [100, 130],
     ]);
@@ -167,12 +167,12 @@ describeShared('faults planted in real takes', () => {
   });
 
   it('frames that repeat the one before are duplicates, and frozen from 0.3 s on', () => {
-    const { samples } = chair.clip;
+    const { samples } = chair.take;
     const width = samples.scales.length;
     const held = (from: number, to: number) => {
       const values = samples.values.slice();
       for (let f = from; f <= to; f++) values.copyWithin(f * width, (from - 1) * width, from * width);
-      return withValues(chair.clip, values);
+      return withValues(chair.take, values);
     };
     const [duplicate, ...more] = newFlags(chair, held(80, 80), 'duplicate');
     expect([Math.round(duplicate.from / samples.frameSeconds), duplicate.amount, more]).toEqual([80, 1, []]);
@@ -188,12 +188,12 @@ describeShared('faults planted in real takes', () => {
   it('an elbow folded flat is beyond what a joint can do', () => {
     const axes = ['rx', 'ry', 'rz'] as const;
     const folded = axes.flatMap((axis) => {
-      const clip = axes.reduce<Take['clip']>(
+      const take = axes.reduce<ReadTake['take']>(
         (before, each) =>
-          planted({ ...walk, clip: before }, 'RightForeArm', each, [300, 330], () => (each === axis ? 175 : 0)),
-        walk.clip,
+          planted({ ...walk, take: before }, 'RightForeArm', each, [300, 330], () => (each === axis ? 175 : 0)),
+        walk.take,
       );
-      return newFlags(walk, clip, 'limit').filter(({ joint }) => joint === 'RightForeArm');
+      return newFlags(walk, take, 'limit').filter(({ joint }) => joint === 'RightForeArm');
     });
     expect(folded.length).toBeGreaterThan(0);
     for (const { from } of folded) expect(Math.abs(from - 2.5)).toBeLessThan(0.3);
@@ -210,8 +210,8 @@ describeShared('faults planted in real takes', () => {
   });
 
   it('a bone that is stretched has a flag while it is', () => {
-    const clip = planted(neuron, 'LeftForeArm', 'tx', [100, 110], (_f, was) => was * 1.3);
-    const found = newFlags(neuron, clip, 'bone').filter(({ joint }) => joint === 'LeftForeArm');
+    const take = planted(neuron, 'LeftForeArm', 'tx', [100, 110], (_f, was) => was * 1.3);
+    const found = newFlags(neuron, take, 'bone').filter(({ joint }) => joint === 'LeftForeArm');
     expect(found.map(({ from, to }) => [Math.round(from * 125), Math.round(to * 125)])).toEqual([[100, 110]]);
   });
 });
@@ -226,13 +226,13 @@ describeShared('real takes as they are', () => {
     'makehuman-tpose-add.bvh',
     'dialect-rows.bvh',
   ])('%s has no flags', (file) => {
-    const { skeleton, clip, space } = takeOf(file);
-    expect(checkTake(skeleton, clip, space).map(flagText)).toEqual([]);
+    const { skeleton, take, space } = takeOf(file);
+    expect(checkTake(skeleton, take, space).map(flagText)).toEqual([]);
   });
 
   it('a Kinect capture trembles, and its left and right shins differ', () => {
-    const { skeleton, clip, space } = takeOf('openni-kinect-hash-names.bvh');
-    const kinds = new Set(checkTake(skeleton, clip, space).map(({ kind }) => kind));
+    const { skeleton, take, space } = takeOf('openni-kinect-hash-names.bvh');
+    const kinds = new Set(checkTake(skeleton, take, space).map(({ kind }) => kind));
     expect([...kinds].sort()).toEqual(['bone', 'jitter', 'spike']);
   });
 });
@@ -240,7 +240,7 @@ describeShared('real takes as they are', () => {
 describe('takes without frames', () => {
   it('a take of keys is looked at 60 times a second, and its held poses are meant', () => {
     const held = figure();
-    const clip: ChannelClip = { name: 'held', range: [0, 2], channels: [] };
-    expect(checkTake(held, clip, { up: 'y', unit: 'centimetres', lift: 77 })).toEqual([]);
+    const take: Take = { name: 'held', range: [0, 2], channels: [] };
+    expect(checkTake(held, take, { up: 'y', unit: 'centimetres', lift: 77 })).toEqual([]);
   });
 });

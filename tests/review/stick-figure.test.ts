@@ -9,10 +9,10 @@ import { describeShared } from '../helpers/shared.ts';
 
 describeShared('pictures of real takes', () => {
   it.each(BVH_FILES)('%s fits its picture, head up, and takes a few kilobytes', (file) => {
-    for (const { skeleton: read, clip } of sharedFigures(file)) {
-      if (!clip) continue;
-      const skeleton = withPositions(read, positionsMeant(read, clip));
-      const { points, above, pointCount, frameCount } = stickFigure(skeleton, clip, guessSpace(skeleton, clip));
+    for (const { skeleton: read, take } of sharedFigures(file)) {
+      if (!take) continue;
+      const skeleton = withPositions(read, positionsMeant(read, take));
+      const { points, above, pointCount, frameCount } = stickFigure(skeleton, take, guessSpace(skeleton, take));
       expect(points).toHaveLength(2 * pointCount * frameCount);
       expect(points.byteLength + above.byteLength).toBeLessThan(4000);
       expect(above.every((parent, p) => parent <= p)).toBe(true);
@@ -24,9 +24,9 @@ describeShared('pictures of real takes', () => {
   });
 
   it('a head is above the feet', () => {
-    const [{ skeleton, clip }] = sharedFigures('bandai-namco-bow-normal.bvh');
-    if (!clip) throw new Error('no take');
-    const { points } = stickFigure(skeleton, clip, guessSpace(skeleton, clip));
+    const [{ skeleton, take }] = sharedFigures('bandai-namco-bow-normal.bvh');
+    if (!take) throw new Error('no take');
+    const { points } = stickFigure(skeleton, take, guessSpace(skeleton, take));
     const head = skeleton.joints.findIndex(({ name }) => name === 'Head');
     const foot = skeleton.joints.findIndex(({ name }) => name === 'Foot_L');
     expect(points[2 * head + 1]).toBeLessThan(points[2 * foot + 1] - 100);

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform } from '../../src/evaluate/skin/deform.ts';
-import { type Character, shownClip, shownSkin } from '../../src/model/document.ts';
+import { type Character, shownSkin, shownTake } from '../../src/model/document.ts';
 import { channelValue, RIGHT_CURVES } from '../../src/teaching/program/curve-rules.ts';
 import { Evaluator } from '../../src/teaching/program/evaluator.ts';
 import { RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
@@ -36,12 +36,12 @@ function expectSame(character: Character): void {
       expect(largestDifference(found[kind], meant[kind]), `${kind} at ${time}`).toBeLessThanOrEqual(WITHIN);
     }
   }
-  const clip = shownClip(character);
-  const compiled = clip && compileClip(clip);
-  clip?.channels.forEach((channel, c) => {
+  const take = shownTake(character);
+  const compiled = take && compileTake(take);
+  take?.channels.forEach((channel, c) => {
     if (!compiled || channel.kind !== 'keys') return;
     for (let time = -7; time < 9; time += 0.1737) {
-      const value = channelValue(channel, clip.range, time, RIGHT_CURVES);
+      const value = channelValue(channel, take.range, time, RIGHT_CURVES);
       const scale = Math.max(1, Math.abs(value));
       const difference = Math.abs(value - evaluateChannel(compiled, c, time)) / scale;
       expect(difference, `channel ${c} at ${time}`).toBeLessThanOrEqual(WITHIN);
@@ -51,7 +51,7 @@ function expectSame(character: Character): void {
 
 function drawn(character: Character, time: number | undefined) {
   const dofs = new Float64Array(dofCountOf(character));
-  poseAt(time === undefined ? { ...character, shownClip: -1 } : character, time ?? 0, dofs);
+  poseAt(time === undefined ? { ...character, shownTake: -1 } : character, time ?? 0, dofs);
   const compiled = character.skeleton && compileSkeleton(character.skeleton);
   const world = new Float64Array(16 * (compiled?.jointCount ?? 0));
   const local = new Float64Array(world.length);

@@ -1,6 +1,6 @@
 /** Numbers at the very time of a jump: rounding decides which side they are of, so either is right. */
 import { describe, expect, it } from 'vitest';
-import { shownClip } from '../../src/model/document.ts';
+import { shownTake } from '../../src/model/document.ts';
 import { CATALOGUE } from '../../src/teaching/catalogue/all.ts';
 import type { Targets } from '../../src/teaching/compare/targets.ts';
 import { characterOf } from '../../src/teaching/kit/answers.ts';
@@ -25,7 +25,7 @@ const character = characterOf(
     ['mine.anim', ANIM],
   ]),
 );
-const clip = shownClip(character);
+const take = shownTake(character);
 /** Of cycles before and after the keys, as far as doubles tell them, and of two keys at one time. */
 const JUMPS = [-1.2, -0.6, 0.3, 1.2, 1.8];
 const [, , , CYCLE_AT] = JUMPS;
@@ -33,9 +33,9 @@ const [, , , CYCLE_AT] = JUMPS;
 /** Values of all channels at times of no jump, and at the jumps those of a time beside. @param shift of the times at jumps */
 function dumpOf(program: Program, beside: number, shift = 0): Targets {
   const plain = Array.from({ length: 40 }, (_, i) => -1.51 + 0.0913 * i);
-  const samples = (clip?.channels ?? []).flatMap((channel, c) => {
+  const samples = (take?.channels ?? []).flatMap((channel, c) => {
     const value = (time: number) =>
-      Number(channelValue(channel, clip?.range ?? [0, 1], time, program.curves).toFixed(7));
+      Number(channelValue(channel, take?.range ?? [0, 1], time, program.curves).toFixed(7));
     return [
       ...plain.map((time) => ({ c, time, value: value(time) })),
       ...JUMPS.map((time) => ({ c, time: time + shift, value: value(time + beside) })),

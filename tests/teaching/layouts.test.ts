@@ -5,7 +5,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { readDump } from '../../src/formats/dump/read.ts';
-import { shownClip } from '../../src/model/document.ts';
+import { shownTake } from '../../src/model/document.ts';
 import { fitDumps } from '../../src/teaching/dump/fit-dump.ts';
 import { characterOf } from '../../src/teaching/kit/answers.ts';
 import { kitFiles } from '../../src/teaching/kit/files.ts';
@@ -23,7 +23,7 @@ const { world } = new Evaluator(character).frame(RIGHT_PROGRAM, TIME, {
   normals: false,
 });
 const matrices = names.map((_, j) => Array.from(world.subarray(16 * j, 16 * j + 16)));
-const clip = shownClip(character);
+const take = shownTake(character);
 
 /** Lines above the numbers. */
 const HEADINGS: readonly string[] = [
@@ -181,10 +181,10 @@ describe('what a program prints is read', () => {
   });
 
   it('as values of channels: rows of a time and values', () => {
-    const channels = clip?.channels ?? [];
+    const channels = take?.channels ?? [];
     const times = Array.from({ length: 12 }, (_, i) => Number((-1.03 + 0.3 * i).toFixed(2)));
     const valuesAt = (time: number) =>
-      channels.map((one) => channelValue(one, clip?.range ?? [0, 1], time, RIGHT_CURVES));
+      channels.map((one) => channelValue(one, take?.range ?? [0, 1], time, RIGHT_CURVES));
     const header = (list: readonly string[], separator: string) => list.join(separator === '  ' ? ' ' : separator);
     const numbered = channels.map((_, c) => `c${c}`);
     type Rows = (
@@ -282,9 +282,9 @@ describe('what else programs print is read', () => {
     expect(targets && compared(character, targets)).toMatchObject({ agrees: true });
   });
 
-  const channels = clip?.channels ?? [];
+  const channels = take?.channels ?? [];
   const valuesAt = (time: number) =>
-    channels.map((one) => channelValue(one, clip?.range ?? [0, 1], time, RIGHT_CURVES).toFixed(6));
+    channels.map((one) => channelValue(one, take?.range ?? [0, 1], time, RIGHT_CURVES).toFixed(6));
   const TIMES_OF_ROWS = [-1, -0.37, 0, 0.5, 1.93];
   const atEach = (one: (time: number, values: readonly string[]) => string) =>
     TIMES_OF_ROWS.map((time) => one(time, valuesAt(time))).join('\n');

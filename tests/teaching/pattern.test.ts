@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../src/model/document.ts';
-import { shownClip } from '../../src/model/document.ts';
+import { shownTake } from '../../src/model/document.ts';
 import type { FrameTarget, Targets } from '../../src/teaching/compare/targets.ts';
 import { characterOf } from '../../src/teaching/kit/answers.ts';
 import { kitFiles } from '../../src/teaching/kit/files.ts';
@@ -116,10 +116,10 @@ describe('the pattern of channels', () => {
     'mine.anim',
     `animation { range 0 2 numchannels 4 ${['cycle cycle', 'bounce linear', 'constant cycle_offset', 'linear constant'].map((each) => `channel { extrapolate ${each} ${KEYS} }`).join(' ')} }`,
   );
-  const clip = shownClip(character);
+  const take = shownTake(character);
   const times = Array.from({ length: 40 }, (_, i) => -1.47 + 0.1313 * i);
   const changedBy = (change: (value: number, time: number, channel: number, i: number) => number): Targets => {
-    const samples = (clip?.channels ?? []).flatMap((channel, c) =>
+    const samples = (take?.channels ?? []).flatMap((channel, c) =>
       times.map((time, i) => ({
         c,
         time,
@@ -136,7 +136,7 @@ describe('the pattern of channels', () => {
     };
   };
   const right = (c: number, time: number) => {
-    const channel = clip?.channels[c];
+    const channel = take?.channels[c];
     return channel ? channelValue(channel, [0, 2], time, RIGHT_CURVES) : Number.NaN;
   };
 

@@ -1,7 +1,7 @@
 /** Numbers with mistakes planted in them: what a program that makes them would print. */
 
 import { runToEnd } from '../../src/evaluate/steps.ts';
-import { type Character, shownClip } from '../../src/model/document.ts';
+import { type Character, shownTake } from '../../src/model/document.ts';
 import { CATALOGUE } from '../../src/teaching/catalogue/all.ts';
 import type { Variant } from '../../src/teaching/catalogue/mistake.ts';
 import { type Comparison, compare } from '../../src/teaching/compare/compare.ts';
@@ -24,31 +24,31 @@ const NO_CHANNELS: ChannelTarget = {
 
 /** What can be dumped of a character. */
 export function kindsOf(character: Character): readonly Kind[] {
-  const clip = shownClip(character);
+  const take = shownTake(character);
   return [
     ...(character.skeleton ? (['world', 'local', 'positions'] as const) : []),
     ...(character.skins.length > 0 ? (['vertices', 'normals'] as const) : []),
-    ...(clip && !clip.samples ? (['channels'] as const) : []),
+    ...(take && !take.samples ? (['channels'] as const) : []),
   ];
 }
 
 /** A time at which most of the character moves; undefined without an animation. */
 export function timeOf(character: Character): number | undefined {
-  const clip = shownClip(character);
-  if (!clip || !character.skeleton) return undefined;
-  const { samples } = clip;
+  const take = shownTake(character);
+  if (!take || !character.skeleton) return undefined;
+  const { samples } = take;
   return samples ? samples.startSeconds + samples.frameSeconds * Math.min(5, samples.frameCount - 1) : 0.8;
 }
 
 /** A program's numbers, with six digits behind the point. */
 export function numbersBy(character: Character, program: Program, kind: Kind): Targets {
-  const clip = shownClip(character);
+  const take = shownTake(character);
   if (kind === 'channels') {
-    const samples = (clip?.channels ?? []).flatMap((channel, c) =>
+    const samples = (take?.channels ?? []).flatMap((channel, c) =>
       Array.from({ length: 24 }, (_, i) => ({ c, channel, time: -5.1 + 0.4737 * i })),
     );
     const value = samples.map(({ channel, time }) =>
-      channelValue(channel, clip?.range ?? [0, 1], time, program.curves),
+      channelValue(channel, take?.range ?? [0, 1], time, program.curves),
     );
     return {
       frames: [],

@@ -10,8 +10,8 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../src/model/skeleton/skeleton.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, SAMPLED } from '../../src/model/takes/clip.ts';
 import type { Samples } from '../../src/model/takes/samples.ts';
+import { type Channel, type KeyedChannel, SAMPLED, type Take } from '../../src/model/takes/take.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { DumpComparison } from '../../src/ui/state/dump-comparison.ts';
 import type { GuideName } from '../../src/ui/state/guide.ts';
@@ -55,7 +55,7 @@ export function channel(...times: number[]): KeyedChannel {
   };
 }
 
-export function clip(range: readonly [number, number], ...channels: Channel[]): ChannelClip {
+export function take(range: readonly [number, number], ...channels: Channel[]): Take {
   return { name: 'walk', range, channels };
 }
 
@@ -65,7 +65,7 @@ export function capture(
   frameSeconds: number,
   frameCount: number,
   value: (frame: number, channel: number) => number = () => 0,
-): ChannelClip {
+): Take {
   const samples: Samples = {
     frameCount,
     frameSeconds,
@@ -89,8 +89,8 @@ export function character(change: Partial<Character> = {}): Character {
     shownSkin: 0,
     morphs: [],
     textures: [],
-    clips: [],
-    shownClip: 0,
+    takes: [],
+    shownTake: 0,
     pose: filePose(change.skeleton, change.morphs?.length ?? 0),
     clampsToLimits: true,
     placements: [DEFAULT_PLACEMENT],

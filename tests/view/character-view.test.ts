@@ -11,7 +11,7 @@ import { character, morph, skeleton, skin, takeOfValues } from '../helpers/build
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { heatValuesOf } from '../helpers/heat-values.ts';
-import { referenceClip, referenceMorph, referenceSkeleton, referenceSkin } from '../helpers/reference.ts';
+import { referenceMorph, referenceSkeleton, referenceSkin, referenceTake } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
 
 interface Posed {
@@ -115,7 +115,7 @@ describeShared('a character in the picture, against the reference', () => {
     it(`plays ${anim} through the mixer: DOFs, matrices and vertices, before and past its range too`, () => {
       const own = referenceSkeleton(skel);
       const skins = skinPath ? [referenceSkin(skinPath)] : [];
-      const view = shown(character({ skeleton: own, skins, clips: [referenceClip(anim)], shownClip: 0 }));
+      const view = shown(character({ skeleton: own, skins, takes: [referenceTake(anim)], shownTake: 0 }));
       for (const { time, root_translation, clamped, world, vertices, ...expected } of frames) {
         view.seek(time);
         expectClose(view.dofs, [...root_translation, ...clamped.flat()], WITHIN.reference, `DOFs at ${time}`);
@@ -232,7 +232,7 @@ describe('a character in the picture', () => {
 
   it('rotates by its own angles, whatever rotations samples gave another character', () => {
     const turning = (channels: readonly BvhChannel[]) => ({ name: 'one', joints: [bvhJoint(-1, channels)] });
-    const { skeleton: captured, clip: take } = bvhFigure(
+    const { skeleton: captured, take } = bvhFigure(
       turning(['rz', 'rx', 'ry']),
       [
         [0, 0, 0],
@@ -240,7 +240,7 @@ describe('a character in the picture', () => {
       ],
       1,
     );
-    const capture = shown(character({ skeleton: captured, clips: take ? [take] : [], shownClip: 0 }), 0.5);
+    const capture = shown(character({ skeleton: captured, takes: take ? [take] : [], shownTake: 0 }), 0.5);
     const other = turning(['rx', 'rz', 'ry']);
     const view = shown(character({ skeleton: other, pose: [...capture.dofs] }), 0.5);
     // One after the other, as in playback.
@@ -254,7 +254,7 @@ describe('a character in the picture', () => {
   });
 
   it('a character is culled by its current bounds', () => {
-    const model = character({ skins: [skin()], clips: [takeOfValues('go', [100])], shownClip: 0 });
+    const model = character({ skins: [skin()], takes: [takeOfValues('go', [100])], shownTake: 0 });
     const view = shown(model);
     const { boundingSphere } = view.skinnedMeshes[0];
     expect(boundingSphere.center.x).toBeCloseTo(100.5, 9);

@@ -42,8 +42,8 @@ describe('the characters in the picture', () => {
       const away = Math.max(0, 1 - Math.abs(f - 3000) / 250);
       return [3000 * away, 85, 1200 * Math.sin(f / 300)];
     });
-    const clip = takeOfRoots(skeleton, walk);
-    const all = shown(captured(skeleton, clip, { id: 'walker', space }));
+    const take = takeOfRoots(skeleton, walk);
+    const all = shown(captured(skeleton, take, { id: 'walker', space }));
     const framed = new Box3();
     for (const box of all.boundsOfMotion([0, 500], 0)) framed.union(box);
     expect(framed.max.x).toBeGreaterThan(29);
@@ -68,7 +68,7 @@ describe('the characters in the picture', () => {
     };
     const moving = shown(near);
     expect(poses(moving)).toBeGreaterThan(100);
-    expect(poses(shown({ ...near, clips: [], shownClip: -1 }))).toBe(0);
+    expect(poses(shown({ ...near, takes: [], shownTake: -1 }))).toBe(0);
     const joints = Array.from({ length: 10_000 }, (_, j) => joint(j - 1));
     expect(poses(shown({ ...near, skeleton: { ...skeleton, joints } }))).toBeLessThan(80);
   });
@@ -245,7 +245,7 @@ describe('views of characters', () => {
       { id: 'moving', space },
     );
     all.prepareView(moving, DEFAULT_DISPLAY, 0);
-    all.show(documentOf(moving), DEFAULT_DISPLAY, {}, moving.clips[0].range[1], false);
+    all.show(documentOf(moving), DEFAULT_DISPLAY, {}, moving.takes[0].range[1], false);
     expect(all.get('moving')?.view.dofs[1]).toBeCloseTo(185, 9);
   });
 });
@@ -253,16 +253,16 @@ describe('views of characters', () => {
 describeShared('captures of the reference, framed', () => {
   const files = ['bandai-namco-bow-normal', 'cmu-01_01', 'cmu-daz-pirouette', 'rokoko-dance', 'poser-sl-walk'];
   it.each(files)('every joint of %s is in the picture at every frame, wide or tall', (name) => {
-    const [{ skeleton: own, clip }] = sharedFigures(`${name}.bvh`);
-    if (!clip?.samples) throw new Error('the file has no motion');
-    const all = shown(captured(own, clip, { id: name, space }));
+    const [{ skeleton: own, take }] = sharedFigures(`${name}.bvh`);
+    if (!take?.samples) throw new Error('the file has no motion');
+    const all = shown(captured(own, take, { id: name, space }));
     const { view, placements } = all.visible[0];
     const matrix = new Matrix4().fromArray(placements);
     for (const aspect of [1.6, 0.5]) {
-      const { camera, gridReach } = framedBy(all, clip.range, aspect);
+      const { camera, gridReach } = framedBy(all, take.range, aspect);
       const point = new Vector3();
-      for (let f = 0; f < clip.samples.frameCount; f++) {
-        view.seek(clip.range[0] + f * clip.samples.frameSeconds);
+      for (let f = 0; f < take.samples.frameCount; f++) {
+        view.seek(take.range[0] + f * take.samples.frameSeconds);
         for (let j = 0; j < own.joints.length; j++) {
           point.fromArray(view.worldMatrices, 16 * j + 12).applyMatrix4(matrix);
           expect(Math.hypot(point.x, point.z) < gridReach).toBe(true);

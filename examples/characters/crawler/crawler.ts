@@ -21,7 +21,7 @@ export function crawlerSample(): Sample {
       texture: 'crawler.png',
     }),
     morphs: [],
-    clip: {
+    take: {
       name: 'crawler_walk',
       range: [0, pathSeconds(CRAWL_PATH)],
       channels: gaitChannels({

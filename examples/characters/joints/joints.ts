@@ -3,7 +3,7 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { restPose } from '../../../src/model/skeleton/dofs.ts';
 import { dofsOf, takesLimits } from '../../../src/model/skeleton/joint-types.ts';
 import { type Joint, type Limit, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import type { Channel } from '../../../src/model/takes/clip.ts';
+import type { Channel } from '../../../src/model/takes/take.ts';
 import type { Sample } from '../example.ts';
 import { held, type KeyRow, keyed } from '../motion/keys.ts';
 import { encodePng } from '../paint/png.ts';
@@ -28,7 +28,7 @@ export function jointsSample(): Sample {
     skeleton,
     skin: buildJointsMesh(world).skin('joints', world, { name: 'joints', texture: 'joints.png' }),
     morphs: [],
-    clip: {
+    take: {
       name: 'joints_each',
       range: [0, SECONDS],
       channels: [held(0), held(0), held(0), ...PLACED.flatMap(({ exhibit }) => channelsOf(exhibit))],

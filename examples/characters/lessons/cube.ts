@@ -17,7 +17,7 @@ export function cubeSample(): Sample {
     description: 'The first example: one joint, one box, one channel that turns it.',
     skeleton: buildSkeleton('cube', [{ name: 'cube', offset: [0, 1, 0], box: boxAbout([0, 0, 0], [0.5, 0.5, 0.5]) }]),
     morphs: [],
-    clip: {
+    take: {
       name: 'cube_spin',
       range: [0, TURN_SECONDS],
       channels: [held(0), held(0), held(0), held(0.5), turn, held(0)],

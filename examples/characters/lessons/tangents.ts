@@ -10,7 +10,7 @@
  *     hand_cycle_offset       ry        flat, then linear     starts again from the last value
  */
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import type { Channel } from '../../../src/model/takes/clip.ts';
+import type { Channel } from '../../../src/model/takes/take.ts';
 import type { Sample } from '../example.ts';
 import { held, keyed } from '../motion/keys.ts';
 import { Atlas, blend, colour } from '../paint/atlas.ts';
@@ -157,7 +157,7 @@ export function tangentsSample(): Sample {
     skeleton: SKELETON,
     skin: mesh.skin('tangents', bindingMatrices(posedFrames(SKELETON)), { name: 'arm', texture: 'tangents.png' }),
     morphs: [],
-    clip: {
+    take: {
       name: 'tangents',
       range: [-2, 6],
       channels: [

@@ -5,7 +5,7 @@
  * Slopes are written as numbers. `smooth` would be shorter to read, but at the ends of a channel it uses one segment's
  * slope, and a cycle would have a corner there.
  */
-import { type Channel, type Extrapolation, FIXED_TANGENT, type Tangents } from '../../../src/model/takes/clip.ts';
+import { type Channel, type Extrapolation, FIXED_TANGENT, type Tangents } from '../../../src/model/takes/take.ts';
 import { round } from '../shape/vectors.ts';
 
 export interface FitOptions {

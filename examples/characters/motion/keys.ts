@@ -6,7 +6,7 @@ import {
   TANGENT_KINDS,
   type TangentKind,
   type Tangents,
-} from '../../../src/model/takes/clip.ts';
+} from '../../../src/model/takes/take.ts';
 
 /** A kind of tangent, or the slope itself in value per second. */
 export type SampleTangent = Exclude<TangentKind, 'fixed'> | number;

@@ -4,7 +4,7 @@
  */
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import type { Channel } from '../../../src/model/takes/clip.ts';
+import type { Channel } from '../../../src/model/takes/take.ts';
 import { fitChannel } from './fit.ts';
 import { pathSeconds, type WalkPath } from './path.ts';
 
@@ -28,7 +28,7 @@ export interface Walk {
 /** Units: a tenth of a percent of a character about a unit high. */
 const ROOT_TOLERANCE = 0.001;
 
-/** Channels of the root translation and all joints, in clip order. Joint 0 turns with the path. */
+/** Channels of the root translation and all joints, in take order. Joint 0 turns with the path. */
 export function gaitChannels({ skeleton, path, poseAt, frame, care }: Walk): Channel[] {
   const stride = path.strideSeconds;
   const round = pathSeconds(path);

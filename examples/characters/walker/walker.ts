@@ -4,10 +4,10 @@ import type { Sample } from '../example.ts';
 import { encodePng } from '../paint/png.ts';
 import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
 import { buildWalkerMesh } from './body.ts';
-import { walkerClip } from './clip.ts';
 import { MORPH_NAMES, walkerMorphs } from './morphs.ts';
 import { paintWalker } from './paint.ts';
 import { WALKER_SKELETON } from './skeleton.ts';
+import { walkerTake } from './take.ts';
 
 export function walkerSample(): Sample {
   const body = buildWalkerMesh();
@@ -22,7 +22,7 @@ export function walkerSample(): Sample {
       texture: 'walker.png',
     }),
     morphs: walkerMorphs(body),
-    clip: walkerClip(),
+    take: walkerTake(),
     shows: { followRoot: true },
     rig: {
       name: 'walker',

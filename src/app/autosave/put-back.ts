@@ -25,7 +25,7 @@ export function putBack(state: SessionState, parts: PutBackParts, asStep: boolea
   // Fields that the record doesn't have get their defaults.
   const then: Playback = { ...DEFAULT_PLAYBACK, ...state.transport, playing: false };
   // Once before the document, since unkeyed changes would be lost when the time changes; and again after it, since the
-  // playback range follows the clips.
+  // playback range follows the takes.
   transport.set(then);
   store.adopt(asStep ? 'Restore session' : undefined, { document, selection });
   saving.restore(state.saving);

@@ -37,14 +37,14 @@ export interface KeptState extends SessionState {
 }
 
 /** Version of the records' format, with everything in them; others are left to the pages that wrote them. */
-export const SESSION_VERSION = 3;
+export const SESSION_VERSION = 4;
 
 export function cardOf(id: string, { document }: SessionState, savedAtMs: number): SessionCard {
   const characters = document.characters.map(
-    ({ name, skeleton, clips }): CardCharacter => ({
+    ({ name, skeleton, takes }): CardCharacter => ({
       name,
       joints: skeleton?.joints.length ?? 0,
-      clips: clips.length,
+      takes: takes.length,
     }),
   );
   return { id, version: SESSION_VERSION, savedAtMs, characters };

@@ -1,9 +1,9 @@
 /** `marrow channels`: values and slopes of an animation's channels at given times, without skeleton or limits. */
-import { compileClip } from '../../evaluate/compiled-clip.ts';
+import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
-import { type ChannelClip, keysOf, TANGENT_KINDS } from '../../model/takes/clip.ts';
+import { keysOf, TANGENT_KINDS, type Take } from '../../model/takes/take.ts';
 import { FILE_EXITS } from '../io.ts';
 import { loadAny } from '../load.ts';
 import { files } from '../options/inputs.ts';
@@ -28,30 +28,30 @@ export const channels = shellCommand({
     if (all.length !== 1 || all[0].kind !== 'anim') throw new UsageError('channels takes one .anim file.');
     report(diagnostics, io);
     const { content } = all[0];
-    const clip = content?.kind === 'anim' ? content.clip : undefined;
-    const values = clip ? valuesAt(clip, times) : [];
+    const take = content?.kind === 'anim' ? content.take : undefined;
+    const values = take ? valuesAt(take, times) : [];
     if (json) {
-      const curves = clip && { slopes: slopesAt(clip, times), keys: clip.channels.map((_, c) => keysIn(clip, c)) };
+      const curves = take && { slopes: slopesAt(take, times), keys: take.channels.map((_, c) => keysIn(take, c)) };
       await printJson({ channels: values, times, ...curves, diagnostics }, io);
     } else await io.out(values.map((row, c) => `channel ${c}: ${row.join(' ')}\n`).join(''));
     return hasErrors(diagnostics) ? 1 : 0;
   },
 });
 
-function valuesAt(clip: ChannelClip, times: readonly number[]): number[][] {
-  const compiled = compileClip(clip);
-  return clip.channels.map((_, c) => times.map((time) => evaluateChannel(compiled, c, time)));
+function valuesAt(take: Take, times: readonly number[]): number[][] {
+  const compiled = compileTake(take);
+  return take.channels.map((_, c) => times.map((time) => evaluateChannel(compiled, c, time)));
 }
 
 /** In value per second, on the side after the time. */
-function slopesAt(clip: ChannelClip, times: readonly number[]): number[][] {
-  const compiled = compileClip(clip);
-  return clip.channels.map((_, c) => times.map((time) => evaluateSlope(compiled, c, time, 'out')));
+function slopesAt(take: Take, times: readonly number[]): number[][] {
+  const compiled = compileTake(take);
+  return take.channels.map((_, c) => times.map((time) => evaluateSlope(compiled, c, time, 'out')));
 }
 
 /** The keys of a channel with the slopes that their tangents come to. */
-function keysIn(clip: ChannelClip, channel: number) {
-  const keys = keysOf(clip.channels[channel]);
+function keysIn(take: Take, channel: number) {
+  const keys = keysOf(take.channels[channel]);
   const slopes = resolvedSlopes(keys);
   return Array.from(keys.times, (time, k) => ({
     time,

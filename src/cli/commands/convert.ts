@@ -1,6 +1,6 @@
 /**
  * `marrow convert IN… OUT`: writes OUT in the format of its extension, from content of that kind in IN, or from what
- * can be converted to it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its clip. Without a
+ * can be converted to it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its take. Without a
  * `.rig` in IN, one is written that names the given files.
  *
  * `marrow convert IN… OUT.glb`: a character with its takes (`convert-glb.ts`).

@@ -104,7 +104,7 @@ function poseWithPins(
   }
   const pins = asked.map((pin) => resolvePin(skeleton, pin));
   const pose = new Float64Array(dofCountOf(character));
-  poseAt({ ...character, shownClip: -1 }, 0, pose);
+  poseAt({ ...character, shownTake: -1 }, 0, pose);
   const first = rootDofCount(skeleton);
   if (start) pose.set(start, first);
   const { stiffness, standing, ...told } = movesOf(character, skeleton, pins, pose, reach);

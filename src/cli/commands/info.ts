@@ -52,13 +52,13 @@ function describeFile({ path, kind, content }: LoadedFile): FileFacts {
   return { name: path, kind, loaded: content !== undefined, ...(content && factsOf(content)) };
 }
 
-function describeCharacter({ name, skeleton, skins, morphs, clips, sources }: Character) {
+function describeCharacter({ name, skeleton, skins, morphs, takes, sources }: Character) {
   return {
     name,
     joints: skeleton?.joints.length ?? 0,
     skins: skins.map((s) => s.name),
     morphs: morphs.map((m) => m.name),
-    clips: clips.map((c) => c.name),
+    takes: takes.map((c) => c.name),
     files: sources.map((s) => s.path),
   };
 }

@@ -13,7 +13,7 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { refusal } from '../../files/save/conversion.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
-import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, shownSkin, shownTake } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { jointTypeOf } from '../../model/skeleton/joint-types.ts';
 import { FILE_EXITS } from '../io.ts';
@@ -118,18 +118,18 @@ function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked):
 /** A frame applies to every sampled character. */
 function checkFrame(characters: readonly Character[], { frame }: Asked): void {
   if (frame === undefined) return;
-  const sampled = characters.filter((c) => shownClip(c)?.samples);
+  const sampled = characters.filter((c) => shownTake(c)?.samples);
   if (sampled.length === 0) throw new UsageError('--frame needs motion capture; these files have no samples.');
   for (const character of sampled) {
-    const { frameCount = 0 } = shownClip(character)?.samples ?? {};
+    const { frameCount = 0 } = shownTake(character)?.samples ?? {};
     if (frame >= 0 && frame < frameCount) continue;
     throw new UsageError(`--frame takes 0 to ${frameCount - 1}, the frames of "${character.name}", not ${frame}.`);
   }
 }
 
-/** Time in seconds of the character's clip. */
+/** Time in seconds of the character's take. */
 function timeOf(character: Character, { time, frame }: Asked): number | undefined {
-  const samples = shownClip(character)?.samples;
+  const samples = shownTake(character)?.samples;
   return frame !== undefined && samples ? samples.startSeconds + frame * samples.frameSeconds : time;
 }
 
@@ -137,7 +137,7 @@ function timeOf(character: Character, { time, frame }: Asked): number | undefine
 function fits(character: Character, { dofs, morphs, frame = 0 }: Asked): boolean {
   const matches = (list: readonly number[] | undefined, count: number) =>
     list === undefined || count === 0 || count === list.length;
-  const { frameCount = Infinity } = shownClip(character)?.samples ?? {};
+  const { frameCount = Infinity } = shownTake(character)?.samples ?? {};
   const isFrame = frame >= 0 && frame < frameCount;
   return isFrame && matches(dofs, jointDofCount(character.skeleton)) && matches(morphs, character.morphs.length);
 }
@@ -234,7 +234,7 @@ function poseValues(character: Character, asked: Asked): Float64Array {
   const time = timeOf(character, asked);
   const values = new Float64Array(dofCountOf(character));
   // Without a time the animation is ignored.
-  poseAt(time === undefined ? { ...character, shownClip: -1 } : character, time ?? 0, values);
+  poseAt(time === undefined ? { ...character, shownTake: -1 } : character, time ?? 0, values);
   const { skeleton } = character;
   const own = rootDofCount(skeleton);
   if (root && own) values.set(root, 0);

@@ -93,12 +93,12 @@ async function takesIn(args: readonly string[], io: CommandIo) {
 /** A row for each file with takes: figures and takes of one file are one row, as the command takes whole files. */
 function takesOf(characters: ReturnType<typeof openLoaded>['document']['characters']): readonly ListedTake[] {
   const rows = new Map<string, TakeFacts>();
-  for (const { skeleton, clips, parts, space, sources } of characters) {
+  for (const { skeleton, takes, parts, space, sources } of characters) {
     if (!skeleton) continue;
-    clips.forEach((clip, c) => {
-      const path = parts?.clips[c]?.file?.source.path ?? sources[0]?.path;
+    takes.forEach((take, c) => {
+      const path = parts?.takes[c]?.file?.source.path ?? sources[0]?.path;
       if (path === undefined) return;
-      const facts = takeFacts(skeleton, clip, space);
+      const facts = takeFacts(skeleton, take, space);
       const known = rows.get(path);
       rows.set(path, known ? { ...known, flags: [...known.flags, ...facts.flags] } : facts);
     });

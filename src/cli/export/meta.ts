@@ -26,7 +26,7 @@ export function metaOf(
     input: input.path,
     hash,
     ...(input.skeleton && { skeleton: input.skeleton.path }),
-    take: source.clips[source.shownClip]?.name ?? source.name,
+    take: source.takes[source.shownTake]?.name ?? source.name,
     character: skeleton.name,
     // Null: those of the file.
     unit: space ? 'metre' : null,

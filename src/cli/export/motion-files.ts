@@ -22,8 +22,8 @@ export async function motionFiles(
   to: MotionKind,
   { fps, tolerance, ...options }: TakeOptions & { readonly tolerance?: number },
 ): Promise<readonly ExportedFile[]> {
-  const { clips, shownClip, parts, ...rest } = character;
-  const own = { ...rest, clips: clips.slice(shownClip, shownClip + 1), shownClip: 0 };
+  const { takes, shownTake, parts, ...rest } = character;
+  const own = { ...rest, takes: takes.slice(shownTake, shownTake + 1), shownTake: 0 };
   const edited = withEditedTakes(own, options);
   const asked = { ...(fps !== undefined && { framesPerSecond: fps }), ...(tolerance !== undefined && { tolerance }) };
   if (to === 'glb') return [{ ending: 'glb', pieces: await glbPieces(edited, { ...DEFAULT_GLB, ...asked }) }];

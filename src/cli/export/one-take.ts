@@ -118,9 +118,9 @@ async function takesOf(
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
   // The file of its skeleton may have takes of its own.
-  const isOwn = ({ parts }: Character, i: number) => !skeleton || parts?.clips[i]?.file?.source.path === path;
+  const isOwn = ({ parts }: Character, i: number) => !skeleton || parts?.takes[i]?.file?.source.path === path;
   const takes = document.characters.flatMap((c) =>
-    c.clips.flatMap((_, i) => (isOwn(c, i) ? [{ ...inSpaceOf(c, target.spaces), shownClip: i }] : [])),
+    c.takes.flatMap((_, i) => (isOwn(c, i) ? [{ ...inSpaceOf(c, target.spaces), shownTake: i }] : [])),
   );
   if (takes.length === 0) throw new CommandError('It has no motion: no frames and no keys.');
   if (takes.some((take) => !take.skeleton)) {

@@ -13,9 +13,9 @@ import { takeFrames } from '../../review/frames.ts';
  */
 export function flagsOf(take: ArrayTake, read: Character): readonly string[] {
   const { character } = take;
-  const { skeleton, clips, shownClip, space } = read;
+  const { skeleton, takes, shownTake, space } = read;
   if (character !== read) return runToEnd(checkDisplayed(character)).map(flagText);
-  return skeleton ? checkTake(skeleton, clips[shownClip], space).map(flagText) : [];
+  return skeleton ? checkTake(skeleton, takes[shownTake], space).map(flagText) : [];
 }
 
 /**
@@ -28,7 +28,7 @@ export function checkOf(take: ArrayTake, read: Character): TakeCheck | undefined
   if (character !== read || !space || driver || unkeyed || timeOffsetSeconds !== 0) return undefined;
   if (skeleton.joints.length === 0) return undefined;
   if (clampsToLimits && skeleton.joints.some(({ limits }) => !limits.every(isUnlimited))) return undefined;
-  const own = takeFrames(skeleton, character.clips[character.shownClip], space);
+  const own = takeFrames(skeleton, character.takes[character.shownTake], space);
   const areSame =
     own.count === frames.frameCount &&
     own.frameSeconds === frames.frameSeconds &&

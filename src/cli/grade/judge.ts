@@ -10,7 +10,7 @@ import { runToEnd } from '../../evaluate/steps.ts';
 import { type DumpFile, openFiles } from '../../files/open/open-files.ts';
 import { formatOf } from '../../files/readers.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, EMPTY_DOCUMENT, shownSkin, shownTake } from '../../model/document.ts';
 import { isEmptyDump } from '../../model/dump.ts';
 import { type BrokenFile, baseName, type ParsedFile, type SourceFile } from '../../model/files.ts';
 import { vertexCount } from '../../model/skin.ts';
@@ -232,7 +232,7 @@ class Judging {
       const skin = shownSkin(character);
       return skin ? vertexCount(skin) : 0;
     });
-    compareCounts('channels', (character) => shownClip(character)?.channels.length ?? 0);
+    compareCounts('channels', (character) => shownTake(character)?.channels.length ?? 0);
     const times = timesFor(right, this.options.times);
     const evaluator = new Evaluator(theirs);
     const frames = !(hasJoints || hasVertices)
@@ -383,8 +383,8 @@ function gradeOf(
 
 /** Their values of the channels that both have. Captures are compared by their joints. */
 function channelsOf(right: Character, theirs: Character, times: readonly (number | undefined)[]): ChannelTarget {
-  const [own, clip] = [shownClip(right), shownClip(theirs)];
-  const count = own && clip && !own.samples && !clip.samples ? Math.min(own.channels.length, clip.channels.length) : 0;
+  const [own, take] = [shownTake(right), shownTake(theirs)];
+  const count = own && take && !own.samples && !take.samples ? Math.min(own.channels.length, take.channels.length) : 0;
   const at = times.filter((time) => time !== undefined);
   const channels = Uint32Array.from({ length: count * at.length }, (_, i) => Math.floor(i / at.length));
   const target = {
@@ -407,13 +407,13 @@ function countChannels(right: Character, target: ChannelTarget, tolerance: numbe
 }
 
 /** The right character without the parts that theirs lacks for their errors; undefined if that can't be compared. */
-function withoutUnread(right: Character, { unread = [], skins, clips }: Character): Character | undefined {
+function withoutUnread(right: Character, { unread = [], skins, takes }: Character): Character | undefined {
   if (unread.length === 0) return right;
   if (unread.some(({ name }) => formatOf(name)?.kind === 'morph')) return undefined;
   return {
     ...right,
     ...(skins.length === 0 && { skins: [], shownSkin: 0 }),
-    ...(clips.length === 0 && { clips: [], shownClip: -1 }),
+    ...(takes.length === 0 && { takes: [], shownTake: -1 }),
   };
 }
 

@@ -1,7 +1,7 @@
 /** The teacher's files: what is right. */
 
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import { type Character, shownClip } from '../../model/document.ts';
+import { type Character, shownTake } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import { joinedFigures } from '../../teaching/dump/joined-figures.ts';
 import { loadInside, openLoaded } from '../load.ts';
@@ -62,12 +62,12 @@ const SHARES = [-0.62, 0, 0.13, 0.5, 0.87, 1, 1.73];
 
 /** Undefined is the file pose. @param asked on the command line */
 export function timesFor(character: Character, asked: readonly number[] | undefined): readonly (number | undefined)[] {
-  const clip = shownClip(character);
-  if (!clip) return [undefined];
+  const take = shownTake(character);
+  if (!take) return [undefined];
   if (asked) return asked;
-  const [start, end] = clip.range;
+  const [start, end] = take.range;
   const length = end > start ? end - start : 1;
   // Samples have no extrapolation to be right about.
-  const shares = clip.samples ? SHARES.filter((share) => share >= 0 && share <= 1) : SHARES;
+  const shares = take.samples ? SHARES.filter((share) => share >= 0 && share <= 1) : SHARES;
   return shares.map((share) => start + share * length);
 }

@@ -16,7 +16,7 @@
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
-import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats } from '../../model/takes/clip.ts';
+import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
@@ -34,7 +34,7 @@ export interface Baked {
 const MAX_KEYS = 1_000_000;
 
 /**
- * The channel with keys for its extrapolation from `from` to `to` (seconds of the clip), where it looks as before. A
+ * The channel with keys for its extrapolation from `from` to `to` (seconds of the take), where it looks as before. A
  * side within the keys, or constant, is not changed; the same object if neither changes.
  *
  * Beyond its new keys, a baked side stays `linear`, but repetitions become `constant`, since they would now repeat all

@@ -6,14 +6,14 @@
  * whose maximum is at one of the ends or where d′(τ) = b + 2c·τ + 3d·τ² is 0. (Sampling would miss narrow peaks and
  * cost more: a dozen differences per span rather than one.)
  */
-import { compileChannels } from '../../evaluate/compiled-clip.ts';
-import type { KeyedChannel } from '../../model/takes/clip.ts';
+import { compileChannels } from '../../evaluate/compiled-take.ts';
+import type { KeyedChannel } from '../../model/takes/take.ts';
 
 /** The largest difference and its position. */
 export interface Difference {
   /** |new − old|, in the channel's unit. */
   readonly largestError: number;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly atSeconds: number;
 }
 

@@ -12,7 +12,7 @@
  * whatever their kind, would only be right for evenly spaced keys.)
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel, type Tangents } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel, type Tangents } from '../../model/takes/take.ts';
 
 /** A channel made to loop, and what that changed, in the channel's unit. */
 export interface Looped {

@@ -13,7 +13,7 @@ export interface Reduction {
   readonly largest: Readonly<Partial<Record<DofUnit, WorstChannel>>>;
 }
 
-/** The channel of one unit that changed most, by index in the clip. */
+/** The channel of one unit that changed most, by index in the take. */
 export interface WorstChannel extends Difference {
   readonly channel: number;
 }

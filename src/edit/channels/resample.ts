@@ -1,6 +1,6 @@
 /**
  * Resamples with a key on every frame, for frame-based tools, or to start again from an even grid. Frame n is at n /
- * rate seconds of the clip, plus a given offset: frames are those of the transport, and a character may start later.
+ * rate seconds of the take, plus a given offset: frames are those of the transport, and a character may start later.
  *
  * `smooth` gives each key the curve's slope there, as a number. Cubics with the true slopes at both ends are off by
  * h⁴/384 · |f⁗|; the tangent kind `smooth` would take its slopes from the neighbours, be off by h³, and overshoot next
@@ -9,9 +9,9 @@
  * A step on a frame is kept. Between two frames it can't be: it becomes a ramp over that frame. The distance between
  * the new curve and the old is measured, including such steps.
  */
-import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
 import { unrolled } from './bake-extrapolation.ts';
@@ -22,11 +22,11 @@ import { frozen, meets, slopedKey } from './sloped-key.ts';
 export interface Resampling {
   readonly framesPerSecond: number;
   /**
-   * Time of frame 0, in seconds of the clip; default 0. Pass the character's time offset to use the transport's frames,
+   * Time of frame 0, in seconds of the take; default 0. Pass the character's time offset to use the transport's frames,
    * which are the visible ones.
    */
   readonly offsetSeconds?: number;
-  /** Seconds of the clip: all frames in between, both included, get a key. */
+  /** Seconds of the take: all frames in between, both included, get a key. */
   readonly from: number;
   readonly to: number;
   readonly tangents: 'linear' | 'smooth';

@@ -4,12 +4,12 @@ import type { Character } from '../../model/document.ts';
 import { couplesOf } from '../../model/skeleton/couples.ts';
 import { characterDofs, firstDofs } from '../../model/skeleton/dofs.ts';
 import { jointName } from '../../model/skeleton/joint-name.ts';
-import type { Channel, KeyedChannel } from '../../model/takes/clip.ts';
+import type { Channel, KeyedChannel } from '../../model/takes/take.ts';
 import { filterRotations, keyedTogether, keysChanged, type Triple, unrollAngle } from './euler-filter.ts';
 
 /** Channels after the Euler filter. */
 export interface Filtered {
-  /** All of the clip's channels; unchanged ones keep their identity. */
+  /** All of the take's channels; unchanged ones keep their identity. */
   readonly channels: readonly Channel[];
   readonly keysChanged: number;
   /** Sentences on what was not done, and why. */

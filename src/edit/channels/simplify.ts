@@ -13,9 +13,9 @@
  *
  * If the keys repeat and the seam was smooth, both its sides get the same slope, so that it stays smooth.
  */
-import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/takes/take.ts';
 import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { agrees, type Curve, FREE_SLOPE, fitStretch, type Knots, reaches } from './fit.ts';
@@ -34,7 +34,7 @@ const CORNER = 4;
 /**
  * Removes keys as long as the curve stays within the tolerance.
  * @param tolerance in the channel's unit (radians for an angle); greater than 0
- * @param range seconds of the clip: only keys inside may be removed
+ * @param range seconds of the take: only keys inside may be removed
  */
 export function simplifyChannel(
   channel: KeyedChannel,

@@ -3,7 +3,7 @@
  * its shape only as numbers.
  */
 import type { Slopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/takes/take.ts';
 import { type Key, keyAt, type Tangent, tangent } from '../keys/columns.ts';
 
 /** A key with the slopes that its tangents have among its neighbours, in value per second. */

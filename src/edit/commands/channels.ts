@@ -8,10 +8,10 @@ import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import type { Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/skeleton/dofs.ts';
 import type { DofUnit } from '../../model/skeleton/skeleton.ts';
-import type { Channel, KeyedChannel } from '../../model/takes/clip.ts';
+import type { Channel, KeyedChannel } from '../../model/takes/take.ts';
 import { described } from '../arguments.ts';
 import type { Edit } from '../change.ts';
-import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
+import { checkedChannels, type OfChannels, takeOf, withTakeChannels } from '../channel-edits.ts';
 import { type Baked, withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { type Reduction, reductionOf } from '../channels/report.ts';
@@ -38,7 +38,7 @@ export type Tolerances = Readonly<Partial<Record<DofUnit, number>>>;
 export interface Simplify extends OfChannels {
   /** Greater than 0: one per unit, to combine half a degree with a millimetre, or one for all. */
   readonly tolerance: number | Tolerances;
-  /** Seconds of the clip: keys outside are kept, with the curve there. Default: all keys. */
+  /** Seconds of the take: keys outside are kept, with the curve there. Default: all keys. */
   readonly range?: readonly [number, number];
 }
 
@@ -112,22 +112,22 @@ export interface EulerFiltering {
 /** Runs `eulerFilter` in steps, yielding progress every few milliseconds. */
 export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<EulerFiltering> {
   const { characterId } = args;
-  const clip = clipOf(document, characterId);
+  const take = takeOf(document, characterId);
   const character = requireCharacter(document, characterId);
-  const given = checkedChannels(clip, args.channels);
-  if (given.some((channel) => clip.channels[channel]?.kind === 'samples')) refuseMoved(character);
-  const { clip: filtered, ...result } = yield* filteringAngles(character, clip, given);
-  const keyed = withClipChannels(document, characterId, filtered.channels);
+  const given = checkedChannels(take, args.channels);
+  if (given.some((channel) => take.channels[channel]?.kind === 'samples')) refuseMoved(character);
+  const { take: filtered, ...result } = yield* filteringAngles(character, take, given);
+  const keyed = withTakeChannels(document, characterId, filtered.channels);
   const after =
-    filtered.samples === clip.samples
+    filtered.samples === take.samples
       ? keyed
-      : changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, filtered));
+      : changeCharacter(document, characterId, (c) => withTake(c, c.shownTake, filtered));
   return { ...result, edit: { document: after, keys: allKeys(filtered, result.changed) } };
 }
 
 /** Arguments of baking the extrapolation of channels. */
 export interface BakeExtrapolation extends OfChannels {
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly from: number;
   readonly to: number;
 }
@@ -171,11 +171,11 @@ export const makeLoop = command({
   },
   label: (document, { characterId, channels }) => `Make ${curvesIn(document, characterId, channels)} loop`,
   run(document, args) {
-    const clip = clipOf(document, args.characterId);
+    const take = takeOf(document, args.characterId);
     const { keepOffset } = args;
     const { skeleton, morphs } = requireCharacter(document, args.characterId);
     const dofs = characterDofs(skeleton, morphs);
-    const named = typeof keepOffset === 'object' ? new Set(checkedChannels(clip, keepOffset)) : undefined;
+    const named = typeof keepOffset === 'object' ? new Set(checkedChannels(take, keepOffset)) : undefined;
     const keeps = (channel: KeyedChannel, index: number) => {
       if (named) return named.has(index);
       if (typeof keepOffset === 'boolean') return keepOffset;
@@ -197,7 +197,7 @@ function results<R>(
   args: OfChannels,
   of: (channel: KeyedChannel, index: number) => R,
 ): Map<number, R> {
-  const { channels } = clipOf(document, args.characterId);
+  const { channels } = takeOf(document, args.characterId);
   const made = new Map<number, R>();
   for (const index of checkedChannels({ channels }, args.channels)) {
     const channel = channels[index];
@@ -207,17 +207,17 @@ function results<R>(
 }
 
 function edited(document: Document, { characterId }: OfChannels, made: ReadonlyMap<number, Result>): Edit {
-  const clip = clipOf(document, characterId);
+  const take = takeOf(document, characterId);
   const changed: number[] = [];
-  const channels = clip.channels.map((channel, index) => {
+  const channels = take.channels.map((channel, index) => {
     const result = made.get(index) ?? channel;
     const next = 'channel' in result ? result.channel : result;
     if (next !== channel) changed.push(index);
     return next;
   });
   return {
-    document: withClipChannels(document, characterId, channels),
-    keys: allKeys({ ...clip, channels }, changed),
+    document: withTakeChannels(document, characterId, channels),
+    keys: allKeys({ ...take, channels }, changed),
   };
 }
 
@@ -265,10 +265,10 @@ function reduction(
   args: OfChannels,
   made: ReadonlyMap<number, Simplified | ReturnType<typeof resampleChannel>>,
 ): Reduction {
-  const clip = clipOf(document, args.characterId);
+  const take = takeOf(document, args.characterId);
   const list = [...made].map(([index, result]) => ({
     index,
-    changed: result.channel !== clip.channels[index],
+    changed: result.channel !== take.channels[index],
     result,
   }));
   return reductionOf(list, units(document, args));

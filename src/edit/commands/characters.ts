@@ -48,18 +48,18 @@ export const showSkin = command({
 });
 
 /** Plays another take; -1 for none. */
-export const showClip = command({
-  id: 'character.showClip',
-  args: { ...CHARACTER, clip: whole(-1) },
-  label: (document, { characterId, clip }) =>
-    clip < 0
+export const showTake = command({
+  id: 'character.showTake',
+  args: { ...CHARACTER, take: whole(-1) },
+  label: (document, { characterId, take }) =>
+    take < 0
       ? `Show ${characterIn(document, characterId)} without a take`
-      : `Show take ${cutName(requireCharacter(document, characterId).clips[clip]?.name ?? String(clip))}`,
-  run: (document, { characterId, clip }) =>
+      : `Show take ${cutName(requireCharacter(document, characterId).takes[take]?.name ?? String(take))}`,
+  run: (document, { characterId, take }) =>
     changeCharacter(document, characterId, (c) => {
-      indexIn(clip, -1, c.clips.length, 'take');
+      indexIn(take, -1, c.takes.length, 'take');
       // Showing a take of its own ends retargeting.
-      return c.shownClip === clip ? withoutDriver(c) : { ...withoutDriver(withoutUnkeyed(c)), shownClip: clip };
+      return c.shownTake === take ? withoutDriver(c) : { ...withoutDriver(withoutUnkeyed(c)), shownTake: take };
     }),
 });
 

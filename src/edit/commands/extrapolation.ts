@@ -1,7 +1,7 @@
 /** Extrapolation of channels before their first key and after their last. */
 
-import type { Extrapolation } from '../../model/takes/clip.ts';
-import { checkedChannels, clipOf, keyable, withClipChannels } from '../channel-edits.ts';
+import type { Extrapolation } from '../../model/takes/take.ts';
+import { checkedChannels, keyable, takeOf, withTakeChannels } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import type { TangentSide } from '../keys/tangents.ts';
 import { CHANNELS, extrapolation, side } from '../schema/shared-shapes.ts';
@@ -24,15 +24,15 @@ export const setExtrapolation = command({
   label: (document, { characterId, channels, side, extrapolation }) =>
     `Set ${curvesIn(document, characterId, channels)} to ${EXTRAPOLATION_NAMES[extrapolation].toLowerCase()} ${WHERE[side]}`,
   run(document, { characterId, channels, side, extrapolation }) {
-    const clip = clipOf(document, characterId);
-    const changed = [...clip.channels];
-    for (const index of keyable(clip, checkedChannels(clip, channels))) {
+    const take = takeOf(document, characterId);
+    const changed = [...take.channels];
+    for (const index of keyable(take, checkedChannels(take, channels))) {
       const channel = changed[index];
       const extrapolateIn = side === 'out' ? channel.extrapolateIn : extrapolation;
       const extrapolateOut = side === 'in' ? channel.extrapolateOut : extrapolation;
       if (extrapolateIn === channel.extrapolateIn && extrapolateOut === channel.extrapolateOut) continue;
       changed[index] = { ...channel, extrapolateIn, extrapolateOut };
     }
-    return withClipChannels(document, characterId, changed);
+    return withTakeChannels(document, characterId, changed);
   },
 });

@@ -5,12 +5,12 @@
  */
 import type { AnyCommand } from '../command.ts';
 import * as characters from './characters.ts';
-import * as clips from './clips.ts';
 import * as extrapolation from './extrapolation.ts';
 import * as keying from './keying.ts';
 import * as limits from './limits.ts';
 import * as pose from './pose.ts';
 import * as spaces from './spaces.ts';
+import * as take from './take.ts';
 import * as unkeyed from './unkeyed.ts';
 
 /** By their ids. */
@@ -18,7 +18,7 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, AnyCommand> = commandsIn([
   pose,
   unkeyed,
   keying,
-  clips,
+  take,
   spaces,
   limits,
   extrapolation,

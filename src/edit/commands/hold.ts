@@ -5,10 +5,10 @@
 
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
-import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownTake } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type ChannelClip, keysOf } from '../../model/takes/clip.ts';
+import { keysOf, type Take } from '../../model/takes/take.ts';
 import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -74,7 +74,7 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { skeleton } = character;
   if (!skeleton) throw new CommandError(`${character.name} has no skeleton, so there is nothing to hold.`);
   refuseMoved(character);
-  if (!shownClip(character))
+  if (!shownTake(character))
     throw new CommandError(`${character.name} has no current take, so there is no motion to hold pins in.`);
   const pins = checkedPins(character, args.pins);
   const [from, to] = args.range;
@@ -88,12 +88,12 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const places = placesAt(character, skeleton, pins, at);
   const options = { range, framesPerSecond, easeSeconds, tolerance };
   const report = yield* holding(taken, skeleton, requireTake(taken), pins, places, options);
-  const { clip, channels, window } = report;
+  const { take, channels, window } = report;
   if (channels.length === 0) return { edit: { document, keys: [] }, report };
   const held = changeCharacter(document, characterId, () =>
-    withoutUnkeyedOnHold(withTake(taken, taken.shownClip, clip), character, channels, window),
+    withoutUnkeyedOnHold(withTake(taken, taken.shownTake, take), character, channels, window),
   );
-  return { edit: { document: held, keys: keysIn(clip, channels, window) }, report };
+  return { edit: { document: held, keys: keysIn(take, channels, window) }, report };
 }
 
 function checkedPins(character: Character, given: readonly number[]): readonly Pin[] {
@@ -125,7 +125,7 @@ function withoutUnkeyedOnHold(
 
 /** The keys of these channels in the window. */
 function keysIn(
-  { channels }: ChannelClip,
+  { channels }: Take,
   changed: readonly number[],
   { times: [from], times }: HoldWindow,
 ): readonly ChannelKeys[] {

@@ -1,7 +1,7 @@
 /** Keying poses. */
 
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { shownClip } from '../../model/document.ts';
+import { shownTake } from '../../model/document.ts';
 import { indexIn } from '../arguments.ts';
 import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -40,8 +40,8 @@ export const keyPose = command({
         values.set(index, shown[index]);
       }
     const { character: keyed, keys } = keyDofs(character, values, timeSeconds, options);
-    const clip = shownClip(keyed);
-    if (clip) keyable(clip, [...values.keys()]);
+    const take = shownTake(keyed);
+    if (take) keyable(take, [...values.keys()]);
     return { document: changeCharacter(document, characterId, () => keyed), keys };
   },
 });

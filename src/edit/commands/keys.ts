@@ -1,18 +1,18 @@
-/** Creating, moving and deleting keys. Seconds are the clip's. */
+/** Creating, moving and deleting keys. Seconds are the take's. */
 
-import { compileClip } from '../../evaluate/compiled-clip.ts';
+import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { followingSamples, TANGENT_KINDS } from '../../model/takes/clip.ts';
+import { followingSamples, TANGENT_KINDS } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
 import {
   changeKeys,
   checkedChannels,
   checkedKeys,
-  clipOf,
   keyable,
   requireKeyable,
-  withClipChannels,
+  takeOf,
+  withTakeChannels,
 } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
@@ -30,7 +30,7 @@ import { curvesIn, keysIn } from '../step-names.ts';
 
 /** A time at which keys are made. */
 export interface AtTime {
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly timeSeconds: number;
 }
 
@@ -49,15 +49,15 @@ export const insertKeys = command({
       ? `Insert key on ${curvesIn(document, characterId, channels)}`
       : `Insert ${channels.length} keys`,
   run(document, { characterId, channels, timeSeconds: time, ...placing }) {
-    const clip = clipOf(document, characterId);
-    const changed = [...clip.channels];
-    const keys = keyable(clip, checkedChannels(clip, channels)).map((index): ChannelKeys => {
+    const take = takeOf(document, characterId);
+    const changed = [...take.channels];
+    const keys = keyable(take, checkedChannels(take, channels)).map((index): ChannelKeys => {
       const place = placeOf(changed[index], time, placing);
       const inserted = insertKey(place.channel, place.time);
       changed[index] = inserted.channel;
       return { channel: index, indices: [inserted.index] };
     });
-    return { document: withClipChannels(document, characterId, changed), keys };
+    return { document: withTakeChannels(document, characterId, changed), keys };
   },
 });
 
@@ -77,13 +77,13 @@ export const addKey = command({
   },
   label: (document, { characterId, channel }) => `Add key on ${curvesIn(document, characterId, [channel])}`,
   run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth', ...placing }) {
-    const clip = clipOf(document, characterId);
-    indexIn(index, 0, clip.channels.length, 'channel');
-    requireKeyable(clip, [index]);
-    const put = putKeyAt(clip.channels[index], timeSeconds, value, TANGENT_KINDS.indexOf(tangents), placing);
-    const channels = clip.channels.map((c, i) => (i === index ? put.channel : c));
+    const take = takeOf(document, characterId);
+    indexIn(index, 0, take.channels.length, 'channel');
+    requireKeyable(take, [index]);
+    const put = putKeyAt(take.channels[index], timeSeconds, value, TANGENT_KINDS.indexOf(tangents), placing);
+    const channels = take.channels.map((c, i) => (i === index ? put.channel : c));
     return {
-      document: withClipChannels(document, characterId, channels),
+      document: withTakeChannels(document, characterId, channels),
       keys: [{ channel: index, indices: [put.index] }],
     };
   },
@@ -115,7 +115,7 @@ export const scaleKeys = command({
   id: 'keys.scale',
   args: {
     ...KEYS,
-    /** Clip time that stays fixed. */
+    /** Take time that stays fixed. */
     pivotSeconds: number,
     /** Negative mirrors. */
     timeFactor: number,
@@ -170,7 +170,7 @@ export const snapKeys = command({
     ...KEYS,
     framesPerSecond: number,
     /**
-     * Time of frame 0, in seconds of the clip; default 0. Pass the character's time offset to use the transport's frames,
+     * Time of frame 0, in seconds of the take; default 0. Pass the character's time offset to use the transport's frames,
      * which are the visible ones.
      */
     offsetSeconds: optional(number),
@@ -195,13 +195,13 @@ export const removeKeys = command({
   args: { ...KEYS, timeSeconds: number },
   label: (document, { characterId, keys }) => `Delete ${keysIn(document, characterId, keys)}`,
   run(document, { characterId, keys, timeSeconds }) {
-    const clip = clipOf(document, characterId);
-    const curves = compileClip(clip);
-    const channels = [...clip.channels];
-    for (const { channel, index, indices } of checkedKeys(clip, keys)) {
+    const take = takeOf(document, characterId);
+    const curves = compileTake(take);
+    const channels = [...take.channels];
+    for (const { channel, index, indices } of checkedKeys(take, keys)) {
       channels[index] = withKeysRemoved(channel, indices, evaluateChannel(curves, index, timeSeconds));
     }
-    const after = withClipChannels(document, characterId, followingSamples(channels, clip.samples));
+    const after = withTakeChannels(document, characterId, followingSamples(channels, take.samples));
     return { document: after, keys: [] };
   },
 });
@@ -215,9 +215,9 @@ export const rippleKeys = command({
   args: { ...KEYS, seconds: number },
   label: (document, { characterId, keys }) => `Ripple ${keysIn(document, characterId, keys)}`,
   run(document, { characterId, keys, seconds }) {
-    const clip = clipOf(document, characterId);
+    const take = takeOf(document, characterId);
     let by = seconds;
-    for (const { channel, indices } of checkedKeys(clip, keys)) by = Math.max(by, rippleRoom(channel, indices[0]));
+    for (const { channel, indices } of checkedKeys(take, keys)) by = Math.max(by, rippleRoom(channel, indices[0]));
     return changeKeys(document, { characterId, keys }, (channel, indices) => withKeysRippled(channel, indices, by));
   },
 });

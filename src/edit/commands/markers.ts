@@ -1,8 +1,8 @@
 /** Commands for the markers and labelled spans of a take. Each applies to the shown take unless another is given. */
 
 import type { Document } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import type { Marker } from '../../model/takes/markers.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -19,7 +19,7 @@ const marker = record({ timeSeconds: number, endSeconds: optional(number), label
 interface OfTake {
   readonly characterId: string;
   /** Index of the character's takes; default: the shown one. */
-  readonly clip?: number;
+  readonly take?: number;
 }
 
 /** Adds markers, or spans. One that the take has already is not added again. */
@@ -29,11 +29,11 @@ export const addMarkers = command({
   label: (document, args) =>
     `Add ${args.markers.length === 1 ? 'marker' : `${args.markers.length} markers`} to ${nameOf(document, args)}`,
   run: (document, args) =>
-    changed(document, args, (clip) => {
-      const own = clip.markers ?? [];
+    changed(document, args, (take) => {
+      const own = take.markers ?? [];
       const added = args.markers.map(checkedMarker);
       const fresh = added.filter((marker) => !own.some((known) => sameValue(known, marker)));
-      return fresh.length ? withMarkers(clip, [...own, ...fresh]) : clip;
+      return fresh.length ? withMarkers(take, [...own, ...fresh]) : take;
     }),
 });
 
@@ -48,11 +48,11 @@ export const changeMarker = command({
   },
   label: (document, args) => `Change marker of ${nameOf(document, args)}`,
   run: (document, args) =>
-    changed(document, args, (clip) => {
-      const own = clip.markers ?? [];
+    changed(document, args, (take) => {
+      const own = take.markers ?? [];
       const index = indexIn(args.index, 0, own.length, 'marker');
       const next = checkedMarker(args.marker);
-      return sameValue(own[index], next) ? clip : withMarkers(clip, own.with(index, next));
+      return sameValue(own[index], next) ? take : withMarkers(take, own.with(index, next));
     }),
 });
 
@@ -66,28 +66,28 @@ export const removeMarkers = command({
   label: (document, args) =>
     `Delete ${args.indices.length === 1 ? 'marker' : `${args.indices.length} markers`} of ${nameOf(document, args)}`,
   run: (document, args) =>
-    changed(document, args, (clip) => {
-      const own = clip.markers ?? [];
+    changed(document, args, (take) => {
+      const own = take.markers ?? [];
       const gone = new Set(args.indices.map((i) => indexIn(i, 0, own.length, 'marker')));
       return gone.size
         ? withMarkers(
-            clip,
+            take,
             own.filter((_, i) => !gone.has(i)),
           )
-        : clip;
+        : take;
     }),
 });
 
-function nameOf(document: Document, { characterId, clip }: OfTake): string {
+function nameOf(document: Document, { characterId, take }: OfTake): string {
   const character = requireCharacter(document, characterId);
-  return cutName(character.clips[clip ?? character.shownClip]?.name ?? 'take');
+  return cutName(character.takes[take ?? character.shownTake]?.name ?? 'take');
 }
 
-function changed(document: Document, args: OfTake, change: (clip: ChannelClip) => ChannelClip): Document {
+function changed(document: Document, args: OfTake, change: (take: Take) => Take): Document {
   return changeCharacter(document, args.characterId, (c) => {
-    if (args.clip === undefined) requireTake(c);
-    const index = args.clip === undefined ? c.shownClip : indexIn(args.clip, 0, c.clips.length, 'take');
-    return withTake(c, index, change(c.clips[index]));
+    if (args.take === undefined) requireTake(c);
+    const index = args.take === undefined ? c.shownTake : indexIn(args.take, 0, c.takes.length, 'take');
+    return withTake(c, index, change(c.takes[index]));
   });
 }
 

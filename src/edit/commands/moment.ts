@@ -1,7 +1,7 @@
 /** Keying a pose for a moment, over motion that continues. */
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
-import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import { columnOf } from '../../model/takes/samples.ts';
 import { indexIn } from '../arguments.ts';
@@ -85,7 +85,7 @@ function changedFor(
   baked: readonly [number, number],
 ) {
   const taking = withChannels(character, baked);
-  const take = shownClip(taking);
+  const take = shownTake(taking);
   if (!take) return { character, keys: [] };
   const channels = [...take.channels];
   const sampled = new Map<number, number>();
@@ -108,5 +108,5 @@ function changedFor(
   const byHand = unkeyedAt(taking, timeSeconds);
   for (const [dof, value] of byHand)
     if (values.has(dof) || isOnCurve(channels[dof], moment.at, value)) byHand.delete(dof);
-  return { character: withUnkeyed(withTake(taking, taking.shownClip, next), timeSeconds, byHand), keys };
+  return { character: withUnkeyed(withTake(taking, taking.shownTake, next), timeSeconds, byHand), keys };
 }

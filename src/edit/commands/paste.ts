@@ -1,7 +1,7 @@
 /** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
 
-import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/takes/clip.ts';
-import { clipOf, requireKeyable, withClipChannels } from '../channel-edits.ts';
+import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/takes/take.ts';
+import { requireKeyable, takeOf, withTakeChannels } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type CopiedKeys, PASTE_MODES, withKeysPasted } from '../keys/clipboard.ts';
@@ -32,9 +32,9 @@ export const pasteKeys = command({
     return `Paste ${count === 1 ? '1 key' : `${count} keys`} on ${characterIn(document, characterId)}`;
   },
   run(document, { characterId, copied, timeSeconds, into, mode, outsideCycle, bakedRange }) {
-    const clip = clipOf(document, characterId);
+    const take = takeOf(document, characterId);
     checkCopied(copied);
-    const { channels, keys } = withKeysPasted(clip, copied, {
+    const { channels, keys } = withKeysPasted(take, copied, {
       timeSeconds,
       into,
       mode,
@@ -42,10 +42,10 @@ export const pasteKeys = command({
       bakedRange,
     });
     requireKeyable(
-      clip,
+      take,
       keys.map((k) => k.channel),
     );
-    return { document: withClipChannels(document, characterId, channels), keys };
+    return { document: withTakeChannels(document, characterId, channels), keys };
   },
 });
 

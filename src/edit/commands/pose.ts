@@ -15,7 +15,7 @@
 
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
-import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/skeleton/dofs.ts';
 import { indexIn } from '../arguments.ts';
 import type { Edit } from '../change.ts';
@@ -99,8 +99,8 @@ export function setValues(
   const character = requireCharacter(document, characterId);
   const values = valuesFor(character);
   if (!key) return changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
-  const clip = shownClip(character);
-  const overSamples = new Map([...values].filter(([dof]) => clip?.channels[dof]?.kind === 'samples'));
+  const take = shownTake(character);
+  const overSamples = new Map([...values].filter(([dof]) => take?.channels[dof]?.kind === 'samples'));
   const posed = overSamples.size ? pose(character, overSamples, timeSeconds) : character;
   const keyed = keyDofs(posed, values, timeSeconds, key);
   return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys };
@@ -108,12 +108,12 @@ export function setValues(
 
 /** The character with each value stored where it belongs; the same object if none changed. */
 function pose(character: Character, values: ReadonlyMap<number, number>, timeSeconds: number): Character {
-  const clip = shownClip(character);
+  const take = shownTake(character);
   const byHand = unkeyedAt(character, timeSeconds);
-  const channels = clip && [...clip.channels];
+  const channels = take && [...take.channels];
   const posed = [...character.pose];
   let poseChanged = false;
-  let clipChanged = false;
+  let takeChanged = false;
   let handChanged = false;
   const moved = movedDofs(character);
   let driven: Float64Array | undefined;
@@ -135,11 +135,11 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
       posed[dof] = value;
     } else if (channel.value !== value) {
       channels[dof] = { ...channel, value: value + 0 };
-      clipChanged = true;
+      takeChanged = true;
     }
   }
   let next = poseChanged ? { ...character, pose: posed } : character;
-  if (clip && channels && clipChanged) next = withTake(next, next.shownClip, { ...clip, channels });
+  if (take && channels && takeChanged) next = withTake(next, next.shownTake, { ...take, channels });
   return handChanged ? withUnkeyed(next, timeSeconds, byHand) : next;
 }
 

@@ -5,7 +5,7 @@
  * follows. Baking samples what is displayed.
  */
 
-import { bakeClip, framesOf } from '../../evaluate/bake.ts';
+import { bakeTake, framesOf } from '../../evaluate/bake.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import { command } from '../command.ts';
 import { boolean, either, index, list, number, oneOf, optional, record, type Shape, text } from '../schema/shape.ts';
@@ -16,9 +16,9 @@ import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import type { Character, Driver } from '../../model/document.ts';
 import { restPose } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { SAMPLED } from '../../model/takes/clip.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/takes/retarget.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import { SAMPLED } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { CommandError } from '../command-error.ts';
@@ -151,26 +151,26 @@ export const bakeRetarget = command({
   run: (document, { characterId, framesPerSecond, name = '' }) =>
     changeCharacter(document, characterId, (c) => {
       const skeleton = requireSkeleton(c);
-      const { clip, timeOffsetSeconds } = requireDriver(c).source;
-      const own = clip.samples ? 1 / clip.samples.frameSeconds : (frameRateOf(clip) ?? 30);
+      const { take, timeOffsetSeconds } = requireDriver(c).source;
+      const own = take.samples ? 1 / take.samples.frameSeconds : (frameRateOf(take) ?? 30);
       const rate = framesPerSecond ?? own;
       if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
       // Frames are baked at times of the source's take, and shifted to those of this character's take.
-      const frames = framesOf(clip.range, rate);
-      const range = [clip.range[0] - timeOffsetSeconds, clip.range[1] - timeOffsetSeconds] as const;
+      const frames = framesOf(take.range, rate);
+      const range = [take.range[0] - timeOffsetSeconds, take.range[1] - timeOffsetSeconds] as const;
       refuseTooMany(frames.frameCount, restPose(skeleton, c.morphs.length).length);
-      const samples = { ...bakeClip(c, frames), startSeconds: range[0] };
+      const samples = { ...bakeTake(c, frames), startSeconds: range[0] };
       unrollRotations(skeleton, samples);
       const given = name.trim();
-      const called = given ? uniqueTakeName(c, given) : takeNameOf(c, clip.name);
+      const called = given ? uniqueTakeName(c, given) : takeNameOf(c, take.name);
       const channels = restPose(skeleton, c.morphs.length).map(() => SAMPLED);
       const plain = withoutDriver(withoutUnkeyed(c));
       const made = { name: called, range, channels, samples };
-      const markers = retimed(clip.markers, (seconds) => seconds - timeOffsetSeconds);
+      const markers = retimed(take.markers, (seconds) => seconds - timeOffsetSeconds);
       return {
         ...plain,
-        clips: [...plain.clips, withMarkers(made, markers)],
-        shownClip: plain.clips.length,
+        takes: [...plain.takes, withMarkers(made, markers)],
+        shownTake: plain.takes.length,
       };
     }),
 });
@@ -233,6 +233,6 @@ function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): Reta
   return { ...(scale !== undefined && { scale }), reference, plantsFeet };
 }
 
-function takeOf(source: { readonly clip: { readonly name: string } } | undefined): string {
-  return cutName(source?.clip.name ?? 'take', SHORT_NAME);
+function takeOf(source: { readonly take: { readonly name: string } } | undefined): string {
+  return cutName(source?.take.name ?? 'take', SHORT_NAME);
 }

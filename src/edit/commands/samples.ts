@@ -1,13 +1,13 @@
 /**
  * Operations on the samples of a character's shown take: crop, resample, reverse, smooth, and convert to keys. Seconds
- * are the clip's. Refused while another take is retargeted to the character, since the result would be invisible. If
+ * are the take's. Refused while another take is retargeted to the character, since the result would be invisible. If
  * nothing changes, the document is the same object and no undo step is made.
  */
 
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
-import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { described } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { checkedChannels } from '../channel-edits.ts';
@@ -44,7 +44,7 @@ export const cropSamples = command({
   label: (document, args) => `Crop ${nameOf(document, args)}`,
   run(document, args) {
     const [from, to] = interval(args.from, args.to);
-    return changed(document, args, (clip) => cropped(clip, from, to));
+    return changed(document, args, (take) => cropped(take, from, to));
   },
 });
 
@@ -58,7 +58,7 @@ export const trimSamples = command({
   },
   label: (document, args) => `Trim the ${args.side} of ${nameOf(document, args)}`,
   run(document, args) {
-    return changed(document, args, (clip) => trimmed(clip, args.side, args.timeSeconds));
+    return changed(document, args, (take) => trimmed(take, args.side, args.timeSeconds));
   },
 });
 
@@ -69,11 +69,11 @@ export const splitSamples = command({
   label: (document, args) => `Split ${nameOf(document, args)}`,
   run: (document, { characterId, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
-      const clip = ownTake(character);
-      const [before, after] = splitAt(clip, timeSeconds);
-      const named = { ...after, name: uniqueTakeName(character, clip.name) };
-      const clips = withTake(character, character.shownClip, before).clips;
-      return { ...withoutUnkeyed(character), clips: [...clips, named], shownClip: clips.length };
+      const take = ownTake(character);
+      const [before, after] = splitAt(take, timeSeconds);
+      const named = { ...after, name: uniqueTakeName(character, take.name) };
+      const takes = withTake(character, character.shownTake, before).takes;
+      return { ...withoutUnkeyed(character), takes: [...takes, named], shownTake: takes.length };
     }),
 });
 
@@ -124,7 +124,7 @@ export interface SmoothSamples extends OfSamples {
   readonly sigmaSeconds?: number;
   /** Window of the median: 3, 5 or 7. */
   readonly frames?: number;
-  /** Seconds of the clip, both included: frames outside are kept. Default: the whole take. */
+  /** Seconds of the take, both included: frames outside are kept. Default: the whole take. */
   readonly range?: readonly [number, number];
 }
 
@@ -149,11 +149,11 @@ export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Doc
   const filter = checkedFilter(args);
   const character = requireCharacter(document, args.characterId);
   const { skeleton, morphs } = character;
-  const clip = ownTake(character);
+  const take = ownTake(character);
   const rotations = skeleton ? jointRotations(skeleton) : [];
-  const channels = sampledChannels(clip, args.channels);
+  const channels = sampledChannels(take, args.channels);
   const dofs = characterDofs(skeleton, morphs);
-  const smooth = yield* smoothing(clip, dofs, rotations, channels, filter, args.range);
+  const smooth = yield* smoothing(take, dofs, rotations, channels, filter, args.range);
   return withNewTake(document, args, smooth);
 }
 
@@ -205,39 +205,39 @@ export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Co
   const { characterId, tolerance } = args;
   const { position, angle } = tolerance;
   const character = requireCharacter(document, characterId);
-  const clip = ownTake(character);
+  const take = ownTake(character);
   if (!(position > 0 && angle > 0)) {
     throw new CommandError(`A tolerance must be greater than 0, found ${Math.min(position, angle)}.`);
   }
-  requireSamples(clip);
-  const report = yield* converting(character, clip, sampledChannels(clip, args.channels), { position, angle });
-  return { edit: { document: withNewTake(document, args, report.clip), keys: [] }, report };
+  requireSamples(take);
+  const report = yield* converting(character, take, sampledChannels(take, args.channels), { position, angle });
+  return { edit: { document: withNewTake(document, args, report.take), keys: [] }, report };
 }
 
 /** The sampled ones of the given channels, or all sampled channels. */
-function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefined): readonly number[] {
-  const given = channels === undefined ? [...clip.channels.keys()] : checkedChannels(clip, channels);
-  const sampled = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
+function sampledChannels(take: Take, channels: readonly number[] | undefined): readonly number[] {
+  const given = channels === undefined ? [...take.channels.keys()] : checkedChannels(take, channels);
+  const sampled = given.filter((channel) => take.channels[channel]?.kind === 'samples');
   if (sampled.length > 0) return sampled;
   throw new CommandError(channels ? 'None of these curves is sampled.' : 'This take has no samples.');
 }
 
-function changed(document: Document, args: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {
+function changed(document: Document, args: OfSamples, change: (take: Take) => Take): Document {
   return withNewTake(document, args, change(ownTake(requireCharacter(document, args.characterId))));
 }
 
-function withNewTake(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
+function withNewTake(document: Document, { characterId }: OfSamples, take: Take): Document {
   return changeCharacter(document, characterId, (c) =>
-    sameValue(clip, shownClip(c)) ? c : withTake(c, c.shownClip, clip),
+    sameValue(take, shownTake(c)) ? c : withTake(c, c.shownTake, take),
   );
 }
 
 /** The shown take; refuses, before any work is done, while another take is retargeted to the character. */
-function ownTake(character: Character): ChannelClip {
+function ownTake(character: Character): Take {
   refuseMoved(character);
   return requireTake(character);
 }
 
 function nameOf(document: Document, { characterId }: OfSamples): string {
-  return cutName(shownClip(requireCharacter(document, characterId))?.name ?? 'take');
+  return cutName(shownTake(requireCharacter(document, characterId))?.name ?? 'take');
 }

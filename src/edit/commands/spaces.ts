@@ -2,7 +2,7 @@
 
 import { metresPerUnit } from '../../evaluate/space/metres.ts';
 import { liftOntoGround } from '../../evaluate/space/space.ts';
-import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { poseForPositions, positionsTaken, withPositions } from '../../model/skeleton/position-channels.ts';
 import { skeletonKey } from '../../model/skeleton/skeleton-key.ts';
 import { LENGTH_UNITS, type Space } from '../../model/space.ts';
@@ -64,7 +64,7 @@ function sameSpace(a: Space, b: Space): boolean {
 }
 
 /**
- * Whether position channels replace OFFSETs or are added to them. The pose as set stays in place; the clip's values are
+ * Whether position channels replace OFFSETs or are added to them. The pose as set stays in place; the take's values are
  * kept, since it is their meaning that changes. A character that stood on the ground is put on the ground again.
  */
 export const setPositionChannels = command({
@@ -90,7 +90,7 @@ export const setPositionChannels = command({
 function onTheGround(character: Character): Character {
   const { skeleton, space } = character;
   if (!skeleton || !space) return character;
-  return { ...character, space: { ...space, lift: liftOntoGround(skeleton, shownClip(character), space) } };
+  return { ...character, space: { ...space, lift: liftOntoGround(skeleton, shownTake(character), space) } };
 }
 
 /** Hides or shows characters; hidden ones keep playing. */

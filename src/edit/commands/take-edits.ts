@@ -7,7 +7,7 @@ import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -17,7 +17,7 @@ import { markersWithin, withMarkers } from '../markers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { looping } from '../samples/loop.ts';
 import { retiming } from '../samples/speed.ts';
-import { clipOfFrames, framesOnly, KEYED_RATE } from '../samples/take-frames.ts';
+import { framesOnly, KEYED_RATE, takeOfFrames } from '../samples/take-frames.ts';
 import { mirroringTake } from '../samples/take-mirror.ts';
 import { number, optional } from '../schema/shape.ts';
 import { TAKES } from '../schema/shared-shapes.ts';
@@ -40,8 +40,8 @@ export const mirrorTakes = command({
 
 /** Runs `mirrorTakes` in steps, yielding progress every few milliseconds. */
 export function mirrorTakesSteps(document: Document, { takes }: OfTakes): Steps<Document> {
-  return changingTakes(document, takes, (character, clip) =>
-    mirroringTake({ ...character, skeleton: skeletonOf(character) }, clip, character.space?.up),
+  return changingTakes(document, takes, (character, take) =>
+    mirroringTake({ ...character, skeleton: skeletonOf(character) }, take, character.space?.up),
   );
 }
 
@@ -67,7 +67,7 @@ export function setSpeedSteps(document: Document, { takes, factor }: SetSpeed): 
   if (!(factor > 0)) {
     throw new CommandError(`The speed must be greater than 0, found ${factor}.`);
   }
-  return changingTakes(document, takes, (character, clip) => retiming(character, clip, factor));
+  return changingTakes(document, takes, (character, take) => retiming(character, take, factor));
 }
 
 /** Arguments of making takes loop. */
@@ -97,27 +97,27 @@ export function loopTakesSteps(
   if (!(blendSeconds >= 0)) {
     throw new CommandError(`The blend must not be negative, found ${blendSeconds} s.`);
   }
-  return changingTakes(document, takes, function* (character, clip) {
+  return changingTakes(document, takes, function* (character, take) {
     const skeleton = skeletonOf(character);
-    if (!clip.samples) return loopedKeys(character, clip);
-    const samples = framesOnly(character, clip);
+    if (!take.samples) return loopedKeys(character, take);
+    const samples = framesOnly(character, take);
     const wanted = Math.max(1, Math.round(blendSeconds / samples.frameSeconds));
     const overlap = Math.min(wanted, Math.floor(samples.frameCount / 2));
-    const made = yield* looping({ character: { ...character, skeleton }, clip }, samples, overlap);
-    if (made === samples) return clip;
-    const round = clipOfFrames(clip, made);
-    return withMarkers(round, markersWithin(clip.markers, ...round.range));
+    const made = yield* looping({ character: { ...character, skeleton }, take }, samples, overlap);
+    if (made === samples) return take;
+    const round = takeOfFrames(take, made);
+    return withMarkers(round, markersWithin(take.markers, ...round.range));
   });
 }
 
-function loopedKeys({ skeleton, morphs }: Character, clip: ChannelClip): ChannelClip {
+function loopedKeys({ skeleton, morphs }: Character, take: Take): Take {
   const dofs = characterDofs(skeleton, morphs);
-  const channels = clip.channels.map((channel, c) =>
+  const channels = take.channels.map((channel, c) =>
     channel.kind === 'keys'
       ? withLoop(channel, keepsOffset(channel, unitOfChannel(dofs, c) === 'length')).channel
       : channel,
   );
-  return channels.every((channel, c) => channel === clip.channels[c]) ? clip : { ...clip, channels };
+  return channels.every((channel, c) => channel === take.channels[c]) ? take : { ...take, channels };
 }
 
 /** Arguments of locking feet. */
@@ -159,12 +159,12 @@ export function* lockFeetSteps(document: Document, args: LockFeet): Steps<FeetRe
   const options = { easeSeconds, toleranceMetres, framesPerSecond: KEYED_RATE };
   const contacts: LockedContact[] = [];
   let [locked, unreached] = [0, 0];
-  const next = yield* changingTakes(document, args.takes, function* (character, clip) {
-    const made = yield* lockingFeet(character, skeletonOf(character), clip, options);
+  const next = yield* changingTakes(document, args.takes, function* (character, take) {
+    const made = yield* lockingFeet(character, skeletonOf(character), take, options);
     contacts.push(...made.contacts);
     locked += made.locked;
     unreached += made.unreached;
-    return made.clip;
+    return made.take;
   });
   return { document: next, contacts, locked, unreached };
 }
@@ -184,17 +184,17 @@ export function skeletonOf({ name, skeleton }: Character): Skeleton {
 export function* changingTakes(
   document: Document,
   takes: readonly TakeRef[],
-  change: (character: Character, clip: ChannelClip) => Steps<ChannelClip>,
+  change: (character: Character, take: Take) => Steps<Take>,
 ): Steps<Document> {
   const refs = takesToChange(document, takes);
   let next = document;
-  for (const [done, { characterId, clip }] of refs.entries()) {
+  for (const [done, { characterId, take }] of refs.entries()) {
     const character = requireCharacter(next, characterId);
-    const before = character.clips[clip];
+    const before = character.takes[take];
     const after = yield* within(change(character, before), done / refs.length, (done + 1) / refs.length);
     if (after === before) continue;
     next = changeCharacter(next, characterId, (c) =>
-      withTake(clip === c.shownClip ? withoutUnkeyed(c) : c, clip, after),
+      withTake(take === c.shownTake ? withoutUnkeyed(c) : c, take, after),
     );
   }
   return next;
@@ -205,8 +205,8 @@ export function takesToChange(document: Document, takes: readonly TakeRef[]): re
   const found = new Map<string, TakeRef>();
   for (const ref of checkedRefs(document, takes, 0)) {
     const character = requireCharacter(document, ref.characterId);
-    if (ref.clip < 0 || ref.clip === character.shownClip) refuseMoved(character);
-    found.set(`${ref.characterId} ${ref.clip}`, ref);
+    if (ref.take < 0 || ref.take === character.shownTake) refuseMoved(character);
+    found.set(`${ref.characterId} ${ref.take}`, ref);
   }
   return [...found.values()];
 }

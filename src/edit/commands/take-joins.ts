@@ -5,9 +5,9 @@
 
 import { runToEnd, type Steps, within } from '../../evaluate/steps.ts';
 import type { Character, Document } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import type { Marker } from '../../model/takes/markers.ts';
 import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { described } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -18,7 +18,7 @@ import { JOIN_ALIGNMENTS, type JoinAlignment, joining } from '../samples/join.ts
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { resampling } from '../samples/resample.ts';
 import { inChannelsOf } from '../samples/same-channels.ts';
-import { clipOfFrames, framesOnly, takeFrames } from '../samples/take-frames.ts';
+import { framesOnly, takeFrames, takeOfFrames } from '../samples/take-frames.ts';
 import { boolean, filledText, number, oneOf, optional } from '../schema/shape.ts';
 import { TAKES, takeRef } from '../schema/shared-shapes.ts';
 import { uniqueTakeName } from '../takes.ts';
@@ -68,7 +68,7 @@ export function* joinSteps(document: Document, args: JoinTakes): Steps<Document>
   const how = checkedHow(args);
   const character = requireCharacter(document, refs[0].characterId);
   const skeleton = skeletonOf(character);
-  const first = character.clips[refs[0].clip];
+  const first = character.takes[refs[0].take];
   let made = takeFrames(character, first);
   let markers: readonly Marker[] = markersWithin(first.markers, ...rangeOfSamples(made));
   for (const [i, ref] of refs.slice(1).entries()) {
@@ -76,20 +76,20 @@ export function* joinSteps(document: Document, args: JoinTakes): Steps<Document>
     const to = (i + 1) / (refs.length - 1);
     const next = framesLike(character, document, ref, made);
     const overlap = framesOfOverlap(how, made, next);
-    const joined = { character: { ...character, skeleton }, clip: first, alignment: how.align };
+    const joined = { character: { ...character, skeleton }, take: first, alignment: how.align };
     const start = made.startSeconds + (made.frameCount - overlap) * made.frameSeconds;
-    const theirs = requireCharacter(document, ref.characterId).clips[ref.clip];
+    const theirs = requireCharacter(document, ref.characterId).takes[ref.take];
     const range = rangeOfSamples(next);
     const moved = retimed(markersWithin(theirs.markers, ...range), (seconds) => seconds - range[0] + start);
     markers = [...markers, ...moved, ...fadeOf(made, start, overlap, theirs.name)];
     made = yield* within(joining(joined, made, next, overlap), from, to);
   }
   const name = uniqueTakeName(character, args.name?.trim() || `${first.name}_joined`);
-  const clip = withMarkers({ ...clipOfFrames(first, made), name }, markers);
+  const take = withMarkers({ ...takeOfFrames(first, made), name }, markers);
   return changeCharacter(document, character.id, (c) => ({
     ...withoutUnkeyed(c),
-    clips: [...c.clips, clip],
-    shownClip: c.clips.length,
+    takes: [...c.takes, take],
+    shownTake: c.takes.length,
   }));
 }
 
@@ -101,7 +101,7 @@ function fadeOf({ frameSeconds }: Samples, start: number, overlap: number, name:
 
 /** Arguments of cutting frames out of takes. */
 export interface CutOut extends OfTakes, HowJoined {
-  /** The first second of the clip that is removed, and the last. */
+  /** The first second of the take that is removed, and the last. */
   readonly from: number;
   readonly to: number;
   /** They are seconds of the transport: characters start at different times. */
@@ -124,34 +124,34 @@ export function cutOutSteps(document: Document, args: CutOut): Steps<Document> {
   const how = checkedHow(args);
   const [from, to] = [args.from, args.to];
   if (from > to) throw new CommandError(`The range ends at ${to} s, before its start at ${from} s.`);
-  return changingTakes(document, args.takes, function* (character, clip) {
-    const samples = framesOnly(character, clip);
+  return changingTakes(document, args.takes, function* (character, take) {
+    const samples = framesOnly(character, take);
     const offset = args.areOfTransport ? character.timeOffsetSeconds : 0;
     const first = firstFrameFrom(samples, from + offset);
     const end = lastFrameTo(samples, to + offset) + 1;
-    if (first >= end) return clip;
+    if (first >= end) return take;
     if (first === 0 && end === samples.frameCount) {
-      throw new CommandError(`All frames of ${clip.name} are in that range. Remove the take instead.`);
+      throw new CommandError(`All frames of ${take.name} are in that range. Remove the take instead.`);
     }
     const before = framesBetween(samples, 0, first);
     const after = framesBetween(samples, end, samples.frameCount);
     const removed = (frames: number) =>
-      rippledMarkers(clip.markers, samples.startSeconds + first * samples.frameSeconds, -frames * samples.frameSeconds);
+      rippledMarkers(take.markers, samples.startSeconds + first * samples.frameSeconds, -frames * samples.frameSeconds);
     if (first === 0) {
-      return withMarkers(clipOfFrames(clip, { ...after, startSeconds: samples.startSeconds }), removed(end - first));
+      return withMarkers(takeOfFrames(take, { ...after, startSeconds: samples.startSeconds }), removed(end - first));
     }
-    if (end === samples.frameCount) return withMarkers(clipOfFrames(clip, before), removed(end - first));
-    const joined = { character: { ...character, skeleton: skeletonOf(character) }, clip, alignment: how.align };
+    if (end === samples.frameCount) return withMarkers(takeOfFrames(take, before), removed(end - first));
+    const joined = { character: { ...character, skeleton: skeletonOf(character) }, take, alignment: how.align };
     const overlap = framesOfOverlap(how, before, after);
     const made = yield* joining(joined, before, after, overlap);
-    return withMarkers(clipOfFrames(clip, made), removed(end - first + overlap));
+    return withMarkers(takeOfFrames(take, made), removed(end - first + overlap));
   });
 }
 
 /** Arguments of inserting a take, or a held pose, into another take. */
 export interface InsertInto extends HowJoined {
   readonly into: TakeRef;
-  /** Seconds of the clip; what is there continues after it. */
+  /** Seconds of the take; what is there continues after it. */
   readonly atSeconds: number;
   /** The take to insert; absent: the pose at that time is held. */
   readonly take?: TakeRef;
@@ -179,26 +179,26 @@ export const insertIntoTake = command({
 /** Runs `insertIntoTake` in steps, yielding progress every few milliseconds. */
 export function insertSteps(document: Document, args: InsertInto): Steps<Document> {
   const how = checkedHow(args);
-  return changingTakes(document, [args.into], (character, clip) =>
+  return changingTakes(document, [args.into], (character, take) =>
     args.take
-      ? insertingTake(document, character, clip, args.take, args.atSeconds, how)
-      : holding(character, clip, args.atSeconds, args.holdSeconds),
+      ? insertingTake(document, character, take, args.take, args.atSeconds, how)
+      : holding(character, take, args.atSeconds, args.holdSeconds),
   );
 }
 
 function* insertingTake(
   document: Document,
   character: Character,
-  clip: ChannelClip,
+  take: Take,
   inserted: TakeRef,
   atSeconds: number,
   how: Joined,
-): Steps<ChannelClip> {
+): Steps<Take> {
   const [ref] = takesToChange(document, [inserted]);
-  const samples = framesOnly(character, clip);
+  const samples = framesOnly(character, take);
   const middle = framesLike(character, document, ref, samples);
   const at = firstFrameFrom(samples, atSeconds);
-  const joined = { character: { ...character, skeleton: skeletonOf(character) }, clip, alignment: how.align };
+  const joined = { character: { ...character, skeleton: skeletonOf(character) }, take, alignment: how.align };
   const parts = [framesBetween(samples, 0, at), middle, framesBetween(samples, at, samples.frameCount)];
   const [first, ...others] = parts.filter(({ frameCount }) => frameCount > 0);
   let made = first;
@@ -210,30 +210,25 @@ function* insertingTake(
   }
   const start = samples.startSeconds + at * samples.frameSeconds;
   const added = (made.frameCount - samples.frameCount) * samples.frameSeconds;
-  const other = requireCharacter(document, ref.characterId).clips[ref.clip];
+  const other = requireCharacter(document, ref.characterId).takes[ref.take];
   const range = rangeOfSamples(middle);
   // Its first frames are faded into what precedes it.
   const begin = start - lead * samples.frameSeconds;
   const theirs = retimed(markersWithin(other.markers, ...range), (seconds) => seconds - range[0] + begin);
-  return withMarkers(clipOfFrames(clip, { ...made, startSeconds: samples.startSeconds }), [
-    ...rippledMarkers(clip.markers, start, added),
+  return withMarkers(takeOfFrames(take, { ...made, startSeconds: samples.startSeconds }), [
+    ...rippledMarkers(take.markers, start, added),
     ...theirs,
   ]);
 }
 
 /** The frame at or after a time, repeated. */
-function* holding(
-  character: Character,
-  clip: ChannelClip,
-  atSeconds: number,
-  holdSeconds?: number,
-): Steps<ChannelClip> {
+function* holding(character: Character, take: Take, atSeconds: number, holdSeconds?: number): Steps<Take> {
   if (holdSeconds === undefined || !(holdSeconds >= 0)) {
     throw new CommandError(`The time to hold must not be negative, found ${described(holdSeconds)}.`);
   }
-  const samples = framesOnly(character, clip);
+  const samples = framesOnly(character, take);
   const count = Math.round(holdSeconds / samples.frameSeconds);
-  if (count === 0) return clip;
+  if (count === 0) return take;
   const at = Math.min(samples.frameCount - 1, firstFrameFrom(samples, atSeconds));
   const width = samples.scales.length;
   const frameCount = samples.frameCount + count;
@@ -245,16 +240,16 @@ function* holding(
   values.set(samples.values.subarray((at + 1) * width), (at + 1 + count) * width);
   yield 1;
   const start = samples.startSeconds + (at + 0.5) * samples.frameSeconds;
-  const moved = rippledMarkers(clip.markers, start, count * samples.frameSeconds);
-  return withMarkers(clipOfFrames(clip, { ...samples, frameCount, values }), moved);
+  const moved = rippledMarkers(take.markers, start, count * samples.frameSeconds);
+  return withMarkers(takeOfFrames(take, { ...samples, frameCount, values }), moved);
 }
 
 /** The frames of another take, at one's own frame rate and in one's own channels. */
 function framesLike(character: Character, document: Document, ref: TakeRef, own: Samples): Samples {
   const other = requireCharacter(document, ref.characterId);
-  const clip = other.clips[ref.clip];
-  const frames = takeFrames(other, clip, 1 / own.frameSeconds);
-  const rated = runToEnd(resampling(other, clipOfFrames(clip, frames), 1 / own.frameSeconds));
+  const take = other.takes[ref.take];
+  const frames = takeFrames(other, take, 1 / own.frameSeconds);
+  const rated = runToEnd(resampling(other, takeOfFrames(take, frames), 1 / own.frameSeconds));
   return inChannelsOf(character, other, rated.samples ?? frames);
 }
 

@@ -5,10 +5,10 @@
 
 import { isSameSize, matchJoints } from '../../evaluate/compare/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../../model/document.ts';
 import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import type { Space } from '../../model/space.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -26,7 +26,7 @@ import { withoutUnkeyed } from '../unkeyed.ts';
 export interface TakeRef {
   readonly characterId: string;
   /** Index of the character's takes; -1: the character in its pose, without a take; `RETARGETED`. */
-  readonly clip: number;
+  readonly take: number;
 }
 
 /** Shows these takes; `alone` also hides all other characters. */
@@ -43,12 +43,12 @@ export const showTakes = command({
 
 function shown(document: Document, takes: ReadonlyMap<string, number>, alone: boolean): Document {
   return mapCharacters(document, (c) => {
-    const clip = takes.get(c.id);
-    if (clip === undefined) return alone ? hidden(c) : c;
-    if (clip === RETARGETED) return visible(c);
+    const take = takes.get(c.id);
+    if (take === undefined) return alone ? hidden(c) : c;
+    if (take === RETARGETED) return visible(c);
     // Showing a take of its own ends retargeting.
     const seen = withoutDriver(visible(c));
-    return seen.shownClip === clip ? seen : { ...withoutUnkeyed(seen), shownClip: clip };
+    return seen.shownTake === take ? seen : { ...withoutUnkeyed(seen), shownTake: take };
   });
 }
 
@@ -59,19 +59,19 @@ export const alignStarts = command({
   label: (document, { characterIds }) => `Align starts of ${namesOf(document, characterIds)}`,
   run(document, { characterIds, atSeconds = 0 }) {
     const aligned = new Set(idsIn(document, characterIds));
-    // The offset is added to transport time, so that the clip's first second falls on this time.
-    const ofOwn = (clip: ChannelClip) => clip.range[0] - atSeconds + 0;
+    // The offset is added to transport time, so that the take's first second falls on this time.
+    const ofOwn = (take: Take) => take.range[0] - atSeconds + 0;
     return changeThese(document, characterIds, (c) => {
       const { driver } = c;
-      const clip = driver?.source.clip ?? shownClip(c);
-      if (!clip) return c;
-      if (!driver) return offsetBy(c, ofOwn(clip));
+      const take = driver?.source.take ?? shownTake(c);
+      if (!take) return c;
+      if (!driver) return offsetBy(c, ofOwn(take));
       // A retargeted take has its source's offset too, as it will be if the source is aligned by the same step.
       const source = findCharacter(document, driver.sourceId);
-      const sourceClip = source && shownClip(source);
-      const isAligned = source && sourceClip && !source.driver && aligned.has(source.id);
-      const theirs = isAligned ? ofOwn(sourceClip) : driver.source.timeOffsetSeconds;
-      return offsetBy(c, ofOwn(clip) - theirs);
+      const sourceTake = source && shownTake(source);
+      const isAligned = source && sourceTake && !source.driver && aligned.has(source.id);
+      const theirs = isAligned ? ofOwn(sourceTake) : driver.source.timeOffsetSeconds;
+      return offsetBy(c, ofOwn(take) - theirs);
     });
   },
 });
@@ -130,7 +130,7 @@ export const overlayTakes = command({
   run(document, { first, second }) {
     if (first.characterId === second.characterId) {
       const [, one] = checkedRefs(document, [first, second], -1);
-      return shown(document, takesIn(document, [one.clip === RETARGETED ? one : first]), true);
+      return shown(document, takesIn(document, [one.take === RETARGETED ? one : first]), true);
     }
     const next = shown(document, takesIn(document, [first, second]), true);
     const like = requireCharacter(next, first.characterId);
@@ -196,9 +196,9 @@ function putBack(document: Document, now: Character, from: Character, to: Charac
     c = { ...c, space: from.space };
   }
   // Takes are identified by index, which means nothing after some were added or removed.
-  const sameTakes = c.clips.length === from.clips.length;
-  if (from.shownClip !== to.shownClip && c.shownClip === to.shownClip && sameTakes) {
-    c = { ...withoutUnkeyed(c), shownClip: from.shownClip };
+  const sameTakes = c.takes.length === from.takes.length;
+  if (from.shownTake !== to.shownTake && c.shownTake === to.shownTake && sameTakes) {
+    c = { ...withoutUnkeyed(c), shownTake: from.shownTake };
   }
   if (from.driver && !to.driver && !c.driver) {
     // The source may have changed while it was not retargeted.
@@ -235,8 +235,8 @@ export const removeTakes = command({
     takes.length === 1 ? `Remove ${nameOfTake(document, takes[0])}` : `Remove ${takes.length} takes`,
   run(document, { takes }) {
     const gone = new Map<string, Set<number>>();
-    for (const { characterId, clip } of checkedRefs(document, takes, 0)) {
-      gone.set(characterId, (gone.get(characterId) ?? new Set()).add(clip));
+    for (const { characterId, take } of checkedRefs(document, takes, 0)) {
+      gone.set(characterId, (gone.get(characterId) ?? new Set()).add(take));
     }
     if (!gone.size) return document;
     const characters: Character[] = [];
@@ -244,8 +244,8 @@ export const removeTakes = command({
       const without = gone.get(character.id);
       const kept = without?.delete(RETARGETED) ? withoutDriver(character) : character;
       if (!without?.size) characters.push(kept);
-      else if (without.size < character.clips.length || !isOnlyTakes(character)) {
-        characters.push(withoutClips(kept, without));
+      else if (without.size < character.takes.length || !isOnlyTakes(character)) {
+        characters.push(withoutTakes(kept, without));
       }
     }
     return { ...document, characters };
@@ -256,18 +256,18 @@ export const removeTakes = command({
 function isOnlyTakes({ skins, morphs, skeleton, parts = NO_MARKS }: Character): boolean {
   if (!skeleton) return true;
   const isOther = (mark: PartMark | undefined) => mark?.file !== undefined && mark.file.kind !== 'bvh';
-  const isCaptured = parts.skeleton?.file?.kind === 'bvh' && ![...parts.clips, parts.poses].some(isOther);
+  const isCaptured = parts.skeleton?.file?.kind === 'bvh' && ![...parts.takes, parts.poses].some(isOther);
   return skins.length === 0 && morphs.length === 0 && isCaptured;
 }
 
 /** If the take was shown, the next one is shown instead, or the previous one if it was the last. */
-function withoutClips(character: Character, gone: ReadonlySet<number>): Character {
-  const clips = character.clips.filter((_, i) => !gone.has(i));
-  const before = character.clips.filter((_, i) => i < character.shownClip && !gone.has(i)).length;
-  if (character.shownClip < 0 || !gone.has(character.shownClip)) {
-    return { ...character, clips, shownClip: character.shownClip < 0 ? -1 : before };
+function withoutTakes(character: Character, gone: ReadonlySet<number>): Character {
+  const takes = character.takes.filter((_, i) => !gone.has(i));
+  const before = character.takes.filter((_, i) => i < character.shownTake && !gone.has(i)).length;
+  if (character.shownTake < 0 || !gone.has(character.shownTake)) {
+    return { ...character, takes, shownTake: character.shownTake < 0 ? -1 : before };
   }
-  return { ...withoutUnkeyed(character), clips, shownClip: Math.min(before, clips.length - 1) };
+  return { ...withoutUnkeyed(character), takes, shownTake: Math.min(before, takes.length - 1) };
 }
 
 // Placements.
@@ -365,22 +365,22 @@ function idsIn(document: Document, ids: readonly string[]): string[] {
 
 /** A retargeted take of the character is valid too. @param least the smallest valid index: -1 if no take is valid */
 export function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
-  return takes.map(({ characterId, clip }) => {
+  return takes.map(({ characterId, take }) => {
     const character = requireCharacter(document, characterId);
-    if (clip === RETARGETED && character.driver) return { characterId: character.id, clip };
-    return { characterId: character.id, clip: indexIn(clip, least, character.clips.length, 'take') };
+    if (take === RETARGETED && character.driver) return { characterId: character.id, take };
+    return { characterId: character.id, take: indexIn(take, least, character.takes.length, 'take') };
   });
 }
 
 /** The take to show for each character. */
 function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<string, number> {
   const found = new Map<string, number>();
-  for (const { characterId, clip } of checkedRefs(document, takes, -1)) {
-    if (found.has(characterId) && found.get(characterId) !== clip) {
+  for (const { characterId, take } of checkedRefs(document, takes, -1)) {
+    if (found.has(characterId) && found.get(characterId) !== take) {
       const { name } = requireCharacter(document, characterId);
       throw new CommandError(`${name} shows one take at a time. Use Compare for two of them.`);
     }
-    found.set(characterId, clip);
+    found.set(characterId, take);
   }
   return found;
 }
@@ -390,9 +390,9 @@ function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<str
  * none.
  * @throws CommandError if the character does not exist
  */
-export function nameOfTake(document: Document, { characterId, clip }: TakeRef, length?: number): string {
+export function nameOfTake(document: Document, { characterId, take }: TakeRef, length?: number): string {
   const character = requireCharacter(document, characterId);
-  const named = clip === RETARGETED ? character.driver?.source.clip : character.clips[clip];
+  const named = take === RETARGETED ? character.driver?.source.take : character.takes[take];
   return cutName(named?.name ?? character.name, length);
 }
 
@@ -401,7 +401,7 @@ function comparedNames(before: readonly Character[], overlaid: readonly Characte
   const was = new Map(before.map((c) => [c.id, c]));
   const compared = overlaid.filter((c) => !c.isHidden && was.has(c.id));
   if (compared.length > 2) return `${compared.length} takes`;
-  return compared.map((c) => cutName(shownClip(c)?.name ?? c.name, SHORT_NAME)).join(' and ') || 'takes';
+  return compared.map((c) => cutName(shownTake(c)?.name ?? c.name, SHORT_NAME)).join(' and ') || 'takes';
 }
 
 function namesOf(document: Document, ids: readonly string[]): string {

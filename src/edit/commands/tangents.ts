@@ -1,6 +1,6 @@
 /** Tangents of keys: by kind, as a number, unified or broken. */
 
-import { TANGENT_KINDS } from '../../model/takes/clip.ts';
+import { TANGENT_KINDS } from '../../model/takes/take.ts';
 import { changeTangents } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import {

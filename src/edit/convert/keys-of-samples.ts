@@ -9,8 +9,8 @@
 import { eulerDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, LINEAR, type Tangents } from '../../model/takes/clip.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
+import { type Channel, type KeyedChannel, LINEAR, type Take, type Tangents } from '../../model/takes/take.ts';
 import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
@@ -23,29 +23,25 @@ export interface SampleKeyOptions {
 }
 
 /**
- * A clip with keys only: sampled channels are converted, all others keep their identity. The clip itself if it has no
+ * A take with keys only: sampled channels are converted, all others keep their identity. The take itself if it has no
  * samples.
  * @param skeleton whose DOFs the channels drive: tells which of them are angles
  */
-export function keyedClip(
-  clip: ChannelClip,
-  skeleton: Skeleton | undefined,
-  options: SampleKeyOptions = {},
-): ChannelClip {
-  const { samples, ...rest } = clip;
-  if (!samples) return clip;
+export function keyedTake(take: Take, skeleton: Skeleton | undefined, options: SampleKeyOptions = {}): Take {
+  const { samples, ...rest } = take;
+  if (!samples) return take;
   const shared = sharedColumns(samples);
   const made = new Map<number, KeyedChannel>();
-  clip.channels.forEach((channel, c) => {
+  take.channels.forEach((channel, c) => {
     if (channel.kind === 'samples') made.set(c, keyed(channel, samples, c, shared));
   });
   if (skeleton) unwind(made, skeleton);
   const tolerance = options.tolerance ?? 0;
   if (tolerance > 0) for (const [c, channel] of made) made.set(c, simplifyChannel(channel, tolerance).channel);
-  return { ...rest, channels: clip.channels.map((channel, c) => made.get(c) ?? channel) };
+  return { ...rest, channels: take.channels.map((channel, c) => made.get(c) ?? channel) };
 }
 
-/** Columns that the channels of one clip share; none of it ever changes. */
+/** Columns that the channels of one take share; none of it ever changes. */
 function sharedColumns({ frameCount, frameSeconds, startSeconds }: Samples) {
   const times = new Float64Array(frameCount);
   for (let f = 0; f < frameCount; f++) times[f] = startSeconds + f * frameSeconds;

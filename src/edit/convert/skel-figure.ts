@@ -1,5 +1,5 @@
 /**
- * Converts a BVH figure to a skeleton that `.skel` can store, and its clips to what `.anim` can.
+ * Converts a BVH figure to a skeleton that `.skel` can store, and its takes to what `.anim` can.
  *
  *     three rotations                    balljoint, of their order
  *     … and all three positions          freejoint
@@ -26,13 +26,13 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../model/skeleton/skeleton.ts';
-import { type Channel, type ChannelClip, restChannel } from '../../model/takes/clip.ts';
-import { keyedClip, type SampleKeyOptions } from './keys-of-samples.ts';
+import { type Channel, restChannel, type Take } from '../../model/takes/take.ts';
+import { keyedTake, type SampleKeyOptions } from './keys-of-samples.ts';
 
 /** A skeleton that `.skel` can store, and which old channel each of its channels comes from. */
 export interface SkelFigure {
   readonly skeleton: Skeleton;
-  /** For each channel of a clip of the new skeleton, that of the old one; -1 for none. */
+  /** For each channel of a take of the new skeleton, that of the old one; -1 for none. */
   readonly channelMap: readonly number[];
 }
 
@@ -45,13 +45,13 @@ const END_SITE = 'End_Site';
 /** Returns the skeleton itself if it has no BVH joints. Cached per skeleton. */
 export const skelFigure = perObject(make);
 
-/** A clip as `.anim` can store it: keys for the DOFs of `skelFigure(skeleton)`. */
-export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: SampleKeyOptions = {}): ChannelClip {
+/** A take as `.anim` can store it: keys for the DOFs of `skelFigure(skeleton)`. */
+export function skelTake(take: Take, skeleton: Skeleton, options: SampleKeyOptions = {}): Take {
   const { channelMap } = skelFigure(skeleton);
-  const keyed = keyedClip(clip, skeleton, options);
+  const keyed = keyedTake(take, skeleton, options);
   if (channelMap.every((c, i) => c === i)) return keyed;
   const none = restChannel();
-  const past = clip.channels.slice(rootDofCount(skeleton) + dofCount(skeleton));
+  const past = take.channels.slice(rootDofCount(skeleton) + dofCount(skeleton));
   const channels = channelMap.map((c): Channel => (c < 0 ? none : (keyed.channels[c] ?? none)));
   return { ...keyed, channels: [...channels, ...past] };
 }

@@ -11,8 +11,8 @@ import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import { columnOf } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 import { replacingColumns } from '../samples/columns.ts';
 import { firstFrameFrom } from '../samples/frames.ts';
@@ -29,28 +29,28 @@ const MAX_ROUNDS = 20;
 
 /** The take with a key on every frame replacing the DOFs' values there; sampled takes have their own frames. */
 export function* bakingFrames(
-  clip: ChannelClip,
+  take: Take,
   { times, weights, corners }: HoldWindow,
   { held, width }: HeldFrames,
   changed: readonly number[],
-): Steps<ChannelClip> {
-  const channels = [...clip.channels];
+): Steps<Take> {
+  const channels = [...take.channels];
   const columns = new Map<number, Float64Array>();
   for (const dof of changed) {
     const values = times.map((_, f) => held[f * width + dof]);
-    if (channels[dof]?.kind === 'samples') columns.set(columnOf(clip.samples, dof), values);
+    if (channels[dof]?.kind === 'samples') columns.set(columnOf(take.samples, dof), values);
     else {
       const [startsOnCurve, endsOnCurve] = [weights[0] === 0, weights[weights.length - 1] === 0];
-      channels[dof] = replaceStretch(channels[dof], { times, values, corners, startsOnCurve, endsOnCurve }, clip.range);
+      channels[dof] = replaceStretch(channels[dof], { times, values, corners, startsOnCurve, endsOnCurve }, take.range);
     }
   }
-  const { samples } = clip;
-  if (!samples || columns.size === 0) return { ...clip, channels };
+  const { samples } = take;
+  if (!samples || columns.size === 0) return { ...take, channels };
   // Frames outside the hold are not changed at all.
   const [from, to] = [weights[0] === 0 ? 1 : 0, times.length - (weights[weights.length - 1] === 0 ? 1 : 0)];
   for (const [column, values] of columns) columns.set(column, values.subarray(from, to));
   const first = firstFrameFrom(samples, times[from]);
-  return { ...clip, channels, samples: yield* replacingColumns(samples, columns, first) };
+  return { ...take, channels, samples: yield* replacingColumns(samples, columns, first) };
 }
 
 /** Removes keys in the window while all joints and pins stay within `tolerance`, in lengths. */
@@ -58,11 +58,11 @@ export function* thinning(
   character: Character,
   skeleton: Skeleton,
   pins: readonly Pin[],
-  dense: ChannelClip,
+  dense: Take,
   { times }: HoldWindow,
   changed: readonly number[],
   tolerance: number,
-): Steps<ChannelClip> {
+): Steps<Take> {
   const range = [times[0], times[times.length - 1]] as const;
   const reach = reachBelow(skeleton, pins);
   const dofs = characterDofs(skeleton, []);

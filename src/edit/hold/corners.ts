@@ -3,24 +3,20 @@
  * turns as sharply, so those times become frames of their own, and curves get different slopes on either side of them.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 
 /** Slopes that differ by less than this fraction, or by this little per second, are equal. */
 const SAME_SLOPE = 1e-3;
 
 /**
- * The times at which a curve of these channels has different slopes on either side; seconds of the clip, ascending.
+ * The times at which a curve of these channels has different slopes on either side; seconds of the take, ascending.
  * @param between only times strictly between
  */
-export function cornerTimes(
-  clip: ChannelClip,
-  channels: readonly number[],
-  [from, to]: readonly [number, number],
-): number[] {
+export function cornerTimes(take: Take, channels: readonly number[], [from, to]: readonly [number, number]): number[] {
   const found = new Set<number>();
   for (const channel of channels) {
-    const own = clip.channels[channel];
+    const own = take.channels[channel];
     if (own.kind !== 'keys' || own.times.length < 2) continue;
     const curve = withExtrapolationBaked(own, from, to).channel;
     const slopes = resolvedSlopes(curve);

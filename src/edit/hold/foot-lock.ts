@@ -15,7 +15,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import type { IkSetup } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { takeAlone } from '../samples/take-alone.ts';
 import { holding } from './hold.ts';
@@ -33,7 +33,7 @@ export interface FootLockOptions {
 /** One time that a foot is on the ground. */
 export interface LockedContact {
   readonly joint: number;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly from: number;
   readonly to: number;
   /** How far the foot gets from its mean place; metres. */
@@ -43,7 +43,7 @@ export interface LockedContact {
 /** A take with locked feet, and what was done. */
 export interface LockedFeet {
   /** The same object if no foot slides. */
-  readonly clip: ChannelClip;
+  readonly take: Take;
   /** All contacts, those that were left alone too. */
   readonly contacts: readonly LockedContact[];
   readonly locked: number;
@@ -55,14 +55,14 @@ export interface LockedFeet {
 export function* lockingFeet(
   character: Character,
   skeleton: Skeleton,
-  clip: ChannelClip,
+  take: Take,
   { easeSeconds, toleranceMetres, framesPerSecond }: FootLockOptions,
 ): Steps<LockedFeet> {
   const { balls, leg } = feetOf(skeleton, character.space);
   if (balls.length === 0) {
     throw new CommandError(`No legs were recognised in ${character.name}: each needs a thigh, a shin and a foot.`);
   }
-  const paths = yield* within(trackingFeet(character, clip, balls, framesPerSecond), 0, 0.1);
+  const paths = yield* within(trackingFeet(character, take, balls, framesPerSecond), 0, 0.1);
   const contacts = balls.map((joint, column) => {
     const spans = contactSpans(paths.metres, column, standingHeight(paths.metres, column), leg);
     return Array.from({ length: spans.length / 2 }, (_, i) =>
@@ -72,7 +72,7 @@ export function* lockingFeet(
   const all = contacts.flat();
   const sliding = all.filter(({ slidesBefore }) => slidesBefore > toleranceMetres);
   const ik = legsOnly(skeleton, character, balls);
-  let made = clip;
+  let made = take;
   let done = 0;
   let unreached = 0;
   for (const [column, own] of contacts.entries()) {
@@ -92,12 +92,12 @@ export function* lockingFeet(
       const held = holding(holder, skeleton, made, [pin], [{ position: contact.place }], options);
       const from = 0.1 + (0.9 * done) / sliding.length;
       const result = yield* within(held, from, from + 0.9 / sliding.length);
-      made = result.clip;
+      made = result.take;
       unreached += result.unreached;
       done++;
     }
   }
-  return { clip: made, contacts: all.toSorted((a, b) => a.from - b.from), locked: sliding.length, unreached };
+  return { take: made, contacts: all.toSorted((a, b) => a.from - b.from), locked: sliding.length, unreached };
 }
 
 interface FootPaths {
@@ -111,17 +111,17 @@ const STEP_FRAMES = 128;
 
 function* trackingFeet(
   character: Character,
-  clip: ChannelClip,
+  take: Take,
   balls: readonly number[],
   framesPerSecond: number,
 ): Steps<FootPaths> {
-  const alone = takeAlone(character, clip);
+  const alone = takeAlone(character, take);
   const source = poseSource(alone);
   const compiled = source.skeleton ?? compileSkeleton({ name: '', joints: [] });
-  const { samples } = clip;
+  const { samples } = take;
   const step = samples?.frameSeconds ?? 1 / framesPerSecond;
-  const start = samples?.startSeconds ?? clip.range[0];
-  const count = samples?.frameCount ?? Math.floor((clip.range[1] - start) / step + 1e-6) + 1;
+  const start = samples?.startSeconds ?? take.range[0];
+  const count = samples?.frameCount ?? Math.floor((take.range[1] - start) / step + 1e-6) + 1;
   const points = new Float64Array(3 * count * balls.length);
   const own = new Float64Array(points.length);
   const dofs = new Float64Array(dofCountOf(alone));

@@ -12,7 +12,7 @@ import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { withTake } from '../takes.ts';
 import { bakingFrames, thinning } from './bake.ts';
@@ -26,7 +26,7 @@ import { type HoldWindow, keyedWindow, sampledWindow } from './window.ts';
 
 /** The range of a hold, and how its frames are solved. */
 export interface HoldOptions {
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly easeSeconds: number;
@@ -46,7 +46,7 @@ export interface HeldPin {
 /** A take with held pins, and what was done. */
 export interface HeldTake {
   /** The same object if nothing had to be changed. */
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly window: HoldWindow;
   /** Channels that changed, ascending. */
   readonly channels: readonly number[];
@@ -68,13 +68,13 @@ const FINEST = 8;
 /**
  * Holds pins over a range of a take, as described at the top of this file; yields its progress.
  * @param character without unkeyed changes
- * @param clip the take that it shows, with a channel for each DOF
+ * @param take the take that it shows, with a channel for each DOF
  * @param targets where the pins are held, one per pin
  */
 export function* holding(
   character: Character,
   skeleton: Skeleton,
-  clip: ChannelClip,
+  take: Take,
   pins: readonly Pin[],
   targets: readonly PinTarget[],
   { range, framesPerSecond, easeSeconds, tolerance: allowed }: HoldOptions,
@@ -84,34 +84,34 @@ export function* holding(
   const reach = reachOfSkeleton(skeleton);
   const tolerance = allowed ?? TOLERANCE * reach;
   const path = dofsOnPaths(skeleton, pins);
-  const isByFrames = path.some((dof) => stiffness[dof] < Infinity && clip.channels[dof]?.kind === 'samples');
-  const samples = isByFrames ? clip.samples : undefined;
-  const corners = samples ? [] : cornerTimes(clip, path, clip.range);
+  const isByFrames = path.some((dof) => stiffness[dof] < Infinity && take.channels[dof]?.kind === 'samples');
+  const samples = isByFrames ? take.samples : undefined;
+  const corners = samples ? [] : cornerTimes(take, path, take.range);
   // Checked before any is made.
-  const seconds = Math.min(range[1], clip.range[1]) - Math.max(range[0], clip.range[0]) + 2 * easeSeconds;
+  const seconds = Math.min(range[1], take.range[1]) - Math.max(range[0], take.range[0]) + 2 * easeSeconds;
   if (!samples) refuseTooMany(Math.ceil(seconds * framesPerSecond), dofCountOf(character));
   let solved: Solved;
   for (let finer = 1; ; finer *= 2) {
     const window = samples
       ? sampledWindow(samples, range, easeSeconds)
-      : keyedWindow(range, clip.range, framesPerSecond * finer, easeSeconds, corners);
+      : keyedWindow(range, take.range, framesPerSecond * finer, easeSeconds, corners);
     // The number of rounds is unknown; each takes about half of the remaining progress.
     const share = 0.8 * (1 - 1 / finer);
-    solved = yield* within(solving(job, clip, window, reach), share, share + 0.4 / finer);
+    solved = yield* within(solving(job, take, window, reach), share, share + 0.4 / finer);
     if (samples || finer === FINEST || !(slideBetween(job, solved) > SHARE * tolerance)) break;
   }
   const { window, frames, changed, dense } = solved;
   const thin = yield* within(thinning(character, skeleton, pins, dense, window, changed, SHARE * tolerance), 0.8, 0.9);
-  const takes = { original: clip, dense, thin };
+  const takes = { original: take, dense, thin };
   const pruned = yield* within(pruning(job, takes, window, changed, 2 * SHARE * tolerance), 0.9, 1);
   const channels = changed.filter(
-    (channel) => dense.channels[channel].kind === 'samples' || pruned.channels[channel] !== clip.channels[channel],
+    (channel) => dense.channels[channel].kind === 'samples' || pruned.channels[channel] !== take.channels[channel],
   );
   const held = withHalves(window.times.subarray(window.firstHeld, window.lastHeld + 1));
   const before = slides(character, skeleton, pins, targets, held);
   const after = slides(showing(character, pruned), skeleton, pins, targets, held);
   return {
-    clip: channels.length > 0 ? pruned : clip,
+    take: channels.length > 0 ? pruned : take,
     window,
     channels,
     pins: pins.map(({ id }, p) => ({ pin: id, slideBefore: before[p], slideAfter: after[p] })),
@@ -139,13 +139,13 @@ interface Solved {
   readonly frames: HeldFrames;
   readonly changed: readonly number[];
   /** With a key on every frame. */
-  readonly dense: ChannelClip;
+  readonly dense: Take;
 }
 
-function* solving(job: Holding, clip: ChannelClip, window: HoldWindow, reach: number): Steps<Solved> {
+function* solving(job: Holding, take: Take, window: HoldWindow, reach: number): Steps<Solved> {
   const frames = yield* within(holdingFrames(job, window), 0, 0.9);
   const changed = changedDofs(job.skeleton, frames, reach);
-  return { window, frames, changed, dense: yield* within(bakingFrames(clip, window, frames, changed), 0.9, 1) };
+  return { window, frames, changed, dense: yield* within(bakingFrames(take, window, frames, changed), 0.9, 1) };
 }
 
 /** The DOFs on the paths from the pins to the root, including those that move it; ascending. */
@@ -170,6 +170,6 @@ function slideBetween({ character, skeleton, pins, targets }: Holding, { window,
   return Math.max(0, ...slides(showing(character, dense), skeleton, pins, targets, Float64Array.from(halves)));
 }
 
-function showing(character: Character, clip: ChannelClip): Character {
-  return withTake(character, character.shownClip, clip);
+function showing(character: Character, take: Take): Character {
+  return withTake(character, character.shownTake, take);
 }

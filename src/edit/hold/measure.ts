@@ -6,10 +6,10 @@ import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { withTake } from '../takes.ts';
 
-/** Calls back with a character's world matrices at each of the times, seconds of the clip; the array is reused. */
+/** Calls back with a character's world matrices at each of the times, seconds of the take; the array is reused. */
 function eachPose(
   character: Character,
   skeleton: Skeleton,
@@ -100,18 +100,18 @@ export function distances(
   character: Character,
   skeleton: Skeleton,
   pins: readonly Pin[],
-  [a, b]: readonly [ChannelClip, ChannelClip],
+  [a, b]: readonly [Take, Take],
   times: Float64Array,
 ): Float64Array {
   const points = measuredPoints(skeleton, pins);
   const seen = new Float64Array(3 * points.length * times.length);
   const worst = new Float64Array(skeleton.joints.length);
-  eachPose(withTake(character, character.shownClip, a), skeleton, times, (world, f) => {
+  eachPose(withTake(character, character.shownTake, a), skeleton, times, (world, f) => {
     points.forEach(({ joint, point }, i) => {
       seen.set(pointAt(world, joint, point), 3 * (f * points.length + i));
     });
   });
-  eachPose(withTake(character, character.shownClip, b), skeleton, times, (world, f) => {
+  eachPose(withTake(character, character.shownTake, b), skeleton, times, (world, f) => {
     points.forEach(({ joint, point }, i) => {
       const o = 3 * (f * points.length + i);
       const [x, y, z] = pointAt(world, joint, point);

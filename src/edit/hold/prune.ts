@@ -11,7 +11,7 @@ import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import type { Steps } from '../../evaluate/steps.ts';
 import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { withKeysRemoved } from '../keys/remove.ts';
 import { withTake } from '../takes.ts';
 import type { Holding } from './held-frames.ts';
@@ -31,30 +31,30 @@ const AFFECTED = 2;
  */
 export function* pruning(
   holding: Holding,
-  { original, dense, thin }: { readonly [take in 'original' | 'dense' | 'thin']: ChannelClip },
+  { original, dense, thin }: { readonly [take in 'original' | 'dense' | 'thin']: Take },
   window: HoldWindow,
   changed: readonly number[],
   tolerance: number,
-): Steps<ChannelClip> {
+): Steps<Take> {
   const measure = new Measure(holding, window, dense, tolerance);
   const [from, to] = [window.times[0], window.times[window.times.length - 1]];
-  let clip = thin;
-  const isKept = (channel: number, by: ChannelClip['channels'][number], range: readonly [number, number]) => {
-    const channels = [...clip.channels];
+  let take = thin;
+  const isKept = (channel: number, by: Take['channels'][number], range: readonly [number, number]) => {
+    const channels = [...take.channels];
     channels[channel] = by;
-    const pruned = { ...clip, channels };
+    const pruned = { ...take, channels };
     if (!measure.isWithin(pruned, range)) return false;
-    clip = pruned;
+    take = pruned;
     return true;
   };
-  const keyed = changed.filter((channel) => clip.channels[channel].kind === 'keys');
+  const keyed = changed.filter((channel) => take.channels[channel].kind === 'keys');
   const isWhole = partsOfQuaternions(holding.skeleton);
   for (const [c, channel] of keyed.entries()) {
     yield c / keyed.length;
     // The other components would no longer fit.
     if (!isWhole.has(channel) && isKept(channel, original.channels[channel], [from, to])) continue;
     for (let k = 1; ; k++) {
-      const own = clip.channels[channel];
+      const own = take.channels[channel];
       if (own.kind !== 'keys' || k + 1 >= own.times.length) break;
       const { times } = own;
       // The outer keys lead over to the curve outside.
@@ -64,7 +64,7 @@ export function* pruning(
       yield c / keyed.length;
     }
   }
-  return clip;
+  return take;
 }
 
 /** The DOFs that are components of quaternions. */
@@ -85,7 +85,7 @@ class Measure {
   constructor(
     private readonly holding: Holding,
     { times, firstHeld, lastHeld }: HoldWindow,
-    dense: ChannelClip,
+    dense: Take,
     private readonly tolerance: number,
   ) {
     const { character, skeleton, pins, targets } = holding;
@@ -105,10 +105,10 @@ class Measure {
     }
   }
 
-  /** Whether everything stays within the tolerance over a range, seconds of the clip. */
-  isWithin(clip: ChannelClip, [from, to]: readonly [number, number]): boolean {
+  /** Whether everything stays within the tolerance over a range, seconds of the take. */
+  isWithin(take: Take, [from, to]: readonly [number, number]): boolean {
     const { times, places, points, tolerance } = this;
-    const source = this.sourceOf(clip);
+    const source = this.sourceOf(take);
     for (let f = 0; f < times.length; f++) {
       if (times[f] < from || times[f] > to) continue;
       this.pose(source, f);
@@ -121,9 +121,9 @@ class Measure {
     return true;
   }
 
-  private sourceOf(clip: ChannelClip) {
+  private sourceOf(take: Take) {
     const { character } = this.holding;
-    return poseSource(withTake(character, character.shownClip, clip));
+    return poseSource(withTake(character, character.shownTake, take));
   }
 
   private pose(source: ReturnType<typeof poseSource>, f: number): void {

@@ -8,7 +8,7 @@
  * Repetitions are first baked over the playback range, or all of them would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/takes/take.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { insertKey } from '../keys/insert.ts';
@@ -16,7 +16,7 @@ import { findKey, sameTime } from '../keys/same-time.ts';
 
 /** The values that replace a stretch of a curve. */
 export interface Stretch {
-  /** Seconds of the clip, strictly ascending; at least two. */
+  /** Seconds of the take, strictly ascending; at least two. */
   readonly times: Float64Array;
   readonly values: Float64Array;
   /** Indices of inner ones where the curve has different slopes on either side. */
@@ -28,7 +28,7 @@ export interface Stretch {
 
 /**
  * Replaces a stretch of a channel's curve by keys.
- * @param played playback range of the clip, which contains the stretch. If an end value is not on the curve, the curve
+ * @param played playback range of the take, which contains the stretch. If an end value is not on the curve, the curve
  * jumps there: before the start it is kept, and at the end a step leads back to it.
  */
 export function replaceStretch(channel: Channel, stretch: Stretch, played: readonly [number, number]): KeyedChannel {

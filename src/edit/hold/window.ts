@@ -18,7 +18,7 @@ import { refuseTooMany } from '../samples/most-frames.ts';
 
 /** The frames of a hold, with their weights. */
 export interface HoldWindow {
-  /** Seconds of the clip, strictly ascending: nothing changes before the first and after the last. */
+  /** Seconds of the take, strictly ascending: nothing changes before the first and after the last. */
   readonly times: Float64Array;
   /** One for each: 0 unchanged, 1 held. */
   readonly weights: Float64Array;
@@ -33,8 +33,8 @@ export interface HoldWindow {
  * The frames of a hold on keys: both ends of the range, those of ease in and out, and the times at which the take turns
  * sharply, replacing frames close by.
  *
- * @param range to hold, seconds of the clip
- * @param played playback range of the clip; nothing beyond is changed. Refuses a range outside it.
+ * @param range to hold, seconds of the take
+ * @param played playback range of the take; nothing beyond is changed. Refuses a range outside it.
  */
 export function keyedWindow(
   range: readonly [number, number],

@@ -17,7 +17,7 @@
  * arrays, without an object per key.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import type { KeyedChannel, Tangents } from '../../model/takes/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { takeKeys } from './columns.ts';
 import { sameTime } from './same-time.ts';

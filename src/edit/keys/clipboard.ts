@@ -4,7 +4,7 @@
  */
 
 import type { ChannelKeys } from '../../model/session.ts';
-import type { Channel, ChannelClip, KeyedChannel, Keys, Tangents } from '../../model/takes/clip.ts';
+import type { Channel, KeyedChannel, Keys, Take, Tangents } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
 import { arrangeKeys, type EditedChannel } from './arrange.ts';
@@ -14,7 +14,7 @@ import { withKeysMoved } from './move.ts';
 import { withKeysRemoved } from './remove.ts';
 import { sameTime } from './same-time.ts';
 
-/** Keys without their clip: plain data that outlives it. */
+/** Keys without their take: plain data that outlives it. */
 export interface CopiedKeys {
   /** From the earliest key to the latest. */
   readonly seconds: number;
@@ -45,7 +45,7 @@ export type PasteMode = (typeof PASTE_MODES)[number];
 
 /** With `insert`, keys are always put at the requested time, since moving later keys changes the cycle anyway. */
 export interface Paste extends KeyPlacing {
-  /** Clip time for the earliest key. */
+  /** Take time for the earliest key. */
   readonly timeSeconds: number;
   /** Target channels other than the source: any number for one copied channel, else one for each. */
   readonly into?: readonly number[];
@@ -54,16 +54,16 @@ export interface Paste extends KeyPlacing {
 
 /** The channels after pasting. */
 export interface Pasted {
-  /** All channels of the clip; unchanged ones keep their identity. */
+  /** All channels of the take; unchanged ones keep their identity. */
   readonly channels: readonly Channel[];
   /** The pasted keys. */
   readonly keys: readonly ChannelKeys[];
 }
 
 /** Copies keys, with times relative to the earliest one; channels without keys are left out. */
-export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): CopiedKeys {
+export function copyKeys(take: Take, keys: readonly ChannelKeys[]): CopiedKeys {
   const taken = keys.flatMap(({ channel, indices }) => {
-    const own = clip.channels[channel];
+    const own = take.channels[channel];
     return own?.kind === 'keys' && indices.length > 0 ? [{ channel, keys: takeKeys(own, indices) }] : [];
   });
   let first = Number.POSITIVE_INFINITY;
@@ -85,24 +85,20 @@ export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): Copie
 }
 
 /** Throws a `CommandError` if the channels don't match. */
-export function withKeysPasted(
-  clip: ChannelClip,
-  copied: CopiedKeys,
-  { timeSeconds, into, mode, ...placing }: Paste,
-): Pasted {
-  const channels = [...clip.channels];
+export function withKeysPasted(take: Take, copied: CopiedKeys, { timeSeconds, into, mode, ...placing }: Paste): Pasted {
+  const channels = [...take.channels];
   const keys: ChannelKeys[] = [];
-  for (const { to, from } of destinations(clip, copied, into)) {
+  for (const { to, from } of destinations(take, copied, into)) {
     const room = makeRoom(channels[to], timeSeconds, copied.seconds, mode);
     const { channel, indices } = joined(room, from, timeSeconds, mode === 'insert' ? {} : placing);
-    if (!sameValue(channel, clip.channels[to])) channels[to] = channel;
+    if (!sameValue(channel, take.channels[to])) channels[to] = channel;
     keys.push({ channel: to, indices });
   }
   return { channels, keys };
 }
 
 /** Which keys are pasted where, by ascending channel. */
-function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonly number[] | undefined) {
+function destinations(take: Take, { channels }: CopiedKeys, into: readonly number[] | undefined) {
   const targets = into ?? channels.map((c) => c.channel);
   if (channels.length !== 1 && targets.length !== channels.length) {
     throw new CommandError(
@@ -112,8 +108,8 @@ function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonl
   }
   if (new Set(targets).size !== targets.length) throw new CommandError('Each channel can be pasted into only once.');
   for (const to of targets) {
-    if (clip.channels[to]) continue;
-    throw new CommandError(`There is no channel ${to} to paste into: ${clip.name} has ${clip.channels.length}.`);
+    if (take.channels[to]) continue;
+    throw new CommandError(`There is no channel ${to} to paste into: ${take.name} has ${take.channels.length}.`);
   }
   return targets.map((to, i) => ({ to, from: channels[channels.length === 1 ? 0 : i] })).sort((a, b) => a.to - b.to);
 }
@@ -147,7 +143,7 @@ function joined(channel: Channel, copied: CopiedChannel, time: number, placing: 
   return arrangeKeys(both, indices, keys.times, 'replace', true);
 }
 
-/** The keys at their clip times, and the channel they are pasted into. */
+/** The keys at their take times, and the channel they are pasted into. */
 function placed(channel: Channel, copied: CopiedChannel, time: number, placing: KeyPlacing): Placed {
   const times = copied.times.map((t) => time + t);
   const asked = { channel, keys: { ...copied, times } };

@@ -2,7 +2,7 @@
  * Channels are columns; edits are easier key by key. All code that builds a channel from keys uses this, so that
  * columns always have the same length and only fixed tangents have a slope.
  */
-import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/takes/take.ts';
 
 /** The tangent on one side. */
 export interface Tangent {
@@ -14,7 +14,7 @@ export interface Tangent {
 
 /** One key as an object, in the channel's unit. */
 export interface Key {
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly time: number;
   readonly value: number;
   readonly in: Tangent;

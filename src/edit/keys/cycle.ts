@@ -9,8 +9,8 @@
  *     inside     the key is put at the same phase of the cycle, and every repetition shows it
  */
 
-import { type Character, shownClip } from '../../model/document.ts';
-import { type Channel, type ChannelClip, type KeyedChannel, keysOf, repeats } from '../../model/takes/clip.ts';
+import { type Character, shownTake } from '../../model/document.ts';
+import { type Channel, type KeyedChannel, keysOf, repeats, type Take } from '../../model/takes/take.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { keyAt } from './columns.ts';
 import { sameTime } from './same-time.ts';
@@ -26,7 +26,7 @@ export interface KeyPlacing {
   /** Default `lengthen`. */
   readonly outsideCycle?: OutsideCycle;
   /**
-   * Minimum range to bake, in seconds of the clip, as far as the channel repeats there; default: the key's own time.
+   * Minimum range to bake, in seconds of the take, as far as the channel repeats there; default: the key's own time.
    */
   readonly bakedRange?: readonly [number, number];
 }
@@ -61,8 +61,8 @@ export interface ChangedCycle {
  * moving or deleting them.
  */
 export function changedCycles(
-  { channels: before }: Pick<ChannelClip, 'channels'>,
-  { channels: after }: Pick<ChannelClip, 'channels'>,
+  { channels: before }: Pick<Take, 'channels'>,
+  { channels: after }: Pick<Take, 'channels'>,
 ): readonly ChangedCycle[] {
   return after.flatMap((now, channel) => {
     const was = before[channel];
@@ -80,10 +80,10 @@ export function changedCycles(
  * others.
  */
 export function changedCyclesOf(was: Character, now: Character): readonly ChangedCycle[] {
-  if (was === now || was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return [];
+  if (was === now || was.shownTake !== now.shownTake || was.takes.length !== now.takes.length) return [];
   // With other DOFs, channels only change places, together with their keys.
   if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return [];
-  const [before, after] = [shownClip(was), shownClip(now)];
+  const [before, after] = [shownTake(was), shownTake(now)];
   return before && after && before !== after ? changedCycles(before, after) : [];
 }
 
@@ -92,10 +92,10 @@ export function changedCyclesOf(was: Character, now: Character): readonly Change
  * same for both: what keying either end of a closed loop does (`put-key.ts`).
  */
 export function keyedEndsOf(was: Character, now: Character): readonly number[] {
-  if (was === now || was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return [];
+  if (was === now || was.shownTake !== now.shownTake || was.takes.length !== now.takes.length) return [];
   if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return [];
-  const before = shownClip(was)?.channels;
-  return (shownClip(now)?.channels ?? []).flatMap((channel, index) => {
+  const before = shownTake(was)?.channels;
+  return (shownTake(now)?.channels ?? []).flatMap((channel, index) => {
     const old = before?.[index];
     return old && old !== channel && hasKeyedEnds(old, channel) ? [index] : [];
   });
@@ -110,7 +110,7 @@ function hasKeyedEnds(was: Channel, now: Channel): boolean {
 }
 
 /**
- * The channel with keys for whole repetitions, so that `from` to `to` (seconds of the clip) lies between its keys as
+ * The channel with keys for whole repetitions, so that `from` to `to` (seconds of the take) lies between its keys as
  * far as it repeats there; the same object if it does already. It repeats with the longer period, and the curve is the
  * same at every time. (If a channel repeats differently before and after its keys, this holds only up to the outermost
  * keys: no longer cycle has both continuations.)
@@ -162,7 +162,7 @@ function withEndSteps(
 export interface Place<C extends Channel = Channel> {
   /** The same object if nothing had to be baked. */
   readonly channel: C;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly time: number;
   /** Subtracted from the key's value: what `cycle_offset` adds in the repetition the key was meant for. */
   readonly offset: number;

@@ -17,7 +17,7 @@
  *
  * At an existing key nothing changes; of a step the later key counts, which applies from that time on.
  */
-import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
 import {
@@ -28,7 +28,7 @@ import {
   LINEAR,
   repeats,
   SMOOTH,
-} from '../../model/takes/clip.ts';
+} from '../../model/takes/take.ts';
 import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';

@@ -1,7 +1,7 @@
-/** Selecting keys with the keyboard, like clicking them. Pure; keys are indices into a clip. */
+/** Selecting keys with the keyboard, like clicking them. Pure; keys are indices into a take. */
 import { lastNotAbove } from '../../math/search.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type Channel, keysOf } from '../../model/takes/clip.ts';
+import { type Channel, keysOf } from '../../model/takes/take.ts';
 
 /**
  * Moves the selection by one key, forwards (`step` 1) or back (−1), in each channel with selected keys: from the last
@@ -13,7 +13,7 @@ export function walkKeys(
   channels: readonly Channel[],
   keys: readonly ChannelKeys[],
   inView: readonly number[],
-  clipSeconds: number,
+  takeSeconds: number,
   step: 1 | -1,
   adds: boolean,
 ): ChannelKeys[] {
@@ -21,7 +21,7 @@ export function walkKeys(
     const channel = inView.find((c) => channels[c]?.kind === 'keys');
     return channel === undefined
       ? []
-      : [{ channel, indices: [nearestKey(keysOf(channels[channel]).times, clipSeconds)] }];
+      : [{ channel, indices: [nearestKey(keysOf(channels[channel]).times, takeSeconds)] }];
   }
   return keys.map(({ channel, indices }) => {
     const from = step > 0 ? indices[indices.length - 1] : indices[0];
@@ -50,8 +50,8 @@ export function walkChannels(
 }
 
 /** Index of the key nearest to a time; the earlier of equally near ones. The channel must have keys. */
-export function nearestKey(times: Float64Array, clipSeconds: number): number {
-  const before = lastNotAbove(times, 0, times.length, clipSeconds);
+export function nearestKey(times: Float64Array, takeSeconds: number): number {
+  const before = lastNotAbove(times, 0, times.length, takeSeconds);
   const after = Math.min(times.length - 1, before + 1);
-  return Math.abs(times[after] - clipSeconds) < Math.abs(clipSeconds - times[before]) ? after : before;
+  return Math.abs(times[after] - takeSeconds) < Math.abs(takeSeconds - times[before]) ? after : before;
 }

@@ -1,9 +1,9 @@
 /** What a step has keyed at a time: for doing the same for a moment (`moment.ts`), and for telling what it will look like. */
-import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../../model/document.ts';
 import type { DofValue } from '../../model/skeleton/dofs.ts';
-import { type Channel, type KeyedChannel, keysOf, repeats } from '../../model/takes/clip.ts';
+import { type Channel, type KeyedChannel, keysOf, repeats } from '../../model/takes/take.ts';
 import { period } from './cycle.ts';
 import { findKey } from './same-time.ts';
 
@@ -30,8 +30,8 @@ export function keyedPose(before: Document, after: Document, timeSeconds: number
   if (changed.length !== 1) return undefined;
   const [now] = changed;
   const was = findCharacter(before, now.id);
-  const [took, takes] = [was && shownClip(was), shownClip(now)];
-  if (!was || !took || !takes || was.shownClip !== now.shownClip || was.skeleton !== now.skeleton) return undefined;
+  const [took, takes] = [was && shownTake(was), shownTake(now)];
+  if (!was || !took || !takes || was.shownTake !== now.shownTake || was.skeleton !== now.skeleton) return undefined;
   if (took.channels.length !== takes.channels.length) return undefined;
   const at = timeSeconds + now.timeOffsetSeconds;
   const dofs: DofValue[] = [];
@@ -47,7 +47,7 @@ export function keyedPose(before: Document, after: Document, timeSeconds: number
   return dofs.length > 0 ? { characterId: now.id, dofs } : undefined;
 }
 
-/** Whether a channel has a value at a time of the clip already, up to rounding. */
+/** Whether a channel has a value at a time of the take already, up to rounding. */
 export function isOnCurve(channel: Channel, at: number, value: number): boolean {
   if (channel.kind === 'samples') return false;
   const now = channel.kind === 'rest' ? channel.value : evaluateChannel(compileChannels([channel]), 0, at);
@@ -63,7 +63,7 @@ export type Abrupt =
 
 /** The first of these DOFs whose key at that time makes a jump, or shows in every repetition; undefined if none does. */
 export function abruptKey(character: Character, dofs: readonly DofValue[], timeSeconds: number): Abrupt | undefined {
-  const channels = shownClip(character)?.channels ?? [];
+  const channels = shownTake(character)?.channels ?? [];
   const at = timeSeconds + character.timeOffsetSeconds;
   for (const { index: dof } of dofs) {
     const channel = channels[dof];

@@ -1,12 +1,12 @@
 /**
  * Which pixels of a row have keys, whether these are selected, and where its channels are constant. The cost depends on
- * the width of the dope sheet, not on the clip: a channel with far more visible keys than pixels is searched from one
+ * the width of the dope sheet, not on the take: a channel with far more visible keys than pixels is searched from one
  * pixel's edge to the next (like the scrubber's `key-buckets.ts`).
  */
-import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
+import type { CompiledTake } from '../../evaluate/compiled-take.ts';
 import { firstNotBelow } from '../../math/search.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type Channel, keysOf } from '../../model/takes/clip.ts';
+import { type Channel, keysOf } from '../../model/takes/take.ts';
 import { indicesIn } from './row-keys.ts';
 import { countNotAbove } from './same-time.ts';
 
@@ -20,7 +20,7 @@ const DENSE = 4;
 
 /** The pixels to examine. */
 export interface PixelSpan {
-  /** Clip time at the left edge of pixel 0, seconds. */
+  /** Take time at the left edge of pixel 0, seconds. */
   readonly from: number;
   /** Greater than 0. */
   readonly secondsPerPixel: number;
@@ -91,7 +91,7 @@ export const STILL = 0;
  * @returns first and last pixel between which the channels have keys, or undefined if no channel has two
  */
 export function markMoves(
-  compiled: CompiledClip,
+  compiled: CompiledTake,
   of: readonly number[],
   { from, secondsPerPixel }: PixelSpan,
   moves: Uint8Array,

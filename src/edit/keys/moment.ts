@@ -11,17 +11,17 @@
  *
  * At the time itself the curve has the posed value to the digit, and outside the moment it is the take's.
  */
-import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, repeats } from '../../model/takes/clip.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, repeats } from '../../model/takes/take.ts';
 import { keyAt, tangent, withKeyList } from './columns.ts';
 import { withRepeatsBaked } from './cycle.ts';
 import { insertKey } from './insert.ts';
 import { findKey, sameTime } from './same-time.ts';
 
-/** Seconds of the clip. */
+/** Seconds of the take. */
 export interface Moment {
   readonly at: number;
   /** Greater than 0. */
@@ -53,7 +53,7 @@ function partAt({ at, easeIn, easeOut }: Moment, time: number): number {
  * this one changes; with them it repeats over the longer time.
  *
  * @param channel not a sampled one
- * @param range at least what the repetitions are baked over, in seconds of the clip
+ * @param range at least what the repetitions are baked over, in seconds of the take
  */
 export function withMoment(
   channel: Channel,

@@ -2,7 +2,7 @@
  * Moves keys in time and value. Drags always pass the total movement from their start. Tangents are kept, since slopes
  * are per second.
  */
-import type { KeyedChannel } from '../../model/takes/clip.ts';
+import type { KeyedChannel } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 

@@ -1,5 +1,5 @@
 /** Sets a key with a given value, on the curve or off it: for posing, and for clicks beside a curve. */
-import type { Channel, KeyedChannel } from '../../model/takes/clip.ts';
+import type { Channel, KeyedChannel } from '../../model/takes/take.ts';
 import { tangent, withKeyList } from './columns.ts';
 import { type KeyPlacing, placeOf } from './cycle.ts';
 import { countNotAbove, findKey } from './same-time.ts';

@@ -6,7 +6,7 @@
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
-import { type Channel, keysOf } from '../../model/takes/clip.ts';
+import { type Channel, keysOf } from '../../model/takes/take.ts';
 import type { Place } from './cycle.ts';
 import { sameTime } from './same-time.ts';
 

@@ -1,5 +1,5 @@
 /** Removes keys from a channel. The remaining keys determine the curve. */
-import { type Channel, type KeyedChannel, restChannel } from '../../model/takes/clip.ts';
+import { type Channel, type KeyedChannel, restChannel } from '../../model/takes/take.ts';
 import { takeKeys } from './columns.ts';
 
 /**

@@ -4,7 +4,7 @@
  * Backwards, keys move only up to the previous key, with which they then form a step. (Further, they would tear the
  * rippled motion apart, or overwrite what precedes it.)
  */
-import type { KeyedChannel } from '../../model/takes/clip.ts';
+import type { KeyedChannel } from '../../model/takes/take.ts';
 import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 
 /** How far back the keys from `first` on can ripple, in seconds: 0 or negative. */

@@ -2,11 +2,11 @@
  * The keys of a row, which are those of its channels together. Nothing is merged beforehand: a query for a time or
  * range costs a binary search per channel, and the result identifies keys by channel and index, as in the selection.
  *
- * Times here are the CLIP's; the dope sheet shows the transport's, which are less by the character's offset.
+ * Times here are the take’s; the dope sheet shows the transport's, which are less by the character's offset.
  */
 import { firstNotBelow } from '../../math/search.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type Channel, keysOf } from '../../model/takes/clip.ts';
+import { type Channel, keysOf } from '../../model/takes/take.ts';
 import { countNotAbove } from './same-time.ts';
 
 /** The keys of these channels from one time to another, both included. */

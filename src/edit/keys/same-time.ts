@@ -3,7 +3,7 @@
  * a billionth of a second apart are never intended.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import type { KeyedChannel } from '../../model/takes/clip.ts';
+import type { KeyedChannel } from '../../model/takes/take.ts';
 
 /** Seconds; relative for times above one second. */
 const WITHIN = 1e-9;

@@ -7,15 +7,15 @@
  * A negative time factor mirrors: the in and out tangents of each key are swapped. (By the formula, slopes then change
  * sign.)
  */
-import type { KeyedChannel, Tangents } from '../../model/takes/clip.ts';
-import { FIXED_TANGENT } from '../../model/takes/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 import { withValues } from './move.ts';
 
 /** Factors of times and values, and the point that stays. */
 export interface Scaling {
-  /** Clip time that stays fixed. */
+  /** Take time that stays fixed. */
   readonly pivotSeconds: number;
   /** 0 puts all keys at the pivot, where the last one is kept. */
   readonly timeFactor: number;

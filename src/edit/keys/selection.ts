@@ -1,28 +1,24 @@
 /**
  * Sets of keys, as in the selection: `ChannelKeys` sorted by channel, none empty, indices ascending. All functions
- * preserve that order and merge sorted lists instead of searching, so that selecting all keys of a long clip is as fast
+ * preserve that order and merge sorted lists instead of searching, so that selecting all keys of a long take is as fast
  * as selecting one.
  */
 import { firstNotBelow } from '../../math/search.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type ChannelClip, keysOf } from '../../model/takes/clip.ts';
+import { keysOf, type Take } from '../../model/takes/take.ts';
 import { sameTime } from './same-time.ts';
 
 /** The set without keys; always the same object. */
 export const NO_KEY_SELECTION: readonly ChannelKeys[] = [];
 
-/** Every key of these channels (indices into the clip's); default: all channels. */
-export function allKeys(clip: ChannelClip, channels?: readonly number[]): readonly ChannelKeys[] {
-  return collect(clip, channels, (times) => [0, times.length]);
+/** Every key of these channels (indices into the take's); default: all channels. */
+export function allKeys(take: Take, channels?: readonly number[]): readonly ChannelKeys[] {
+  return collect(take, channels, (times) => [0, times.length]);
 }
 
-/** The keys at a clip time; of a step both. */
-export function keysAtTime(
-  clip: ChannelClip,
-  channels: readonly number[] | undefined,
-  time: number,
-): readonly ChannelKeys[] {
-  return collect(clip, channels, (times) => {
+/** The keys at a take time; of a step both. */
+export function keysAtTime(take: Take, channels: readonly number[] | undefined, time: number): readonly ChannelKeys[] {
+  return collect(take, channels, (times) => {
     const near = firstNotBelow(times, time);
     let from = near;
     let to = near;
@@ -62,14 +58,14 @@ export function countKeys(keys: readonly ChannelKeys[] | undefined): number {
 
 /** The keys from one index up to (excluding) another, in each of the channels. */
 function collect(
-  clip: ChannelClip,
+  take: Take,
   channels: readonly number[] | undefined,
   stretch: (times: Float64Array) => readonly [number, number],
 ): readonly ChannelKeys[] {
   const found: ChannelKeys[] = [];
-  const of = channels ? [...new Set(channels)].sort((a, b) => a - b) : clip.channels.keys();
+  const of = channels ? [...new Set(channels)].sort((a, b) => a - b) : take.channels.keys();
   for (const channel of of) {
-    const [from, to] = stretch(keysOf(clip.channels[channel]).times);
+    const [from, to] = stretch(keysOf(take.channels[channel]).times);
     if (from < to) found.push({ channel, indices: Array.from({ length: to - from }, (_, i) => from + i) });
   }
   return found;

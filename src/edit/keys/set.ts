@@ -1,5 +1,5 @@
 /** Setting keys to exact, typed numbers. */
-import { FIXED_TANGENT, type KeyedChannel } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel } from '../../model/takes/take.ts';
 import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 import { tangent } from './columns.ts';
 import { withValues } from './move.ts';
@@ -7,7 +7,7 @@ import { withTangents } from './tangents.ts';
 
 /** Omitted numbers are not changed. */
 export interface TypedKey {
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly timeSeconds?: number;
   readonly value?: number;
   /** Value per second; makes that side FIXED. */
@@ -36,7 +36,7 @@ export function withKeysSet(
 
 /**
  * The channel with keys moved to the nearest frame; of several on one frame the last is kept.
- * @param offsetSeconds time of frame 0, in seconds of the clip
+ * @param offsetSeconds time of frame 0, in seconds of the take
  */
 export function withKeysSnapped(
   channel: KeyedChannel,

@@ -1,5 +1,5 @@
 /** Inserting a key into a channel's columns. */
-import type { KeyedChannel, Tangents } from '../../model/takes/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/takes/take.ts';
 import type { Key, Tangent } from './columns.ts';
 
 /** The channel with another key at `index`. All columns are new. */

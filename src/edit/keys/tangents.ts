@@ -1,7 +1,7 @@
 /** Editing tangents of keys, by side. Requested slopes become numbers (FIXED); other kinds follow the neighbours. */
 import { keySlope } from '../../evaluate/slopes.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf, type Tangents } from '../../model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf, type Tangents } from '../../model/takes/take.ts';
 import { type Tangent, tangent } from './columns.ts';
 
 /** The side of a key that is edited. */
@@ -11,7 +11,7 @@ export type TangentSide = (typeof TANGENT_SIDES)[number];
 
 /**
  * The kinds of tangents that keys have on one or both sides, as bits: 1 << index into TANGENT_KINDS; 0 for no keys.
- * @param channels of the clip
+ * @param channels of the take
  */
 export function tangentKindsOf(channels: readonly Channel[], keys: readonly ChannelKeys[], side: TangentSide): number {
   let found = 0;

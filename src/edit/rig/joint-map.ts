@@ -1,6 +1,6 @@
 /**
  * Maps one skeleton to the next: joints, DOFs, and the adjusted joints themselves. All rigging changes are computed
- * here; skins, clips, poses and everything else indexed by joints or DOFs follow (`remap.ts`).
+ * here; skins, takes, poses and everything else indexed by joints or DOFs follow (`remap.ts`).
  *
  *     joints before   0 1 2 3 4          to   0 1 -1 2 3         heirs   0 1 1 2 3
  *     joints after    0 1   2 3   4      origins   0 1 3 4 -1

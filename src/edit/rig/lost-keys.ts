@@ -3,12 +3,12 @@
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
-import { keysOf } from '../../model/takes/clip.ts';
+import { keysOf } from '../../model/takes/take.ts';
 import type { JointMap } from './joint-map.ts';
 
 /** `3 keys of r`, `7 keys and the samples of ry and rz`; undefined if nothing is lost. */
 export function lostKeys(
-  { clips }: Pick<Character, 'clips'>,
+  { takes }: Pick<Character, 'takes'>,
   { before, dofs }: JointMap,
   joint: number,
 ): string | undefined {
@@ -20,8 +20,8 @@ export function lostKeys(
   dofsOf(before.joints[joint].motion).forEach(({ name }, d) => {
     const dof = first + d;
     if (kept.has(dof)) return;
-    const own = clips.reduce((sum, { channels }) => sum + keysOf(channels[dof]).times.length, 0);
-    const sampled = clips.some(({ channels }) => channels[dof]?.kind === 'samples');
+    const own = takes.reduce((sum, { channels }) => sum + keysOf(channels[dof]).times.length, 0);
+    const sampled = takes.some(({ channels }) => channels[dof]?.kind === 'samples');
     keys += own;
     hasSamples ||= sampled;
     if (own > 0 || sampled) names.push(name);

@@ -1,5 +1,5 @@
 /**
- * Gives a character another skeleton and remaps everything that refers to joints or DOFs: skins, clips, pose, unkeyed
+ * Gives a character another skeleton and remaps everything that refers to joints or DOFs: skins, takes, pose, unkeyed
  * changes, pose library, IK settings and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
  * keep their identity.
  */
@@ -11,8 +11,8 @@ import { withoutUnkeyed } from '../unkeyed.ts';
 import { remapIk, remapPairs, withIk, withSourcePairs } from './by-joint.ts';
 import { valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';
-import { remapClip } from './remap-clip.ts';
 import { remapSkin } from './remap-skin.ts';
+import { remapTake } from './remap-take.ts';
 
 /** The document with that character's skeleton changed, from which `map` was made. */
 export function withSkeletonChanged(document: Document, characterId: string, map: JointMap): Document {
@@ -23,7 +23,7 @@ export function withSkeletonChanged(document: Document, characterId: string, map
 }
 
 function remapped(character: Character, map: JointMap): Character {
-  const { clips, skins } = character;
+  const { takes, skins } = character;
   const next: Character = {
     ...character,
     skeleton: map.after,
@@ -32,7 +32,7 @@ function remapped(character: Character, map: JointMap): Character {
   return withJoints(
     map.keepsDofs
       ? next
-      : withDofs({ ...next, clips: mapped(clips, (clip) => remapClip(clip, map, character.pose)) }, map),
+      : withDofs({ ...next, takes: mapped(takes, (take) => remapTake(take, map, character.pose)) }, map),
     map,
   );
 }

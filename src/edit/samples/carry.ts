@@ -10,7 +10,7 @@ import { carrierIn } from '../../evaluate/space/carrier.ts';
 import { multiply3, turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { anglesOf, type JointRotation, jointRotations } from './rotations.ts';
 
 /** A rotation about the up axis, then a shift over the ground. */
@@ -50,9 +50,9 @@ export class Carrier {
   private readonly b = new Float64Array(9);
   private readonly q = new Float64Array(4);
 
-  constructor(skeleton: Skeleton, clip: ChannelClip, up: 'y' | 'z') {
+  constructor(skeleton: Skeleton, take: Take, up: 'y' | 'z') {
     this.compiled = compileSkeleton(skeleton);
-    this.joint = carrierIn(skeleton, clip);
+    this.joint = carrierIn(skeleton, take);
     this.up = up === 'z' ? 2 : 1;
     this.root = jointRotations(skeleton).find(({ joint }) => joint === 0);
     this.world = new Float64Array(16 * this.compiled.jointCount);

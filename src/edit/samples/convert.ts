@@ -27,8 +27,8 @@ import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip, KeyedChannel } from '../../model/takes/clip.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
+import type { KeyedChannel, Take } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { takingColumns } from './columns.ts';
 import { fittingFrames } from './fit-frames.ts';
@@ -67,13 +67,13 @@ export interface Worst {
   readonly error: number;
   /** Index of the joint. */
   readonly joint: number;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly atSeconds: number;
 }
 
 /** A take whose samples became keys, and how exact it is. */
 export interface Converted {
-  readonly clip: ChannelClip;
+  readonly take: Take;
   /** Channels that have keys now. */
   readonly channels: readonly number[];
   readonly samplesBefore: number;
@@ -115,13 +115,13 @@ interface Fitting {
  */
 export function* converting(
   character: Character,
-  clip: ChannelClip,
+  take: Take,
   given: readonly number[],
   allowed: Tolerance,
 ): Steps<Converted> {
-  const samples = requireSamples(clip);
+  const samples = requireSamples(take);
   const { skeleton, morphs } = character;
-  const channels = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
+  const channels = given.filter((channel) => take.channels[channel]?.kind === 'samples');
   if (channels.length === 0) throw new CommandError('None of these curves is sampled, so there is nothing to convert.');
   const dofs = characterDofs(skeleton, morphs);
   const reach = skeleton ? reachOf(skeleton) : [];
@@ -149,8 +149,8 @@ export function* converting(
       for (; !step.done; step = fit.next()) yield progress((0.7 * done) / todo.length);
       fitting.made = step.value;
     }
-    const made = withFitted(clip, fittings);
-    const measuring = measuringPoses(character, clip, made, samples);
+    const made = withFitted(take, fittings);
+    const measuring = measuringPoses(character, take, made, samples);
     let step = measuring.next();
     for (; !step.done; step = measuring.next()) yield progress(0.7 + 0.3 * step.value);
     if (!tighten(fittings, skeleton, step.value, allowed, round)) return result(made, samples, fittings, step.value);
@@ -235,16 +235,16 @@ function tighten(
   return isAny;
 }
 
-function withFitted(clip: ChannelClip, fittings: readonly Fitting[]): ChannelClip {
-  const channels = [...clip.channels];
+function withFitted(take: Take, fittings: readonly Fitting[]): Take {
+  const channels = [...take.channels];
   for (const { channel, made } of fittings) if (made) channels[channel] = made;
-  const { samples: _done, ...rest } = clip;
+  const { samples: _done, ...rest } = take;
   // Samples that no channel follows any more are dropped.
   const isLeft = channels.some(({ kind }) => kind === 'samples');
-  return isLeft ? { ...clip, channels } : { ...rest, channels };
+  return isLeft ? { ...take, channels } : { ...rest, channels };
 }
 
-function result(clip: ChannelClip, samples: Samples, fittings: readonly Fitting[], errors: PoseErrors): Converted {
+function result(take: Take, samples: Samples, fittings: readonly Fitting[], errors: PoseErrors): Converted {
   const worst = (of: Float64Array, frames: Int32Array): Worst => {
     let joint = 0;
     for (let j = 1; j < of.length; j++) if (of[j] > of[joint]) joint = j;
@@ -255,7 +255,7 @@ function result(clip: ChannelClip, samples: Samples, fittings: readonly Fitting[
     };
   };
   return {
-    clip,
+    take,
     channels: fittings.map((f) => f.channel),
     samplesBefore: fittings.length * samples.frameCount,
     keysAfter: fittings.reduce((sum, f) => sum + (f.made?.times.length ?? 0), 0),

@@ -1,5 +1,5 @@
 /**
- * The Euler filter for a clip: the same rotations, at every key and in every frame, with angles that don't jump.
+ * The Euler filter for a take: the same rotations, at every key and in every frame, with angles that don't jump.
  *
  * Frames are treated as evenly spaced keys and filtered like keys (`channels/rotations.ts`): joint by joint, within
  * enforced limits. Sampled channels stay sampled: only the numbers in their columns change, by whole turns or to the
@@ -10,16 +10,16 @@
 import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
-import type { Channel, ChannelClip, KeyedChannel } from '../../model/takes/clip.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
+import type { Channel, KeyedChannel, Take } from '../../model/takes/take.ts';
 import { keysChanged } from '../channels/euler-filter.ts';
 import { filterCharacter } from '../channels/rotations.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
 
 /** A take after the Euler filter. */
-export interface FilteredClip {
+export interface FilteredTake {
   /** The same channels and samples if nothing changed. */
-  readonly clip: ChannelClip;
+  readonly take: Take;
   /** Channels that changed. */
   readonly changed: readonly number[];
   /** Keys whose values changed; frames of samples are not counted. */
@@ -29,23 +29,19 @@ export interface FilteredClip {
 }
 
 /**
- * Applies the Euler filter to channels of a clip, joint by joint.
- * @param given channels of the clip, keyed or sampled. Yields after each joint
+ * Applies the Euler filter to channels of a take, joint by joint.
+ * @param given channels of the take, keyed or sampled. Yields after each joint
  */
-export function* filteringAngles(
-  character: Character,
-  clip: ChannelClip,
-  given: readonly number[],
-): Steps<FilteredClip> {
-  const { samples } = clip;
-  const sampled = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
-  const before = [...clip.channels];
+export function* filteringAngles(character: Character, take: Take, given: readonly number[]): Steps<FilteredTake> {
+  const { samples } = take;
+  const sampled = given.filter((channel) => take.channels[channel]?.kind === 'samples');
+  const before = [...take.channels];
   if (samples && sampled.length > 0) {
     const columns = sampled.map((channel) => columnOf(samples, channel));
     const taken = yield* within(takingColumns(samples, columns), 0, 0.2);
     const times = frameTimes(samples);
     sampled.forEach((channel, n) => {
-      before[channel] = framesAsKeys(clip.channels[channel], times, taken.get(columns[n]) ?? new Float64Array(0));
+      before[channel] = framesAsKeys(take.channels[channel], times, taken.get(columns[n]) ?? new Float64Array(0));
     });
   }
   let after: readonly Channel[] = before;
@@ -58,18 +54,18 @@ export function* filteringAngles(
     yield 0.2 + (0.6 * (done + 1)) / groups.length;
   }
   const changed = given.filter((channel) => after[channel] !== before[channel]);
-  if (changed.length === 0) return { clip, changed, keysChanged: 0, notes };
+  if (changed.length === 0) return { take, changed, keysChanged: 0, notes };
   const columns = new Map<number, Float64Array>();
-  const channels = [...clip.channels];
+  const channels = [...take.channels];
   for (const index of changed) {
     const channel = after[index];
-    if (clip.channels[index]?.kind !== 'samples') channels[index] = channel;
+    if (take.channels[index]?.kind !== 'samples') channels[index] = channel;
     else if (channel.kind === 'keys') columns.set(columnOf(samples, index), channel.values);
   }
-  const result = { changed, keysChanged: keysChanged(clip.channels, channels), notes };
-  if (!samples) return { clip: { ...clip, channels }, ...result };
+  const result = { changed, keysChanged: keysChanged(take.channels, channels), notes };
+  if (!samples) return { take: { ...take, channels }, ...result };
   const made = yield* within(replacingColumns(samples, columns), 0.8, 1);
-  return { clip: { ...clip, channels, samples: made }, ...result };
+  return { take: { ...take, channels, samples: made }, ...result };
 }
 
 function frameTimes({ frameCount, startSeconds, frameSeconds }: Samples): Float64Array {

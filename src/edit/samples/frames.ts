@@ -5,8 +5,9 @@
  * Many remaining rows are a view of the originals: copying 100 MB takes longer than a display frame, and the history
  * retains the originals anyway. Few are copied, or one second would retain a whole hour.
  */
-import type { ChannelClip } from '../../model/takes/clip.ts';
+
 import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { markersBeside, markersWithin, withMarkers } from '../markers.ts';
 
@@ -21,9 +22,9 @@ function sameFrame({ frameSeconds }: Samples): number {
 }
 
 /** The samples of a take; refuses if it has none. */
-export function requireSamples(clip: ChannelClip): Samples {
-  if (clip.samples) return clip.samples;
-  throw new CommandError(`${clip.name} has no samples, only keys.`);
+export function requireSamples(take: Take): Samples {
+  if (take.samples) return take.samples;
+  throw new CommandError(`${take.name} has no samples, only keys.`);
 }
 
 /** The first frame at or after a time, from 0 to the number of frames. */
@@ -50,8 +51,8 @@ export function framesBetween(samples: Samples, first: number, end: number): Sam
  * The take with the frames from one time to another, both included, as its playback range; keys are kept. The same
  * object if nothing is removed. Refuses if there are no frames in between.
  */
-export function cropped(clip: ChannelClip, from: number, to: number): ChannelClip {
-  const samples = requireSamples(clip);
+export function cropped(take: Take, from: number, to: number): Take {
+  const samples = requireSamples(take);
   const first = firstFrameFrom(samples, from);
   const end = lastFrameTo(samples, to) + 1;
   if (first >= end) {
@@ -60,8 +61,8 @@ export function cropped(clip: ChannelClip, from: number, to: number): ChannelCli
   }
   const kept = framesBetween(samples, first, end);
   const range = rangeOfSamples(kept);
-  if (kept === samples && range[0] === clip.range[0] && range[1] === clip.range[1]) return clip;
-  return withMarkers({ ...clip, range, samples: kept }, markersWithin(clip.markers, ...range));
+  if (kept === samples && range[0] === take.range[0] && range[1] === take.range[1]) return take;
+  return withMarkers({ ...take, range, samples: kept }, markersWithin(take.markers, ...range));
 }
 
 /** The last frame at or before a time; −1 if there is none. */
@@ -72,26 +73,26 @@ export function lastFrameTo(samples: Samples, seconds: number): number {
 }
 
 /** Without the frames before a time, or after it; the frame there is kept. */
-export function trimmed(clip: ChannelClip, side: 'start' | 'end', seconds: number): ChannelClip {
+export function trimmed(take: Take, side: 'start' | 'end', seconds: number): Take {
   const everything = Number.MAX_VALUE;
-  return side === 'start' ? cropped(clip, seconds, everything) : cropped(clip, -everything, seconds);
+  return side === 'start' ? cropped(take, seconds, everything) : cropped(take, -everything, seconds);
 }
 
 /**
  * Two takes: the frames before a time, and the others. Both keep all keys, since these determine the curve in between;
  * a marker between their frames is in the nearer one. Refuses if one would have no frame.
  */
-export function split(clip: ChannelClip, seconds: number): readonly [ChannelClip, ChannelClip] {
-  const samples = requireSamples(clip);
+export function split(take: Take, seconds: number): readonly [Take, Take] {
+  const samples = requireSamples(take);
   const at = firstFrameFrom(samples, seconds);
   if (at === 0 || at === samples.frameCount) {
     throw new CommandError('There is nothing to split here: all frames are on one side of the playhead.');
   }
   const parts = [framesBetween(samples, 0, at), framesBetween(samples, at, samples.frameCount)];
   const ranges = parts.map(rangeOfSamples);
-  const markers = markersBeside(clip.markers, ranges[0][1], ranges[1][0]);
+  const markers = markersBeside(take.markers, ranges[0][1], ranges[1][0]);
   const [before, after] = parts.map((part, i) =>
-    withMarkers({ ...clip, range: ranges[i], samples: part }, markersWithin(markers, ...ranges[i])),
+    withMarkers({ ...take, range: ranges[i], samples: part }, markersWithin(markers, ...ranges[i])),
   );
   return [before, after];
 }

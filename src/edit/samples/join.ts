@@ -14,8 +14,8 @@ import { smoothstep } from '../../math/smoothstep.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { blendPoses } from './blend-frames.ts';
 import { Carrier, type Carry, isCarried, STAYS } from './carry.ts';
 import { refuseTooMany } from './most-frames.ts';
@@ -45,7 +45,7 @@ const IN_TIME = 1e-3;
 export interface Joining {
   readonly character: Pick<Character, 'morphs' | 'space'> & { readonly skeleton: Skeleton };
   /** For what carries the body; of the first take. */
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly alignment: JoinAlignment;
 }
 
@@ -59,7 +59,7 @@ export function* joining(joined: Joining, a: Samples, b: Samples, overlap: numbe
   const width = a.scales.length;
   const frameCount = a.frameCount + b.frameCount - overlap;
   refuseTooMany(frameCount, width, a.frameCount + b.frameCount);
-  const carrier = new Carrier(skeleton, joined.clip, space?.up ?? 'y');
+  const carrier = new Carrier(skeleton, joined.take, space?.up ?? 'y');
   const carry = carryOf(carrier, joined, a, b, overlap);
   const values = new Float64Array(frameCount * width);
   values.set(a.values);

@@ -11,8 +11,8 @@
 import type { Steps } from '../../evaluate/steps.ts';
 import { smoothstep } from '../../math/smoothstep.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { blendPoses } from './blend-frames.ts';
 import { Carrier, type Carry, isCarried, STAYS } from './carry.ts';
@@ -31,13 +31,13 @@ const STEP_FRAMES = 256;
  * @param overlap frames that are blended; from 1 to half of all. Refuses more.
  */
 export function* looping(
-  { character, clip }: Pick<Joining, 'character'> & { readonly clip: ChannelClip },
+  { character, take }: Pick<Joining, 'character'> & { readonly take: Take },
   samples: Samples,
   overlap: number,
 ): Steps<Samples> {
   const { frameCount } = samples;
   const { skeleton, morphs, space } = character;
-  const carrier = new Carrier(skeleton, clip, space?.up ?? 'y');
+  const carrier = new Carrier(skeleton, take, space?.up ?? 'y');
   if (loops(carrier, samples)) return samples;
   const last = frameCount - overlap;
   if (overlap < 1 || last < overlap) {

@@ -1,5 +1,5 @@
 /**
- * Compares two clips of one skeleton: the largest distance in world position, and the largest angle between world
+ * Compares two takes of one skeleton: the largest distance in world position, and the largest angle between world
  * rotations, for each joint over all frames.
  *
  *     distance     |p − p′| of the joint's origin, and of its End Sites
@@ -12,8 +12,8 @@ import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { takeAlone } from './take-alone.ts';
 
 /** By joint. */
@@ -33,8 +33,8 @@ const SLICE_FRAMES = 64;
 /** Compares every frame of the samples, yielding progress. */
 export function* measuringPoses(
   character: Character,
-  before: ChannelClip,
-  after: ChannelClip,
+  before: Take,
+  after: Take,
   { frameCount, startSeconds, frameSeconds }: Samples,
 ): Steps<PoseErrors> {
   const { skeleton } = character;

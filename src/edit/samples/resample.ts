@@ -5,8 +5,8 @@
 import { poseAt } from '../../evaluate/pose.ts';
 import type { Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
 import { takeAlone } from './take-alone.ts';
@@ -16,20 +16,20 @@ const STEP_FRAMES = 64;
 /** A last frame missed by less than this fraction is included. */
 const SAME_FRAME = 1e-4;
 
-/** The clip with samples at this rate, starting at its first frame; the same object if they have it. */
-export function* resampling(character: Character, clip: ChannelClip, framesPerSecond: number): Steps<ChannelClip> {
-  const samples = requireSamples(clip);
+/** The take with samples at this rate, starting at its first frame; the same object if they have it. */
+export function* resampling(character: Character, take: Take, framesPerSecond: number): Steps<Take> {
+  const samples = requireSamples(take);
   const frameSeconds = 1 / framesPerSecond;
-  if (Math.abs(frameSeconds - samples.frameSeconds) <= 1e-12 * frameSeconds) return clip;
+  if (Math.abs(frameSeconds - samples.frameSeconds) <= 1e-12 * frameSeconds) return take;
   const [start, stop] = rangeOfSamples(samples);
   const frameCount = Math.floor((stop - start) * framesPerSecond + SAME_FRAME) + 1;
   const { scales, firstChannel } = samples;
   const width = scales.length;
   refuseTooMany(frameCount, width, samples.frameCount);
   const values = new Float64Array(frameCount * width);
-  const alone = takeAlone(character, clip);
-  const pose = new Float64Array(Math.max(clip.channels.length, firstChannel + width) + character.pose.length);
-  const driven = Array.from({ length: width }, (_, column) => clip.channels[firstChannel + column]?.kind === 'samples');
+  const alone = takeAlone(character, take);
+  const pose = new Float64Array(Math.max(take.channels.length, firstChannel + width) + character.pose.length);
+  const driven = Array.from({ length: width }, (_, column) => take.channels[firstChannel + column]?.kind === 'samples');
   for (let f = 0; f < frameCount; f++) {
     const time = Math.min(stop, start + f * frameSeconds);
     poseAt(alone, time, pose);
@@ -39,7 +39,7 @@ export function* resampling(character: Character, clip: ChannelClip, framesPerSe
     }
     if (f % STEP_FRAMES === STEP_FRAMES - 1) yield f / frameCount;
   }
-  return { ...clip, samples: { ...samples, frameCount, frameSeconds, values } };
+  return { ...take, samples: { ...samples, frameCount, frameSeconds, values } };
 }
 
 /** The column beneath a channel that has keys: from the nearest frame. In file units. */

@@ -5,8 +5,8 @@
  */
 
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
-import type { Channel, ChannelClip } from '../../model/takes/clip.ts';
 import { rangeOfSamples } from '../../model/takes/samples.ts';
+import type { Channel, Take } from '../../model/takes/take.ts';
 import { sameValue } from '../delta.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { retimed, withMarkers } from '../markers.ts';
@@ -16,8 +16,8 @@ import { requireSamples } from './frames.ts';
  * Reverses a take with samples, with its keys, range and markers; yields the fraction that is done.
  * @throws CommandError if it has no samples
  */
-export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
-  const samples = requireSamples(clip);
+export function* reversing(take: Take): Steps<Take> {
+  const samples = requireSamples(take);
   const { values, scales, frameCount } = samples;
   const width = scales.length;
   const backwards = new Float64Array(values.length);
@@ -34,12 +34,12 @@ export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
   const [start, stop] = rangeOfSamples(samples);
   const mirror = (seconds: number) => start + stop - seconds;
   const reversed = {
-    ...clip,
-    range: [mirror(clip.range[1]), mirror(clip.range[0])] as const,
-    channels: clip.channels.map((channel) => reversedKeys(channel, (start + stop) / 2)),
+    ...take,
+    range: [mirror(take.range[1]), mirror(take.range[0])] as const,
+    channels: take.channels.map((channel) => reversedKeys(channel, (start + stop) / 2)),
     samples: sameValue(backwards, values) ? samples : { ...samples, values: backwards },
   };
-  return withMarkers(reversed, retimed(clip.markers, mirror));
+  return withMarkers(reversed, retimed(take.markers, mirror));
 }
 
 function reversedKeys(channel: Channel, pivotSeconds: number): Channel {

@@ -22,8 +22,8 @@
 import { type Steps, within } from '../../evaluate/steps.ts';
 import { turnedNear } from '../../math/euler.ts';
 import type { CharacterDof } from '../../model/skeleton/dofs.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import { columnOf } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
 import { framesBetween, requireSamples } from './frames.ts';
 import { convolving, gaussian } from './gaussian.ts';
@@ -56,20 +56,20 @@ interface Job {
 }
 
 /**
- * Filters the samples of a clip; yields its progress.
+ * Filters the samples of a take; yields its progress.
  * @param rotations of the character's skeleton
  * @param channels only these; others, and keyed ones, are kept
- * @param seconds of the clip; default: all frames
+ * @param seconds of the take; default: all frames
  */
 export function* smoothing(
-  clip: ChannelClip,
+  take: Take,
   dofs: readonly CharacterDof[],
   rotations: readonly JointRotation[],
   channels: readonly number[],
   filter: SampleFilter,
   seconds?: readonly [number, number],
-): Steps<ChannelClip> {
-  const samples = requireSamples(clip);
+): Steps<Take> {
+  const samples = requireSamples(take);
   const { frameCount } = samples;
   const { first, end } = frameRange(samples, seconds);
   const weights =
@@ -79,7 +79,7 @@ export function* smoothing(
   const seen = framesBetween(samples, from, Math.min(frameCount, end + reach));
   const job: Job = { range: { first: first - from, end: end - from, frameCount: frameCount - from }, reach, weights };
 
-  const chosen = new Set(channels.filter((channel) => clip.channels[channel]?.kind === 'samples'));
+  const chosen = new Set(channels.filter((channel) => take.channels[channel]?.kind === 'samples'));
   const count = Math.max(1, chosen.size);
   const made = new Map<number, Float64Array>();
   const columns = [...chosen].map((channel) => columnOf(samples, channel));
@@ -104,7 +104,7 @@ export function* smoothing(
     for (const _ of filteringValues(values, dofs[channel]?.unit === 'angle', job)) yield progress();
     keep(channel, values);
   }
-  return { ...clip, samples: yield* within(replacingColumns(samples, made, first), FILTERING[1], 1) };
+  return { ...take, samples: yield* within(replacingColumns(samples, made, first), FILTERING[1], 1) };
 }
 
 /** Lengths, weights and independent angles; in place. */

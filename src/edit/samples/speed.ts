@@ -4,7 +4,7 @@
  */
 import type { Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { retimed, withMarkers } from '../markers.ts';
 import { resampling } from './resample.ts';
@@ -13,17 +13,17 @@ import { resampling } from './resample.ts';
  * Changes the speed of a take, with its keys, samples and markers.
  * @param factor greater than 0; 2 takes half the time. The same object for 1.
  */
-export function* retiming(character: Character, clip: ChannelClip, factor: number): Steps<ChannelClip> {
-  if (factor === 1) return clip;
-  const [start, end] = clip.range;
+export function* retiming(character: Character, take: Take, factor: number): Steps<Take> {
+  if (factor === 1) return take;
+  const [start, end] = take.range;
   const at = (seconds: number) => start + (seconds - start) / factor;
-  const channels = clip.channels.map((channel) => {
+  const channels = take.channels.map((channel) => {
     if (channel.kind !== 'keys') return channel;
     const scaling = { pivotSeconds: start, timeFactor: 1 / factor, pivotValue: 0, valueFactor: 1 };
     return withKeysScaled(channel, [...channel.times.keys()], scaling, 'step').channel;
   });
-  const { samples } = clip;
-  const timed: ChannelClip = withMarkers({ ...clip, range: [start, at(end)], channels }, retimed(clip.markers, at));
+  const { samples } = take;
+  const timed: Take = withMarkers({ ...take, range: [start, at(end)], channels }, retimed(take.markers, at));
   if (!samples) return timed;
   const { startSeconds, frameSeconds } = samples;
   const scaled = { ...samples, startSeconds: at(startSeconds), frameSeconds: frameSeconds / factor };

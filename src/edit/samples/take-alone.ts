@@ -4,10 +4,10 @@
  */
 
 import type { Character } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 
-/** The character with `clip` as its only take, shown; times of the transport are then those of the clip. */
-export function takeAlone(character: Character, clip: ChannelClip): Character {
+/** The character with `take` as its only take, shown; times of the transport are then those of the take. */
+export function takeAlone(character: Character, take: Take): Character {
   const { unkeyed: _byHand, driver: _another, ...rest } = character;
-  return { ...rest, clips: [clip], shownClip: 0, clampsToLimits: false, timeOffsetSeconds: 0 };
+  return { ...rest, takes: [take], shownTake: 0, clampsToLimits: false, timeOffsetSeconds: 0 };
 }

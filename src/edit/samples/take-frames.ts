@@ -1,12 +1,12 @@
 /**
  * Takes as frames that can be joined, cut and blended: every DOF of the character sampled, from the first channel on.
  */
-import { bakeClip, framesOf, ownFrames } from '../../evaluate/bake.ts';
+import { bakeTake, framesOf, ownFrames } from '../../evaluate/bake.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs, jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
-import { type ChannelClip, SAMPLED } from '../../model/takes/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import { SAMPLED, type Take } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { firstFrameFrom, framesBetween, lastFrameTo, requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
@@ -21,46 +21,46 @@ export const KEYED_RATE = 60;
  */
 export function takeFrames(
   character: Character,
-  clip: ChannelClip,
-  framesPerSecond = frameRateOf(clip) ?? KEYED_RATE,
+  take: Take,
+  framesPerSecond = frameRateOf(take) ?? KEYED_RATE,
 ): Samples {
-  const { samples } = clip;
+  const { samples } = take;
   const width = characterDofs(character.skeleton, character.morphs).length;
   const isAll =
     samples?.firstChannel === 0 &&
     samples.scales.length >= width &&
-    clip.channels.every(({ kind }, c) => c >= width || kind === 'samples');
+    take.channels.every(({ kind }, c) => c >= width || kind === 'samples');
   if (samples && isAll) {
-    const first = firstFrameFrom(samples, clip.range[0]);
-    const end = lastFrameTo(samples, clip.range[1]) + 1;
+    const first = firstFrameFrom(samples, take.range[0]);
+    const end = lastFrameTo(samples, take.range[1]) + 1;
     return first < end ? framesBetween(samples, first, end) : samples;
   }
-  const alone = takeAlone(character, clip);
+  const alone = takeAlone(character, take);
   const own = ownFrames(alone);
-  const frames = framesOf(clip.range, own ? 1 / own.frameSeconds : framesPerSecond);
+  const frames = framesOf(take.range, own ? 1 / own.frameSeconds : framesPerSecond);
   refuseTooMany(frames.frameCount, width);
-  return bakeClip(alone, frames);
+  return bakeTake(alone, frames);
 }
 
 /** The samples of a take whose channels all follow them, and drive all DOFs; refuses others. */
-export function framesOnly({ skeleton }: Pick<Character, 'skeleton'>, clip: ChannelClip): Samples {
-  const samples = requireSamples(clip);
-  const isAll = samples.firstChannel === 0 && samples.scales.length >= clip.channels.length;
-  const [found, all] = [clip.channels.length, rootDofCount(skeleton) + jointDofCount(skeleton)];
+export function framesOnly({ skeleton }: Pick<Character, 'skeleton'>, take: Take): Samples {
+  const samples = requireSamples(take);
+  const isAll = samples.firstChannel === 0 && samples.scales.length >= take.channels.length;
+  const [found, all] = [take.channels.length, rootDofCount(skeleton) + jointDofCount(skeleton)];
   if (found < all) {
     throw new CommandError(
-      `${clip.name} has frames for ${found} of ${all} DOFs, and they can't be moved without the others.`,
+      `${take.name} has frames for ${found} of ${all} DOFs, and they can't be moved without the others.`,
     );
   }
-  if (isAll && clip.channels.every(({ kind }) => kind === 'samples')) return samples;
-  throw new CommandError(`${clip.name} has keys as well as samples, and frames can't be moved without the keys.`);
+  if (isAll && take.channels.every(({ kind }) => kind === 'samples')) return samples;
+  throw new CommandError(`${take.name} has keys as well as samples, and frames can't be moved without the keys.`);
 }
 
-/** A clip of frames, with their whole time as its range. */
-export function clipOfFrames(clip: ChannelClip, samples: Samples): ChannelClip {
-  const sampled = clip.samples && clip.channels.every(({ kind }) => kind === 'samples');
-  const channels = sampled ? clip.channels : Array.from(samples.scales, () => SAMPLED);
-  return { ...clip, channels, range: rangeOfSamples(samples), samples };
+/** A take of frames, with their whole time as its range. */
+export function takeOfFrames(take: Take, samples: Samples): Take {
+  const sampled = take.samples && take.channels.every(({ kind }) => kind === 'samples');
+  const channels = sampled ? take.channels : Array.from(samples.scales, () => SAMPLED);
+  return { ...take, channels, range: rangeOfSamples(samples), samples };
 }
 
 /** Writes the values of a frame in model units. */

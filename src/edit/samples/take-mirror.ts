@@ -8,14 +8,14 @@
  *
  * One plane serves the whole take, the one that the first frame faces along.
  */
-import { compileClip } from '../../evaluate/compiled-clip.ts';
-import { evaluateClip } from '../../evaluate/curves.ts';
+import { compileTake } from '../../evaluate/compiled-take.ts';
+import { evaluateTake } from '../../evaluate/curves.ts';
 import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { type Channel, type ChannelClip, FIXED_TANGENT, restChannel, type Tangents } from '../../model/takes/clip.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
+import { type Channel, FIXED_TANGENT, restChannel, type Take, type Tangents } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import { sameValue } from '../delta.ts';
 import { swappedPose, wholeReflection } from '../pose/mirror.ts';
@@ -36,11 +36,11 @@ const STEP_FRAMES = 16;
  *
  * @param up axis of the character's space
  */
-export function* mirroringTake(character: Mirrored, clip: ChannelClip, up: 'y' | 'z' = 'y'): Steps<ChannelClip> {
+export function* mirroringTake(character: Mirrored, take: Take, up: 'y' | 'z' = 'y'): Steps<Take> {
   const { skeleton, morphs } = character;
   const compiled = compileSkeleton(skeleton);
   const jointDofs = compiled.firstDof[compiled.jointCount];
-  const padded = paddedClip(character, clip, jointDofs + morphs.length);
+  const padded = paddedTake(character, take, jointDofs + morphs.length);
   const reflection = wholeReflection(skeleton, firstPose(padded, jointDofs), up);
   const exchange = exchangeOf(compiled, reflection, morphs);
   const whole = exchange.isWhole;
@@ -56,33 +56,33 @@ export function* mirroringTake(character: Mirrored, clip: ChannelClip, up: 'y' |
       ? yield* exchangingColumns(samples, exchange)
       : yield* fittingFrames(skeleton, padded, samples, reflection, exchange, jointDofs),
   };
-  const next: ChannelClip = {
+  const next: Take = {
     ...padded,
     channels,
     ...(made && { samples: sameValue(made, samples) ? samples : made }),
   };
-  return sameValue(next, padded) ? clip : next;
+  return sameValue(next, padded) ? take : next;
 }
 
-/** A clip with a channel for each DOF: the others rest in the pose. */
-function paddedClip({ pose }: Mirrored, clip: ChannelClip, count: number): ChannelClip {
-  if (clip.channels.length >= count) return clip;
-  const added = Array.from({ length: count - clip.channels.length }, (_, i) =>
-    restChannel(pose[clip.channels.length + i] ?? 0),
+/** A take with a channel for each DOF: the others rest in the pose. */
+function paddedTake({ pose }: Mirrored, take: Take, count: number): Take {
+  if (take.channels.length >= count) return take;
+  const added = Array.from({ length: count - take.channels.length }, (_, i) =>
+    restChannel(pose[take.channels.length + i] ?? 0),
   );
-  return { ...clip, channels: [...clip.channels, ...added] };
+  return { ...take, channels: [...take.channels, ...added] };
 }
 
 /** The DOFs of the joints in the first frame, or where the take starts. */
-function firstPose(clip: ChannelClip, count: number): Float64Array {
+function firstPose(take: Take, count: number): Float64Array {
   const out = new Float64Array(count);
-  evaluateClip(compileClip(clip), clip.samples?.startSeconds ?? clip.range[0], out, count);
-  if (clip.samples) putRow(clip, clip.samples, 0, out);
+  evaluateTake(compileTake(take), take.samples?.startSeconds ?? take.range[0], out, count);
+  if (take.samples) putRow(take, take.samples, 0, out);
   return out;
 }
 
 /** Writes a frame's values over those of the channels that follow the samples. */
-function putRow({ channels }: ChannelClip, samples: Samples, frame: number, out: Float64Array): void {
+function putRow({ channels }: Take, samples: Samples, frame: number, out: Float64Array): void {
   const { values, scales, firstChannel } = samples;
   for (let k = 0; k < scales.length && firstChannel + k < out.length; k++) {
     if (channels[firstChannel + k].kind === 'samples')
@@ -139,7 +139,7 @@ function exchangeOf(compiled: CompiledSkeleton, reflection: Reflection, morphs: 
 }
 
 function refuseKeys(
-  { name, channels }: ChannelClip,
+  { name, channels }: Take,
   jointDofs: number,
   { joints }: Skeleton,
   { firstDof }: CompiledSkeleton,
@@ -241,7 +241,7 @@ function moveColumn(
 /** The values of all frames if some joints have to be fitted; those that are only swapped keep their exact numbers. */
 function* fittingFrames(
   skeleton: Skeleton,
-  clip: ChannelClip,
+  take: Take,
   samples: Samples,
   reflection: Reflection,
   exchange: Exchange,
@@ -251,10 +251,10 @@ function* fittingFrames(
   const width = scales.length;
   const columns = movedColumns(samples, exchange);
   const made = samples.values.slice();
-  const dofs = firstPose(clip, jointDofs);
+  const dofs = firstPose(take, jointDofs);
   const end = Math.min(width, jointDofs - firstChannel);
   for (let f = 0; f < frameCount; f++) {
-    putRow(clip, samples, f, dofs);
+    putRow(take, samples, f, dofs);
     const pose = swappedPose(skeleton, reflection, dofs);
     for (const column of columns) moveColumn(samples, column, exchange, made, f, f + 1);
     for (let k = Math.max(0, -firstChannel); k < end; k++) {

@@ -1,7 +1,7 @@
 /** Shapes that several commands share. */
 
 import type { PoseByNames } from '../../model/pose-by-names.ts';
-import { EXTRAPOLATIONS, TANGENT_KINDS } from '../../model/takes/clip.ts';
+import { EXTRAPOLATIONS, TANGENT_KINDS } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';
 import type { KeyOptions } from '../key-dofs.ts';
 import { COLLISIONS } from '../keys/arrange.ts';
@@ -59,12 +59,12 @@ export const keys = list(record({ channel: index, indices }));
 export const KEYS = { ...CHARACTER, keys } as const;
 
 /** A take of a character; -1 for its pose, -2 for the retargeted one. */
-export const takeRef = record({ characterId: text, clip: whole(-2) });
+export const takeRef = record({ characterId: text, take: whole(-2) });
 
 /** Takes of any characters. */
 export const TAKES = { takes: list(takeRef) } as const;
 /** The shown take unless another is given. */
-export const TAKE = { ...CHARACTER, clip: optional(index) } as const;
+export const TAKE = { ...CHARACTER, take: optional(index) } as const;
 /** Characters by their ids. */
 export const CHARACTERS = { characterIds: list(text) } as const;
 

@@ -7,7 +7,7 @@
  * (`retarget/align.ts`).
  */
 import type { Character } from '../../model/document.ts';
-import { shownClip } from '../../model/document.ts';
+import { shownTake } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { alignment, type Bodies, bodiesOf, type Reference, sourceFigure } from '../retarget/align.ts';
 import { sourceReference, stands } from '../retarget/reference.ts';
@@ -61,10 +61,10 @@ function correction(bodies: Bodies, source: Character, target: number): Float64A
 
 function referenceOf(bodies: Bodies, source: Character): Reference {
   const { pose, clampsToLimits } = source;
-  const clip = source.driver ? undefined : shownClip(source);
-  if (!clip) return { ...sourceFigure(bodies), soles: true };
-  const played = playedSource({ skeleton: bodies.source, clip, pose, clampsToLimits });
-  return sourceReference(bodies, { played, range: clip.range }, 'automatic');
+  const take = source.driver ? undefined : shownTake(source);
+  if (!take) return { ...sourceFigure(bodies), soles: true };
+  const played = playedSource({ skeleton: bodies.source, take, pose, clampsToLimits });
+  return sourceReference(bodies, { played, range: take.range }, 'automatic');
 }
 
 function transposed(m: Float64Array): Float64Array {

@@ -19,8 +19,8 @@
  */
 
 import type { Character } from '../../model/document.ts';
-import { playedClip } from '../bake.ts';
-import { framesOfClip } from '../samples/key-frames.ts';
+import { playedTake } from '../bake.ts';
+import { framesOfTake } from '../samples/key-frames.ts';
 import type { Steps } from '../steps.ts';
 import { rootPair } from './compared-roots.ts';
 import type { JointMatch } from './joint-match.ts';
@@ -84,11 +84,11 @@ export function commonFrames(
 
 /** Frames and range of the take that drives a character, in seconds of the transport. */
 function framesOf(character: Character, framesPerSecond: number) {
-  const clip = playedClip(character);
-  if (!clip) return undefined;
+  const take = playedTake(character);
+  if (!take) return undefined;
   const offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
-  const { startSeconds, frameSeconds } = framesOfClip(clip, framesPerSecond);
-  const [from, to] = clip.range;
+  const { startSeconds, frameSeconds } = framesOfTake(take, framesPerSecond);
+  const [from, to] = take.range;
   return { from: from - offset, to: to - offset, startSeconds: startSeconds - offset, frameSeconds };
 }
 

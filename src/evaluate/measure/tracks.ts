@@ -9,11 +9,11 @@ import { backMultiply3, copy3, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Character } from '../../model/document.ts';
 import { restPose } from '../../model/skeleton/dofs.ts';
-import { type Frames, MAX_FRAMES, playedClip } from '../bake.ts';
+import { type Frames, MAX_FRAMES, playedTake } from '../bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../foot-contacts.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../pose.ts';
-import { framesOfClip } from '../samples/key-frames.ts';
+import { framesOfTake } from '../samples/key-frames.ts';
 import { NO_TRAVEL, placementMatrix } from '../space/placements.ts';
 import { applySpace } from '../space/space.ts';
 import type { Steps } from '../steps.ts';
@@ -54,11 +54,11 @@ function keptInBounds(frames: Frames, [start, end]: readonly [number, number]): 
  *   their range
  */
 export function measuredFrames(character: Character, framesPerSecond: number): Frames | undefined {
-  const clip = playedClip(character);
-  if (!clip) return undefined;
-  const frames = clip.samples
-    ? framesOfClip(clip, framesPerSecond)
-    : keptInBounds(framesOfClip(clip, framesPerSecond), clip.range);
+  const take = playedTake(character);
+  if (!take) return undefined;
+  const frames = take.samples
+    ? framesOfTake(take, framesPerSecond)
+    : keptInBounds(framesOfTake(take, framesPerSecond), take.range);
   const offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
   return { ...frames, startSeconds: frames.startSeconds - offset };
 }

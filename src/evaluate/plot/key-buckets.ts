@@ -1,5 +1,5 @@
 /**
- * Which pixels of the scrubber have a key. The cost depends on the scrubber's width, not on the clip: a channel with
+ * Which pixels of the scrubber have a key. The cost depends on the scrubber's width, not on the take: a channel with
  * far more visible keys than pixels is searched from one pixel's edge to the next instead of walked.
  */
 import { firstNotBelow } from '../../math/search.ts';

@@ -178,7 +178,7 @@ function withUpperLevels(low: Float64Array, high: Float64Array): Levels {
 const found = { low: 0, high: 0 };
 
 /**
- * The extremes of a column from one clip time to another, both included, `to` not before `from`.
+ * The extremes of a column from one take time to another, both included, `to` not before `from`.
  * @returns scratch that the next call overwrites
  */
 export function extremesOver(samples: Samples, column: number, from: number, to: number): Readonly<typeof found> {

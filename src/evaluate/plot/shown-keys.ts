@@ -2,16 +2,16 @@
  * The keys that the transport shows and steps through: those of the selected character's take, or of all shown takes;
  * if joints are selected, their own keys are the ones that count.
  *
- * Transport times are clip times minus the character's offset. Nothing is merged or sorted beforehand: for a clip with
+ * Transport times are take times minus the character's offset. Nothing is merged or sorted beforehand: for a take with
  * millions of keys this costs a binary search per channel, and one pass over its times when drawn (`key-buckets.ts`).
  */
 import { firstNotBelow } from '../../math/search.ts';
-import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../../model/document.ts';
+import { type Character, type Document, findCharacter, rangeOfTakes, shownTake } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../model/skeleton/selected-joints.ts';
-import type { Channel } from '../../model/takes/clip.ts';
+import type { Channel } from '../../model/takes/take.ts';
 import { silentChannels } from '../retarget/moved-dofs.ts';
 
 /** A channel's key times, and the offset to subtract for transport times. */
@@ -26,14 +26,14 @@ export interface ShownChannel {
 /** Only channels with keys. */
 export function shownKeys(document: Document, selection: Selection): ShownChannel[] {
   const selected = findCharacter(document, selection.characterId);
-  const characters = selected && shownClip(selected) ? [selected] : document.characters;
+  const characters = selected && shownTake(selected) ? [selected] : document.characters;
   const shown: ShownChannel[] = [];
   for (const character of characters) {
-    const clip = shownClip(character);
-    if (!clip) continue;
-    const isMeant = meantChannels(character, character === selected ? jointsIn(selection) : [], clip.channels);
+    const take = shownTake(character);
+    if (!take) continue;
+    const isMeant = meantChannels(character, character === selected ? jointsIn(selection) : [], take.channels);
     const silent = silentChannels(character);
-    clip.channels.forEach((channel, i) => {
+    take.channels.forEach((channel, i) => {
       if (channel.kind === 'keys' && i >= silent)
         shown.push({ times: channel.times, offsetSeconds: character.timeOffsetSeconds, meant: isMeant(i) });
     });
@@ -88,4 +88,4 @@ export function nextKey(channels: readonly ShownChannel[], timeSeconds: number):
 }
 
 /** From the first start to the last end of all playing takes, in transport time. */
-export const clipsRange = rangeOfClips;
+export const takesRange = rangeOfTakes;

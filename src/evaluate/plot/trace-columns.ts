@@ -6,8 +6,8 @@
  * extremes (`trace-extremes.ts`), which does not visit each key.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import type { Channel } from '../../model/takes/clip.ts';
-import type { CompiledClip } from '../compiled-clip.ts';
+import type { Channel } from '../../model/takes/take.ts';
+import type { CompiledTake } from '../compiled-take.ts';
 import { ChannelExtremes, type SpanExtremes } from './trace-extremes.ts';
 import { FAR_PIXELS, heightOf, type TraceMap } from './trace-path.ts';
 
@@ -43,7 +43,7 @@ export class TracedColumns {
 
   /** Adds a time range within the channel's keys. @param perPixel columns per CSS pixel */
   keyed(
-    curves: CompiledClip,
+    curves: CompiledTake,
     index: number,
     channel: Channel,
     map: TraceMap,
@@ -76,7 +76,7 @@ export class TracedColumns {
 
   /** Adds a time range outside the channel's keys, where they repeat. */
   repeated(
-    curves: CompiledClip,
+    curves: CompiledTake,
     index: number,
     channel: Channel,
     map: TraceMap,
@@ -150,7 +150,7 @@ export class TracedColumns {
 
   /** Adds the value at each edge of columns `begin` … `end` to the columns on both sides. @param key at `from` */
   private edges(
-    curves: CompiledClip,
+    curves: CompiledTake,
     last: number,
     key: number,
     map: TraceMap,
@@ -187,7 +187,7 @@ export class TracedColumns {
 
   /** Adds keys and extrema of the spans `leftKey` … `rightKey`, each to its column. @param turns see SpanExtremes */
   private points(
-    curves: CompiledClip,
+    curves: CompiledTake,
     first: number,
     last: number,
     leftKey: number,

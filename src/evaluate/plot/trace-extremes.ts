@@ -8,8 +8,8 @@
  * picture, each continues where the last ended, with one evaluation and no search.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import { type Channel, EXTRAPOLATIONS } from '../../model/takes/clip.ts';
-import type { CompiledClip } from '../compiled-clip.ts';
+import { type Channel, EXTRAPOLATIONS } from '../../model/takes/take.ts';
+import type { CompiledTake } from '../compiled-take.ts';
 import { evaluateChannel } from '../curves.ts';
 import { extremesOver } from './sample-extremes.ts';
 
@@ -32,8 +32,8 @@ export interface SpanExtremes {
 /** Held weakly, as long as some picture shows the channel: the history keeps hundreds of channels. */
 const known = new WeakMap<Channel, WeakRef<SpanExtremes>>();
 
-/** @param index of `channel` in the compiled clip; it has at least two keys */
-function spanExtremes(curves: CompiledClip, index: number, channel: Channel): SpanExtremes {
+/** @param index of `channel` in the compiled take; it has at least two keys */
+function spanExtremes(curves: CompiledTake, index: number, channel: Channel): SpanExtremes {
   const before = known.get(channel)?.deref();
   if (before) return before;
   const first = curves.firstKey[index];
@@ -115,7 +115,7 @@ export class ChannelExtremes {
   /** Smallest value of the last range queried. */
   low = 0;
   high = 0;
-  private curves: CompiledClip | undefined;
+  private curves: CompiledTake | undefined;
   private index = 0;
   private times: Float64Array = new Float64Array(0);
   private cubics: Float64Array = new Float64Array(0);
@@ -135,10 +135,10 @@ export class ChannelExtremes {
   private sweptTo = 0;
 
   /**
-   * Starts queries of a channel of the compiled clip.
+   * Starts queries of a channel of the compiled take.
    * @returns an object to keep alive while the channel is queried repeatedly
    */
-  open(curves: CompiledClip, index: number, channel: Channel): SpanExtremes | undefined {
+  open(curves: CompiledTake, index: number, channel: Channel): SpanExtremes | undefined {
     this.curves = curves;
     this.index = index;
     this.times = curves.times;
@@ -155,7 +155,7 @@ export class ChannelExtremes {
     return spans;
   }
 
-  /** Extremes of the evaluated values from one clip time to another, not before it, both included. */
+  /** Extremes of the evaluated values from one take time to another, not before it, both included. */
   over(from: number, to: number): void {
     this.low = Number.POSITIVE_INFINITY;
     this.high = Number.NEGATIVE_INFINITY;

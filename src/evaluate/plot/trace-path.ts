@@ -8,10 +8,10 @@
  * and so is each part of it. Curves are therefore clipped to the visible range: canvases use single floats, and a span
  * of a minute, zoomed to a millisecond, would have control points millions of pixels away.
  */
-import type { CompiledClip } from '../compiled-clip.ts';
+import type { CompiledTake } from '../compiled-take.ts';
 
-/** The cubics and key times of a compiled clip. */
-export type Spans = Pick<CompiledClip, 'times' | 'cubics'>;
+/** The cubics and key times of a compiled take. */
+export type Spans = Pick<CompiledTake, 'times' | 'cubics'>;
 
 /** Path verbs: two coordinates each, six for a curve. */
 export const MOVE = 0;
@@ -87,7 +87,7 @@ export class TracedPath {
 
 /** From channel to plot: x = (time − left) · perSecond, y = bottom − (value − low) · perUnit. CSS pixels. */
 export interface TraceMap {
-  /** Clip time at x = 0, and value at the bottom. */
+  /** Take time at x = 0, and value at the bottom. */
   readonly left: number;
   readonly low: number;
   readonly perSecond: number;
@@ -103,7 +103,7 @@ export function heightOf(map: TraceMap, value: number): number {
   return Math.min(map.bottom + FAR_PIXELS, Math.max(map.top - FAR_PIXELS, y));
 }
 
-/** Draws cubics of a compiled clip into paths; reuse it by opening the next. */
+/** Draws cubics of a compiled take into paths; reuse it by opening the next. */
 export class SpanTracer {
   private curves: Spans | undefined;
   private map: TraceMap | undefined;
@@ -202,7 +202,7 @@ export class SpanTracer {
     return y >= this.ceiling && y <= this.floor;
   }
 
-  /** A span that leaves the clip range: split at its extrema and crossings, and drawn along the edge outside. */
+  /** A span that leaves the take range: split at its extrema and crossings, and drawn along the edge outside. */
   private farSpan(o: number, a: number, b: number, x: number, perSecond: number): void {
     const { path } = this;
     const at = (t: number) => x + (t - a) * perSecond;

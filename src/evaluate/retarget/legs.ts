@@ -43,12 +43,12 @@ const turn = new Float64Array(9);
 const before = new Float64Array(9);
 
 /** Moves the hips and bends the legs, after a pose without foot placement. */
-export function plantFeet(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
+export function plantFeet(plan: RetargetPlan, takeSeconds: number, out: Float64Array): void {
   const { feet, wanted, bones, target } = plan;
-  moveHips(plan, clipSeconds, out);
+  moveHips(plan, takeSeconds, out);
   for (let i = 0; i < feet.length; i++) {
     const { limb } = feet[i];
-    if (!bendLeg(plan, feet[i], clipSeconds)) continue;
+    if (!bendLeg(plan, feet[i], takeSeconds)) continue;
     rollLimb(limb, bones, wanted);
     fitRange(plan, limb.upper, target.subtreeEnd[limb.upper], out);
   }

@@ -1,12 +1,12 @@
 /** Makes a plan (`plan.ts`) for each driver. */
 import { backMultiply3 } from '../../math/mat3.ts';
-import { type Character, type Driver, shownClip } from '../../model/document.ts';
+import { type Character, type Driver, shownTake } from '../../model/document.ts';
 import { filePose } from '../../model/skeleton/dofs.ts';
 import { dofsOf, factorsOf } from '../../model/skeleton/joint-types.ts';
 import type { Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import type { JointPair } from '../../model/takes/retarget.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../kinematics.ts';
 import { retargetCarrier } from '../space/carrier.ts';
 import { metresPerUnit } from '../space/metres.ts';
@@ -33,7 +33,7 @@ const plans = new WeakMap<
     skeleton: Skeleton;
     space: Space | undefined;
     clamps: boolean;
-    take: ChannelClip | undefined;
+    take: Take | undefined;
     plan: RetargetPlan;
   }
 >();
@@ -44,7 +44,7 @@ const plans = new WeakMap<
  */
 export function retargetPlan(driver: Driver, character: Character, skeleton: Skeleton): RetargetPlan {
   const { space, clampsToLimits } = character;
-  const take = shownClip(character);
+  const take = shownTake(character);
   const known = plans.get(driver.pairs);
   if (
     known &&
@@ -66,7 +66,7 @@ function plansAlike({ options, source: a }: Driver, { options: otherOptions, sou
   return (
     options === otherOptions &&
     a.skeleton === b.skeleton &&
-    a.clip === b.clip &&
+    a.take === b.take &&
     a.pose === b.pose &&
     a.clampsToLimits === b.clampsToLimits &&
     a.space === b.space
@@ -82,13 +82,13 @@ export function planRetarget(
   skeleton: Skeleton,
   space: Space | undefined,
   clamps: boolean,
-  ownTake?: ChannelClip,
+  ownTake?: Take,
 ): RetargetPlan {
   const { source, options, pairs } = driver;
   const target = compileSkeleton(skeleton);
   const played = playedSource(source);
   const filed = bodiesOf(source.skeleton, source.space, skeleton, space, pairs);
-  const { range } = source.clip;
+  const { range } = source.take;
   const same = sameBones(filed, sourceFigure(filed));
   const asksOwnTake = !same.directions && asksTake(filed);
   const bodies = asksOwnTake ? { ...filed, rest: ownReference(filed, takeOf(skeleton, clamps, ownTake)) } : filed;
@@ -146,9 +146,9 @@ function ruleOf(space: Space | undefined): SpaceRule {
   return { up: upRotation(space), metres: space ? metresPerUnit(space) : 1, lift: space?.lift ?? 0 };
 }
 
-function takeOf(skeleton: Skeleton, clampsToLimits: boolean, clip: ChannelClip | undefined): PlayedTake | undefined {
-  if (!clip) return undefined;
-  return { played: playedSource({ skeleton, clip, pose: filePose(skeleton, 0), clampsToLimits }), range: clip.range };
+function takeOf(skeleton: Skeleton, clampsToLimits: boolean, take: Take | undefined): PlayedTake | undefined {
+  if (!take) return undefined;
+  return { played: playedSource({ skeleton, take, pose: filePose(skeleton, 0), clampsToLimits }), range: take.range };
 }
 
 function carrierOf(driver: Driver, skeleton: Skeleton, { travel, slides }: CompiledSkeleton): Carrier {

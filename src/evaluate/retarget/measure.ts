@@ -61,7 +61,7 @@ class Pair {
     this.offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
   }
 
-  /** @param seconds of the source's clip */
+  /** @param seconds of the source's take */
   pose(seconds: number): void {
     const { plan } = this;
     poseFrom(this.shown, seconds - this.offset, this.dofs);

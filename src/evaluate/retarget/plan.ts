@@ -115,7 +115,7 @@ export interface FootTrack {
   readonly sourceBall: number;
   /** Height of the source's ball when standing; metres. */
   readonly sourceHeight: number;
-  /** Seconds of the source's clip, ascending: start and end of each contact. */
+  /** Seconds of the source's take, ascending: start and end of each contact. */
   readonly contacts: Float64Array;
   /** x y z per contact, from the source's ball times the scale to the target's; metres. */
   readonly offsets: Float64Array;
@@ -127,7 +127,7 @@ export interface FootTrack {
 
 /** How the hips are moved for the feet (`hips.ts`). */
 export interface HipsTrack {
-  /** Seconds of the source's clip: the second knot, and the time between knots. */
+  /** Seconds of the source's take: the second knot, and the time between knots. */
   readonly start: number;
   readonly step: number;
   /** x y z per knot, in the target's own axes and unit. */

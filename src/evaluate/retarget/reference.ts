@@ -17,7 +17,7 @@ import { figureOf, type RetargetFigure } from './figure.ts';
 import { LIMB_SIDES, type Role } from './roles.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
 
-/** Number of times examined, evenly over the clip. */
+/** Number of times examined, evenly over the take. */
 const MAX_MOMENTS = 64;
 /** Within 45° of upright. */
 const STANDS = Math.SQRT1_2;

@@ -19,14 +19,14 @@ import { sourcePose } from './source-pose.ts';
 /**
  * Writes the target's paired DOFs; the others are read, since joints below depend on them, and not changed. Allocates
  * nothing.
- * @param clipSeconds of the source's clip
+ * @param clipSeconds of the source's take
  */
-export function retargetPose(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
+export function retargetPose(plan: RetargetPlan, takeSeconds: number, out: Float64Array): void {
   if (plan.isCopy) {
-    sourcePose(plan.played, clipSeconds, plan.dofs);
+    sourcePose(plan.played, takeSeconds, plan.dofs);
     out.set(plan.dofs);
     return;
   }
-  solveFreely(plan, clipSeconds, out);
-  if (plan.plantsFeet) plantFeet(plan, clipSeconds, out);
+  solveFreely(plan, takeSeconds, out);
+  if (plan.plantsFeet) plantFeet(plan, takeSeconds, out);
 }

@@ -19,10 +19,10 @@ const middle = new Float64Array(3);
 
 /**
  * Writes the target's paired DOFs from rotations alone. Allocates nothing.
- * @param clipSeconds of the source's clip
+ * @param clipSeconds of the source's take
  */
-export function solveFreely(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
-  sourcePose(plan.played, clipSeconds, plan.dofs);
+export function solveFreely(plan: RetargetPlan, takeSeconds: number, out: Float64Array): void {
+  sourcePose(plan.played, takeSeconds, plan.dofs);
   worldMatrices(plan.source, plan.dofs, plan.sourceWorld);
   const { wanted, limbs, bones, target, copied, carrier, restDofs } = plan;
   wantRotations(plan);

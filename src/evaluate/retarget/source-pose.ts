@@ -1,10 +1,10 @@
 /**
- * The pose of a source at a clip time: as in `pose.ts`, without what sources lack (morphs, unkeyed changes, a driver of
+ * The pose of a source at a take time: as in `pose.ts`, without what sources lack (morphs, unkeyed changes, a driver of
  * their own).
  */
 import type { DriverSource } from '../../model/document.ts';
-import { type CompiledClip, compileClip } from '../compiled-clip.ts';
-import { evaluateClip } from '../curves.ts';
+import { type CompiledTake, compileTake } from '../compiled-take.ts';
+import { evaluateTake } from '../curves.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 import { type SampledJoints, sampledJoints } from '../samples/sampled-joints.ts';
 import { samplePose } from '../samples/sampled-pose.ts';
@@ -14,7 +14,7 @@ export interface PlayedSource {
   readonly skeleton: CompiledSkeleton;
   readonly pose: readonly number[];
   readonly clampsToLimits: boolean;
-  readonly curves: CompiledClip;
+  readonly curves: CompiledTake;
   readonly joints: SampledJoints;
   /** Number of DOFs of root and joints. */
   readonly dofCount: number;
@@ -25,12 +25,12 @@ export interface PlayedSource {
 /** Compiles what is needed to pose a source at any time of its take. */
 export function playedSource({
   skeleton,
-  clip,
+  take,
   pose,
   clampsToLimits,
-}: Pick<DriverSource, 'skeleton' | 'clip' | 'pose' | 'clampsToLimits'>): PlayedSource {
+}: Pick<DriverSource, 'skeleton' | 'take' | 'pose' | 'clampsToLimits'>): PlayedSource {
   const compiled = compileSkeleton(skeleton);
-  const curves = compileClip(clip);
+  const curves = compileTake(take);
   const dofCount = compiled.firstDof[compiled.jointCount];
   return {
     skeleton: compiled,
@@ -39,15 +39,15 @@ export function playedSource({
     curves,
     joints: sampledJoints(curves, skeleton),
     dofCount,
-    driven: Math.min(clip.channels.length, dofCount),
+    driven: Math.min(take.channels.length, dofCount),
   };
 }
 
 /** Writes `dofCount` values to `out`. */
-export function sourcePose(source: PlayedSource, clipSeconds: number, out: Float64Array): void {
+export function sourcePose(source: PlayedSource, takeSeconds: number, out: Float64Array): void {
   const { pose, curves, joints, dofCount, driven } = source;
   for (let d = 0; d < dofCount; d++) out[d] = pose[d] ?? 0;
-  evaluateClip(curves, clipSeconds, out, driven);
-  if (curves.samples) samplePose(curves.samples, curves, joints, clipSeconds, out, driven);
+  evaluateTake(curves, takeSeconds, out, driven);
+  if (curves.samples) samplePose(curves.samples, curves, joints, takeSeconds, out, driven);
   applyConstraints(source.skeleton, out, source.clampsToLimits);
 }

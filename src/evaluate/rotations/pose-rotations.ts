@@ -7,7 +7,7 @@
  *
  * φ are the angles of the quaternion, in order of application. The quaternion is used only while the joint's DOFs equal
  * them, so that limits, linked DOFs, unkeyed changes, or anything else that overrides the samples need not clear it.
- * Rotations belong to one `PoseSource`, and so to one character, rotation order and clip; each pose between two frames
+ * Rotations belong to one `PoseSource`, and so to one character, rotation order and take; each pose between two frames
  * overwrites those of all joints that its samples rotate.
  */
 export class PoseRotations {

@@ -7,8 +7,8 @@
  */
 
 import { perObject } from '../../model/per-object.ts';
-import { type ChannelClip, LINEAR } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import { LINEAR, type Take } from '../../model/takes/take.ts';
 
 /** Television rates are whole numbers divided by this. */
 const TELEVISION = 1.001;
@@ -18,10 +18,10 @@ const MAX_ROUNDED = 0.005;
 const MIN_ROUNDED = 1e-6;
 const MAX_LOST_FRAMES = 0.5;
 
-/** Frames per second of a take, greater than 0; undefined for keys at uneven times. Cached per clip. */
-export const frameRateOf = perObject((clip: ChannelClip): number | undefined => {
-  if (clip.samples) return rateOfSamples(clip.samples);
-  return clip.framesPerSecond ?? rateOfKeys(clip);
+/** Frames per second of a take, greater than 0; undefined for keys at uneven times. Cached per take. */
+export const frameRateOf = perObject((take: Take): number | undefined => {
+  if (take.samples) return rateOfSamples(take.samples);
+  return take.framesPerSecond ?? rateOfKeys(take);
 });
 
 /** Frames per second, greater than 0. */
@@ -73,7 +73,7 @@ export function leastRate(isStraight: boolean): number {
 }
 
 /** Whether all keyed channels have `linear` tangents only. */
-export function isStraight({ channels }: Pick<ChannelClip, 'channels'>): boolean {
+export function isStraight({ channels }: Pick<Take, 'channels'>): boolean {
   return channels.every(
     (channel) =>
       channel.kind !== 'keys' ||
@@ -81,9 +81,9 @@ export function isStraight({ channels }: Pick<ChannelClip, 'channels'>): boolean
   );
 }
 
-function rateOfKeys(clip: ChannelClip): number | undefined {
-  const times = clip.channels.flatMap((channel) => (channel.kind === 'keys' ? [channel.times] : []));
-  return rateOfTimes(times, isStraight(clip));
+function rateOfKeys(take: Take): number | undefined {
+  const times = take.channels.flatMap((channel) => (channel.kind === 'keys' ? [channel.times] : []));
+  return rateOfTimes(times, isStraight(take));
 }
 
 /**

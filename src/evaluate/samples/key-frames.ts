@@ -5,7 +5,7 @@
  */
 
 import { perObject } from '../../model/per-object.ts';
-import type { ChannelClip, KeyedChannel } from '../../model/takes/clip.ts';
+import type { KeyedChannel, Take } from '../../model/takes/take.ts';
 import { type Frames, framesOf } from '../bake.ts';
 import { frameRateOf, isStraight, leastRate } from './frame-rate.ts';
 
@@ -18,23 +18,23 @@ const SAME_FRAME = 1e-4;
  * Frames over a take: those of its samples or keys, else at its frame rate.
  * @param framesPerSecond of a take that has none
  */
-export function framesOfClip(clip: ChannelClip, framesPerSecond: number): Frames {
-  const { samples, range } = clip;
+export function framesOfTake(take: Take, framesPerSecond: number): Frames {
+  const { samples, range } = take;
   if (samples) {
     const { startSeconds, frameSeconds, frameCount } = samples;
     return { startSeconds, frameSeconds, frameCount };
   }
-  const rate = frameRateOf(clip);
-  const keyed = keyFrames(clip);
+  const rate = frameRateOf(take);
+  const keyed = keyFrames(take);
   const isSame = keyed && rate !== undefined && Math.abs(rate * keyed.frameSeconds - 1) < SAME_RATE;
   return isSame ? keyed : framesOf(range, rate ?? framesPerSecond);
 }
 
-/** The frames of all keys of a clip; undefined if it has samples or uneven keys. Cached per clip. */
+/** The frames of all keys of a take; undefined if it has samples or uneven keys. Cached per take. */
 export const keyFrames = perObject(find);
 
-function find(clip: ChannelClip): Frames | undefined {
-  const { channels, range, samples } = clip;
+function find(take: Take): Frames | undefined {
+  const { channels, range, samples } = take;
   if (samples) return undefined;
   const keyed = channels.filter((channel) => channel.kind === 'keys');
   const longest = keyed.reduce<KeyedChannel | undefined>(
@@ -44,7 +44,7 @@ function find(clip: ChannelClip): Frames | undefined {
   const frames = longest && evenTimes(longest.times);
   if (!frames) return undefined;
   const { startSeconds, frameSeconds, frameCount } = frames;
-  if (!(frameSeconds * leastRate(isStraight(clip)) <= 1)) return undefined;
+  if (!(frameSeconds * leastRate(isStraight(take)) <= 1)) return undefined;
   const frameOf = (seconds: number) => (seconds - startSeconds) / frameSeconds;
   const isFrame = (seconds: number) => {
     const frame = Math.round(frameOf(seconds));

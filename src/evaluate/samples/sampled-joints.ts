@@ -1,11 +1,11 @@
-/** Which DOFs of a skeleton a clip's samples drive, grouped by how they are interpolated between frames. */
+/** Which DOFs of a skeleton a take's samples drive, grouped by how they are interpolated between frames. */
 
 import { perPair } from '../../model/per-object.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
 import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { CompiledClip } from '../compiled-clip.ts';
+import type { CompiledTake } from '../compiled-take.ts';
 import { appliedDofs, eulerDofs, renamedAxes, turningDofs } from '../rotations/euler-dofs.ts';
 
 /** DOFs in the character's order, and beside each list the columns that drive them. */
@@ -35,7 +35,7 @@ export interface SampledJoints {
   readonly quaternionColumns: Int32Array;
 }
 
-/** The input that the joints of a clip depend on, and the result. */
+/** The input that the joints of a take depend on, and the result. */
 interface Sorted {
   readonly columns: Int32Array;
   readonly scales: Float64Array | undefined;
@@ -45,13 +45,13 @@ interface Sorted {
 /** The latest one of each skeleton: takes of one session have the same columns, and share it. */
 const latest = perSkeleton((): { sorted?: Sorted } => ({}));
 
-/** Cached per clip and skeleton. */
-export const sampledJoints = perPair((clip: CompiledClip, skeleton: Skeleton): SampledJoints => {
-  const { columns, samples } = clip;
+/** Cached per take and skeleton. */
+export const sampledJoints = perPair((take: CompiledTake, skeleton: Skeleton): SampledJoints => {
+  const { columns, samples } = take;
   const kept = latest(skeleton);
   const { sorted } = kept;
   if (sorted && isSame(sorted.columns, columns) && isSame(sorted.scales, samples?.scales)) return sorted.joints;
-  const joints = sort(clip, skeleton);
+  const joints = sort(take, skeleton);
   kept.sorted = { columns, scales: samples?.scales, joints };
   return joints;
 });
@@ -64,7 +64,7 @@ function isSame(a: ArrayLike<number> | undefined, b: ArrayLike<number> | undefin
 }
 
 /** If only some of a joint's angles are sampled, they are not a rotation: each is interpolated alone. */
-function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJoints {
+function sort({ columns, samples }: CompiledTake, skeleton: Skeleton): SampledJoints {
   const first = firstDofs(skeleton);
   const eulers: number[] = [];
   const joints: number[] = [];

@@ -11,20 +11,20 @@
  */
 import { turnedNear } from '../../math/euler.ts';
 import type { Samples } from '../../model/takes/samples.ts';
-import type { CompiledClip } from '../compiled-clip.ts';
+import type { CompiledTake } from '../compiled-take.ts';
 import type { PoseRotations } from '../rotations/pose-rotations.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 import { betweenEulers, betweenQuaternions } from './sampled-rotations.ts';
 import { catmullRom, frameAt, sampleRow } from './sampling.ts';
 
 /**
- * Writes those of the first `count` DOFs that follow the clip's samples to `out`; others are left alone.
- * @param joints of the same clip
+ * Writes those of the first `count` DOFs that follow the take's samples to `out`; others are left alone.
+ * @param joints of the same take
  * @param rotations receives the joints' rotations, if samples give whole ones
  */
 export function samplePose(
   samples: Samples,
-  clip: CompiledClip,
+  take: CompiledTake,
   joints: SampledJoints,
   timeSeconds: number,
   out: Float64Array,
@@ -35,7 +35,7 @@ export function samplePose(
   const row = Math.floor(frame);
   const part = frame - row;
   if (part === 0 || samples.interpolation === 'nearest') {
-    sampleRow(samples, clip.columns, part < 0.5 ? row : row + 1, out, count);
+    sampleRow(samples, take.columns, part < 0.5 ? row : row + 1, out, count);
     return;
   }
   betweenPlain(samples, joints, row, part, out, count);
@@ -54,7 +54,7 @@ function betweenPlain(
 ): void {
   const width = scales.length;
   for (let i = 0; i < plainDofs.length; i++) {
-    // Morph weights that the clip has and the character lacks.
+    // Morph weights that the take has and the character lacks.
     if (plainDofs[i] >= count) continue;
     const column = plainColumns[i];
     const at = row * width + column;

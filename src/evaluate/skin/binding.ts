@@ -8,7 +8,7 @@ import type { Morph } from '../../model/morph.ts';
 import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 
 /** Whether every joint that the skin is attached to exists. */
 export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Diagnostic[] {
@@ -50,8 +50,8 @@ export function checkMorph(morph: Morph, skin: Skin, fileName: string): Diagnost
 }
 
 /** Whether there are as many channels as root translation, joints and (if it drives any) morphs need. */
-export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: number, fileName: string): Diagnostic[] {
-  const given = clip.channels.length;
+export function checkTake(take: Take, skeleton: Skeleton, morphCount: number, fileName: string): Diagnostic[] {
+  const given = take.channels.length;
   const dofs = jointDofCount(skeleton);
   const forRoot = rootDofCount(skeleton);
   const forSkeleton = forRoot + dofs;

@@ -3,7 +3,7 @@
  *
  * Usually it is the root. But in some captures (Bandai Namco's) the root stays at the studio's origin, and the hips
  * below it move. So the carrier is the first joint, from the root down to where the skeleton branches, whose
- * translation changes over the clip by at least a 20th of the largest change among these joints: noise on a static root
+ * translation changes over the take by at least a 20th of the largest change among these joints: noise on a static root
  * doesn't count.
  */
 
@@ -12,14 +12,14 @@ import { perPair } from '../../model/per-object.ts';
 import { firstDofs, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import { columnOf } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { compileSkeleton } from '../kinematics.ts';
 
 /** Smaller fractions of the largest translation in the chain are noise. */
 const NOISE = 0.05;
 
-/** Index of the joint that moves a character in a clip; cached. */
+/** Index of the joint that moves a character in a take; cached. */
 export const carrierIn = perPair(findCarrier);
 
 /**
@@ -27,7 +27,7 @@ export const carrierIn = perPair(findCarrier);
  * all directions, else the closest one above it that can, or the root. Cached per driver.
  */
 export const retargetCarrier = perPair(({ source, pairs }: Driver, skeleton: Skeleton): number => {
-  const moving = carrierIn(source.skeleton, source.clip);
+  const moving = carrierIn(source.skeleton, source.take);
   const chain = chainOf(skeleton);
   const { slides, turns, firstDof } = compileSkeleton(skeleton);
   const canMove = (j: number) =>
@@ -40,13 +40,13 @@ export const retargetCarrier = perPair(({ source, pairs }: Driver, skeleton: Ske
   return joint;
 });
 
-function findCarrier(skeleton: Skeleton, clip: ChannelClip): number {
+function findCarrier(skeleton: Skeleton, take: Take): number {
   const first = firstDofs(skeleton);
   const chain = chainOf(skeleton);
   const moved = chain.map((j) => {
-    let most = j === 0 && rootDofCount(skeleton) > 0 ? Math.max(...[0, 1, 2].map((c) => rangeOf(clip, c))) : 0;
+    let most = j === 0 && rootDofCount(skeleton) > 0 ? Math.max(...[0, 1, 2].map((c) => rangeOf(take, c))) : 0;
     dofsOf(skeleton.joints[j].motion).forEach(({ name }, d) => {
-      if (name === 'tx' || name === 'ty' || name === 'tz') most = Math.max(most, rangeOf(clip, first[j] + d));
+      if (name === 'tx' || name === 'ty' || name === 'tz') most = Math.max(most, rangeOf(take, first[j] + d));
     });
     return most;
   });
@@ -66,7 +66,7 @@ function chainOf({ joints }: Skeleton): number[] {
 }
 
 /** Range of the values of a channel's keys or samples. */
-function rangeOf({ channels, samples }: ChannelClip, index: number): number {
+function rangeOf({ channels, samples }: Take, index: number): number {
   let least = Infinity;
   let greatest = -Infinity;
   const take = (value: number) => {

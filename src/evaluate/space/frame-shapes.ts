@@ -1,7 +1,7 @@
 /** Positions and extents of a figure in frames of its take, in its own space; for guesses about the space. */
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { forFrames } from '../figure-frames.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 
@@ -12,15 +12,15 @@ export interface FrameShape {
   readonly points: Float64Array;
 }
 
-/** Frames examined, evenly over the clip. */
+/** Frames examined, evenly over the take. */
 const MAX_FRAMES = 64;
 
-/** One, of the file pose, without a clip. */
-export function frameShapes(skeleton: Skeleton, clip: ChannelClip | undefined): FrameShape[] {
+/** One, of the file pose, without a take. */
+export function frameShapes(skeleton: Skeleton, take: Take | undefined): FrameShape[] {
   const compiled = compileSkeleton(skeleton);
   const world = new Float64Array(16 * compiled.jointCount);
   const shapes: FrameShape[] = [];
-  forFrames(skeleton, clip, MAX_FRAMES, (dofs) => {
+  forFrames(skeleton, take, MAX_FRAMES, (dofs) => {
     worldMatrices(compiled, dofs, world);
     shapes.push(shapeOf(skeleton, world));
   });

@@ -2,7 +2,7 @@
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { metresPerUnit } from './metres.ts';
 import { liftOntoGround } from './space.ts';
 import { COMMON_UNITS, figureHeight, metresForPerson, unitsByHeight } from './space-guess.ts';
@@ -22,14 +22,10 @@ const CREDIBLE = { person: [0.4, 4], other: [0.01, 30] } as const;
 const SAME_HEIGHT = 0.1;
 
 /** Undefined where there is nothing to choose: nothing to measure, a credible statement, or a space that the user set. */
-export function spaceChoices(
-  skeleton: Skeleton,
-  clip: ChannelClip | undefined,
-  space: Space,
-): SpaceChoices | undefined {
+export function spaceChoices(skeleton: Skeleton, take: Take | undefined, space: Space): SpaceChoices | undefined {
   const { known, up } = space;
   const isStated = known === 'stated';
-  const { height: own, isPerson } = figureHeight(skeleton, clip, up, isStated);
+  const { height: own, isPerson } = figureHeight(skeleton, take, up, isStated);
   const height = own * metresPerUnit(space);
   if (known === undefined || !(height > 0 && Number.isFinite(height))) return undefined;
   const [least, most] = CREDIBLE[isPerson ? 'person' : 'other'];
@@ -40,7 +36,7 @@ export function spaceChoices(
     unit === space.unit || (isStated && !COMMON_UNITS.has(unit)) ? [] : [{ up, unit, lift: 0 }],
   );
   const inUnit = [...units, ...(isStated ? mistaken(space) : [])].find(isCredible);
-  const asPerson: Space = { up, unit: 'own', metres: metresForPerson(skeleton, clip, up, isStated), lift: 0 };
+  const asPerson: Space = { up, unit: 'own', metres: metresForPerson(skeleton, take, up, isStated), lift: 0 };
   const isPersonHigh = (one: Space) => Math.abs(metresPerUnit(asPerson) / metresPerUnit(one) - 1) < SAME_HEIGHT;
   if (isStated) {
     // The ground is the file's.
@@ -50,7 +46,7 @@ export function spaceChoices(
   const { known: _, ...plain } = space;
   const turned: Space = { ...plain, up: up === 'z' ? 'y' : 'z' };
   const others = [turned, ...(inUnit ? [inUnit] : []), ...(isPersonHigh(space) ? [] : [asPerson])];
-  return { height, others: others.map((one) => ({ ...one, lift: liftOntoGround(skeleton, clip, one) })) };
+  return { height, others: others.map((one) => ({ ...one, lift: liftOntoGround(skeleton, take, one) })) };
 }
 
 /** Programs that take metres for centimetres, or the other way round, write lengths that are 100 times too large or small. */

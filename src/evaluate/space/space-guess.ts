@@ -7,7 +7,7 @@ import type { CapturedFigure } from '../../model/files.ts';
 import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type FileSpace, type Space } from '../../model/space.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { LIMB_SIDES, partsOf } from '../retarget/roles.ts';
 import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
 import { METRES, metresPerUnit } from './metres.ts';
@@ -41,8 +41,8 @@ const BELIEVED = 0.006;
  *   can be seen beside others.
  * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
  */
-export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): Space {
-  return guessed(skeleton, clip).space;
+export function guessSpace(skeleton: Skeleton, take: Take | undefined): Space {
+  return guessed(skeleton, take).space;
 }
 
 /** Figures of one file that are measured: what is cached of each takes a hundred times the bytes of a bare root. */
@@ -50,7 +50,7 @@ const MAX_MEASURED = 256;
 
 /** For figures in one file, which share a space: that of the tallest, of the first 256. */
 export function guessSharedSpace(figures: readonly CapturedFigure[]): FileSpace {
-  const all = figures.slice(0, MAX_MEASURED).map(({ skeleton, clip }) => guessed(skeleton, clip));
+  const all = figures.slice(0, MAX_MEASURED).map(({ skeleton, take }) => guessed(skeleton, take));
   const none = { space: DEFAULT_SPACE, standing: 0, height: 0 };
   const { space, standing } = all.reduce((a, b) => (b.height > a.height ? b : a), all[0] ?? none);
   return { space, standing };
@@ -61,12 +61,12 @@ export function guessSharedSpace(figures: readonly CapturedFigure[]): FileSpace 
  *
  * @param isUpKnown whether one whose trunk lies, in its file pose and in the take, is an animal with a person's names
  */
-export function figureHeight(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up'], isUpKnown = false) {
+export function figureHeight(skeleton: Skeleton, take: Take | undefined, up: Space['up'], isUpKnown = false) {
   const axis = up === 'z' ? 2 : 1;
   const named = bodyOf(skeleton);
-  const frames = frameShapes(skeleton, clip);
+  const frames = frameShapes(skeleton, take);
   const body = named && isUpKnown && lies(skeleton, named, frames, axis) ? undefined : named;
-  const height = heightOf(body, frames, clip !== undefined, axis);
+  const height = heightOf(body, frames, take !== undefined, axis);
   return { height, isPerson: body !== undefined };
 }
 
@@ -85,12 +85,12 @@ export function metresForPerson(...figure: Parameters<typeof figureHeight>): num
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 
-function guessed(skeleton: Skeleton, clip: ChannelClip | undefined): FileSpace & { readonly height: number } {
+function guessed(skeleton: Skeleton, take: Take | undefined): FileSpace & { readonly height: number } {
   const body = bodyOf(skeleton);
-  const frames = frameShapes(skeleton, clip);
-  const { up, standing } = upOf(skeleton, body, frames, clip !== undefined);
+  const frames = frameShapes(skeleton, take);
+  const { up, standing } = upOf(skeleton, body, frames, take !== undefined);
   const axis = up === 'z' ? 2 : 1;
-  const height = heightOf(body, frames, clip !== undefined, axis);
+  const height = heightOf(body, frames, take !== undefined, axis);
   if (!(height > 0) || !Number.isFinite(height))
     return { space: { ...DEFAULT_SPACE, up, known: 'guessed' }, standing: 0, height: 0 };
   const sized = unitFor(height, body !== undefined || isTall(frames, axis));
@@ -187,7 +187,7 @@ function heightOf(body: Body | undefined, frames: readonly FrameShape[], moving:
       frames.map((frame) => extent(frame, axis)),
       STANDING,
     );
-  // A rest pose without a clip may lie on its side.
+  // A rest pose without a take may lie on its side.
   return Math.max(...[0, 1, 2].map((k) => extent(frames[0], k)));
 }
 

@@ -8,7 +8,7 @@
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../../model/space.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { frameShapes, percentile } from './frame-shapes.ts';
 import { metresPerUnit } from './metres.ts';
 
@@ -41,9 +41,9 @@ export function applySpace(space: Space | undefined, x: number, y: number, z: nu
 export const GROUND_PERCENTILE = 0.15;
 
 /** The lift that puts a figure on the ground in a space with known up axis and unit. */
-export function liftOntoGround(skeleton: Skeleton, clip: ChannelClip | undefined, space: Space): number {
+export function liftOntoGround(skeleton: Skeleton, take: Take | undefined, space: Space): number {
   const axis = upAxis(space);
-  const lows = frameShapes(skeleton, clip).map(({ min }) => min[axis]);
+  const lows = frameShapes(skeleton, take).map(({ min }) => min[axis]);
   const low = metresPerUnit(space) * percentile(lows, GROUND_PERCENTILE);
   return Number.isFinite(low) ? -Number(low.toPrecision(4)) || 0 : 0;
 }

@@ -37,7 +37,7 @@ export function figureOf(character: Character, { body, influences, tolerance }: 
   const { skeleton } = character;
   const { unkeyed: _unkeyed, driver: _driver, ...plain } = character;
   const rest = new Float64Array(dofCountOf(character));
-  poseAt({ ...plain, shownClip: -1 }, 0, rest);
+  poseAt({ ...plain, shownTake: -1 }, 0, rest);
   let joints: FigureJoints | undefined;
   if (skeleton) {
     const compiled = compileSkeleton(skeleton);

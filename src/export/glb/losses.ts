@@ -215,7 +215,7 @@ function splines({ options, motions }: Written): readonly Loss[] {
 
 /** Losses of what glTF has no place for. */
 function leftOut({ character, options, motions, figure }: Written): readonly Loss[] {
-  const { skeleton, skins, poses, placements, driver, clips, unkeyed, morphs } = character;
+  const { skeleton, skins, poses, placements, driver, takes, unkeyed, morphs } = character;
   const joints = skeleton?.joints ?? [];
   const endSites = joints.reduce((sum, joint) => sum + (joint.endSites?.length ?? 0), 0);
   const hasBody = skins.length === 0 && options.body;
@@ -233,10 +233,10 @@ function leftOut({ character, options, motions, figure }: Written): readonly Los
     ...(skins.length === 0 ? count(morphs.length, 'morph without a skin', 'morphs without a skin') : []),
     ...count(poses?.length ?? 0, 'pose in the library', 'poses in the library'),
     ...count(placements.length - 1, 'further instance'),
-    ...(driver ? count(clips.length, 'take of its own', 'takes of its own') : []),
-    ...(options.take === undefined || driver ? [] : count(clips.length - motions.length, 'other take')),
+    ...(driver ? count(takes.length, 'take of its own', 'takes of its own') : []),
+    ...(options.take === undefined || driver ? [] : count(takes.length - motions.length, 'other take')),
     ...(unkeyed ? ['unkeyed changes'] : []),
-    ...(figure.joints ? [] : count(clips.length, 'take without a skeleton', 'takes without a skeleton')),
+    ...(figure.joints ? [] : count(takes.length, 'take without a skeleton', 'takes without a skeleton')),
   ];
   if (things.length === 0) return [];
   return [{ code: 'parts-left-out', severity: 'info', message: `Not in the file: ${listed(things)}.` }];

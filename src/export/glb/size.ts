@@ -1,5 +1,5 @@
 /** A character's size: the diagonal of the box around its joints, End Sites, tips of bones and vertices. */
-import { playedClip } from '../../evaluate/bake.ts';
+import { playedTake } from '../../evaluate/bake.ts';
 import { endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { poseAt } from '../../evaluate/pose.ts';
@@ -14,12 +14,12 @@ import type { Skin } from '../../model/skin.ts';
 export function sizeOf(character: Character, skin: Skin | undefined, rest: Float64Array): number {
   const { unkeyed: _, ...plain } = character;
   const size = diagonal(character, skin, rest);
-  const clips = character.driver ? [playedClip(character)] : character.clips;
-  const starts = clips.flatMap((clip, shown) => {
-    if (!clip) return [];
+  const takes = character.driver ? [playedTake(character)] : character.takes;
+  const starts = takes.flatMap((take, shown) => {
+    if (!take) return [];
     const dofs = new Float64Array(rest.length);
-    const played = character.driver ? plain : { ...plain, shownClip: shown };
-    poseAt({ ...played, timeOffsetSeconds: 0 }, clip.range[0], dofs);
+    const played = character.driver ? plain : { ...plain, shownTake: shown };
+    poseAt({ ...played, timeOffsetSeconds: 0 }, take.range[0], dofs);
     return [diagonal(character, skin, dofs)];
   });
   const largest = Math.max(size, ...starts.slice(0, MANY));

@@ -3,21 +3,21 @@
  * linked DOFs are applied.
  */
 
-import { playedClip } from '../../evaluate/bake.ts';
+import { playedTake } from '../../evaluate/bake.ts';
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { type ChannelClip, type KeyedChannel, repeats } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import { type KeyedChannel, repeats, type Take } from '../../model/takes/take.ts';
 import { UserError } from '../../model/user-error.ts';
 import type { WriteNodes } from './joint-nodes.ts';
 
 /** A take by its numbers at any time. */
 export interface TakeMotion {
   readonly name: string;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly start: number;
   readonly end: number;
   /** Times at which curves change their shape, ascending, from start to end. */
@@ -48,27 +48,27 @@ const MAX_BREAKS = 4_000_000;
  * @param weightsAt where morph weights begin in a row
  */
 export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: number): TakeMotion | undefined {
-  const clip = playedClip(character);
-  if (!clip || !character.skeleton) return undefined;
+  const take = playedTake(character);
+  if (!take || !character.skeleton) return undefined;
   const { unkeyed: _, ...plain } = character;
   const source = poseSource({ ...plain, timeOffsetSeconds: 0 });
   const shift = character.driver?.source.timeOffsetSeconds ?? 0;
   const dofs = new Float64Array(dofCountOf(character));
   const firstWeight = dofs.length - character.morphs.length;
-  const [start, end] = clip.range;
-  const { times, jumps } = breakTimes(clip, start, end);
+  const [start, end] = take.range;
+  const { times, jumps } = breakTimes(take, start, end);
   const drives = character.driver !== undefined;
-  const isKeyed = !drives && clip.samples === undefined;
-  const hasKeys = clip.channels.some(({ kind }) => kind === 'keys');
+  const isKeyed = !drives && take.samples === undefined;
+  const hasKeys = take.channels.some(({ kind }) => kind === 'keys');
   return {
-    name: clip.name,
+    name: take.name,
     start,
     end,
     breaks: times,
     jumps,
-    isStraight: !drives && !hasKeys && clip.samples?.interpolation === 'linear' && turnAsAWhole(character.skeleton),
+    isStraight: !drives && !hasKeys && take.samples?.interpolation === 'linear' && turnAsAWhole(character.skeleton),
     isKeyed,
-    framesPerSecond: clip.samples && 1 / clip.samples.frameSeconds,
+    framesPerSecond: take.samples && 1 / take.samples.frameSeconds,
     write(seconds, row) {
       poseFrom(source, seconds - shift, dofs);
       nodes(dofs, row, 0);
@@ -91,7 +91,7 @@ interface Breaks {
   readonly jumps: ReadonlySet<number>;
 }
 
-function breakTimes(clip: ChannelClip, start: number, end: number): Breaks {
+function breakTimes(take: Take, start: number, end: number): Breaks {
   const found: number[] = [start, end];
   const jumps = new Set<number>();
   const see = (time: number, mayJump: boolean) => {
@@ -100,17 +100,17 @@ function breakTimes(clip: ChannelClip, start: number, end: number): Breaks {
     if (mayJump) jumps.add(time);
     if (found.length > MAX_BREAKS) {
       throw new TakeError(
-        `${clip.name} repeats its keys more than ${MAX_BREAKS.toLocaleString('en')} times in its range; shorten the range, or lengthen the cycle.`,
+        `${take.name} repeats its keys more than ${MAX_BREAKS.toLocaleString('en')} times in its range; shorten the range, or lengthen the cycle.`,
       );
     }
   };
   const seen: KeyedChannel[] = [];
-  for (const channel of clip.channels) {
+  for (const channel of take.channels) {
     if (channel.kind !== 'keys' || seen.some((other) => hasSameTimes(channel, other))) continue;
     seen.push(channel);
     seeKeys(channel, start, end, see);
   }
-  if (clip.samples && clip.channels.some(({ kind }) => kind === 'samples')) seeFrames(clip.samples, start, end, see);
+  if (take.samples && take.channels.some(({ kind }) => kind === 'samples')) seeFrames(take.samples, start, end, see);
   return merged(Float64Array.from(new Set(found)).sort(), jumps);
 }
 

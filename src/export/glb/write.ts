@@ -141,9 +141,9 @@ function takesOf(
 ): readonly WrittenTake[] {
   const { joints, skin, sets, size, tolerance } = figure;
   if (!joints) return [];
-  const { driver, clips } = character;
-  const every = driver ? [character] : clips.map((_, shown) => ({ ...character, shownClip: shown }));
-  const names = driver ? [driver.source.clip.name] : clips.map(({ name }) => name);
+  const { driver, takes } = character;
+  const every = driver ? [character] : takes.map((_, shown) => ({ ...character, shownTake: shown }));
+  const names = driver ? [driver.source.take.name] : takes.map(({ name }) => name);
   const played = every.filter((_, i) => options.take === undefined || names[i] === options.take);
   if (options.take !== undefined && played.length === 0) {
     const known = names.length ? `its takes are ${names.join(', ')}` : 'it has none';

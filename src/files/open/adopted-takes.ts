@@ -7,7 +7,7 @@ import type { Opening } from './opening.ts';
 /** Gives takes from before without a skeleton to the new one that they are named after, or to the only one. */
 export function adoptTakes({ base, opened, characters }: Opening): void {
   const waiting = base.characters.filter(
-    ({ id, skeleton, skins, clips }) => !skeleton && !opened.has(id) && skins.length === 0 && clips.length > 0,
+    ({ id, skeleton, skins, takes }) => !skeleton && !opened.has(id) && skins.length === 0 && takes.length > 0,
   );
   if (waiting.length === 0) return;
   const fresh = new ByStem<Character>();

@@ -4,9 +4,9 @@ import { lostOver } from '../../edit/carried-over.ts';
 import { withMarkers } from '../../edit/markers.ts';
 import { withSkeleton } from '../../edit/new-character.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
-import { checkClip, checkMorph, checkSkin } from '../../evaluate/skin/binding.ts';
+import { checkMorph, checkSkin, checkTake } from '../../evaluate/skin/binding.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, shownSkin, shownTake } from '../../model/document.ts';
 import {
   baseName,
   type FileNaming,
@@ -23,8 +23,8 @@ import { jointDofCount } from '../../model/skeleton/dofs.ts';
 import { ownChannels } from '../../model/skeleton/skel-motion.ts';
 import { type Skin, textureNames } from '../../model/skin.ts';
 import type { Space } from '../../model/space.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
 import { firstTake } from '../../model/takes/moving.ts';
+import type { Take } from '../../model/takes/take.ts';
 
 /** Where a part comes from. */
 export interface PartOrigin extends Omit<PartFile, 'holds'> {
@@ -66,32 +66,32 @@ export function withMorph(character: Character, morph: Morph, from: PartOrigin):
   return { ...withoutUnkeyed(character), parts, morphs: put(morphs, at, morph), pose };
 }
 
-/** Adds a clip, or replaces the one of that name, and shows it. */
-export function withClip(character: Character, clip: ChannelClip, from: PartOrigin): Character {
-  const { clips } = character;
-  const at = takeReadBefore(character, clip, from);
-  const parts = withMark(character, 'clips', at, clip.name, from);
+/** Adds a take, or replaces the one of that name, and shows it. */
+export function withTake(character: Character, take: Take, from: PartOrigin): Character {
+  const { takes } = character;
+  const at = takeReadBefore(character, take, from);
+  const parts = withMark(character, 'takes', at, take.name, from);
   // Its own file holds no markers: reading it again doesn't remove them.
-  const kept = clip.markers ? undefined : clips[at]?.markers;
-  const marked = kept ? withMarkers(clip, kept) : clip;
+  const kept = take.markers ? undefined : takes[at]?.markers;
+  const marked = kept ? withMarkers(take, kept) : take;
   // A take among others of its file may have been given another name.
-  const named = at < 0 || from.kind !== 'character' ? marked : { ...marked, name: clips[at].name };
-  return { ...character, parts, clips: put(clips, at, named), shownClip: at < 0 ? clips.length : at };
+  const named = at < 0 || from.kind !== 'character' ? marked : { ...marked, name: takes[at].name };
+  return { ...character, parts, takes: put(takes, at, named), shownTake: at < 0 ? takes.length : at };
 }
 
 /** Index of the take that is read again; -1 if it is new. */
-function takeReadBefore(character: Character, { name }: ChannelClip, { kind, source, before }: PartOrigin): number {
-  const { clips, parts = NO_MARKS } = character;
+function takeReadBefore(character: Character, { name }: Take, { kind, source, before }: PartOrigin): number {
+  const { takes, parts = NO_MARKS } = character;
   const isSame = ({ file }: PartMark) =>
     file?.kind === 'character' && file.holds === name && sameName(file.source.name, source.name);
-  const known = kind === 'character' ? parts.clips.findIndex(isSame) : -1;
-  return before?.clips.includes(clips[known]) ? known : replacedIndex(clips, before?.clips, name);
+  const known = kind === 'character' ? parts.takes.findIndex(isSame) : -1;
+  return before?.takes.includes(takes[known]) ? known : replacedIndex(takes, before?.takes, name);
 }
 
 /** The marks with that of a part from a file, replacing the one at `at`, or appended if `at` is -1. */
 function withMark(
   character: Character,
-  key: 'skins' | 'morphs' | 'clips',
+  key: 'skins' | 'morphs' | 'takes',
   at: number,
   holds: string,
   { kind, source }: PartOrigin,
@@ -144,41 +144,41 @@ export function withWhole(
   from: PartOrigin,
   space: Space | undefined,
 ): Character {
-  const { skeleton, skins, morphs, clips, textures } = whole;
+  const { skeleton, skins, morphs, takes, textures } = whole;
   const { parts = NO_MARKS } = character;
   const { kind, source } = from;
   const mark = readAs(parts.skeleton, { kind, source, holds: skeleton.name });
   // Takes that waited for a skeleton have the order of channels that files have.
-  const waiting = character.skeleton ? character.clips : character.clips.map((clip) => ownChannels(clip, skeleton, []));
+  const waiting = character.skeleton ? character.takes : character.takes.map((take) => ownChannels(take, skeleton, []));
   let next: Character = {
-    ...withSkeleton({ ...character, clips: waiting }, skeleton),
+    ...withSkeleton({ ...character, takes: waiting }, skeleton),
     parts: { ...parts, skeleton: mark },
     ...(space && { space }),
   };
   for (const skin of skins) next = withSkin(next, skin, from);
   for (const morph of morphs) next = withMorph(next, morph, from);
-  for (const clip of clips) next = withClip(next, clip, from);
+  for (const take of takes) next = withTake(next, take, from);
   for (const texture of textures) next = withTexture(next, texture);
-  const shown = clips[firstTake(clips)];
+  const shown = takes[firstTake(takes)];
   return {
     ...next,
     ...(skins.length && { shownSkin: next.skins.indexOf(skins[0]) }),
-    ...(shown && { shownClip: takeReadBefore(next, shown, { ...from, before: next }) }),
+    ...(shown && { shownTake: takeReadBefore(next, shown, { ...from, before: next }) }),
   };
 }
 
 /** The character with the takes of another one, which has nothing else. */
-export function withTakesOf(character: Character, { clips, parts = NO_MARKS, sources }: Character): Character {
+export function withTakesOf(character: Character, { takes, parts = NO_MARKS, sources }: Character): Character {
   const { skeleton, pose, parts: own = NO_MARKS } = character;
-  const taken = skeleton ? clips.map((clip) => ownChannels(clip, skeleton, pose)) : clips;
-  const marks = character.clips.map((_, i) => own.clips[i] ?? UNMARKED);
-  const all = [...character.clips, ...taken];
+  const taken = skeleton ? takes.map((take) => ownChannels(take, skeleton, pose)) : takes;
+  const marks = character.takes.map((_, i) => own.takes[i] ?? UNMARKED);
+  const all = [...character.takes, ...taken];
   return {
     ...character,
-    clips: all,
-    parts: { ...own, clips: [...marks, ...clips.map((_, i) => parts.clips[i] ?? UNMARKED)] },
+    takes: all,
+    parts: { ...own, takes: [...marks, ...takes.map((_, i) => parts.takes[i] ?? UNMARKED)] },
     sources: [...character.sources, ...sources],
-    shownClip: firstTake(all),
+    shownTake: firstTake(all),
   };
 }
 
@@ -211,11 +211,11 @@ export function checkParts(before: Character | undefined, after: Character, nami
     const isNew = !before?.morphs.includes(morph) || (skin && !before.skins.includes(skin));
     if (skin && isNew) problems.push(...checkMorph(morph, skin, called(parts.morphs[i], `${morph.name}.morph`)));
   });
-  const clip = shownClip(after);
+  const take = shownTake(after);
   const needsAnother = newSkeleton && jointDofCount(before?.skeleton) !== jointDofCount(after.skeleton);
-  if (clip && after.skeleton && (needsAnother || !before?.clips.includes(clip))) {
-    const file = called(parts.clips[after.shownClip], `${clip.name}.anim`);
-    problems.push(...checkClip(clip, after.skeleton, after.morphs.length, file));
+  if (take && after.skeleton && (needsAnother || !before?.takes.includes(take))) {
+    const file = called(parts.takes[after.shownTake], `${take.name}.anim`);
+    problems.push(...checkTake(take, after.skeleton, after.morphs.length, file));
   }
   return problems;
 }

@@ -102,7 +102,7 @@ function* assembled(
     yield Math.min(1, used.size / all.length);
   }
   // Of several new alternatives, show the first.
-  return before ? next : { ...next, shownSkin: 0, shownClip: firstTake(next.clips) };
+  return before ? next : { ...next, shownSkin: 0, shownTake: firstTake(next.takes) };
 }
 
 /** A character without a skeleton that this group completes: matched by name, or the only one waiting. */

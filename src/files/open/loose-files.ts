@@ -65,9 +65,9 @@ export function openMarkers(opening: Opening, file: MarkersFile): void {
     opening.unused.push({ file, why: 'No open take has the name of this markers file.' });
     return;
   }
-  const { character, clip } = found;
-  const clips = character.clips.with(clip, withMarkers(character.clips[clip], file.markers));
-  opening.characters.replace({ ...character, clips });
+  const { character, take } = found;
+  const takes = character.takes.with(take, withMarkers(character.takes[take], file.markers));
+  opening.characters.replace({ ...character, takes });
   opening.opened.add(character.id);
   opening.used.add(file);
 }

@@ -20,17 +20,17 @@ export function bySkinName(source: SourceFile, characters: readonly Character[])
   return best;
 }
 
-/** `walk.markers.json` → the take `walk` and its character, first of one from the same folder; `clip` is its index. */
+/** `walk.markers.json` → the take `walk` and its character, first of one from the same folder; `take` is its index. */
 export function takeCalled(
   source: SourceFile,
   characters: readonly Character[],
-): { readonly character: Character; readonly clip: number } | undefined {
+): { readonly character: Character; readonly take: number } | undefined {
   const name = source.name.slice(0, -MARKERS_EXTENSION.length - 1);
   const folder = folderOf(source);
   const isNear = (c: Character) => c.sources.some((own) => folderOf(own) === folder);
   for (const character of [...characters.filter(isNear), ...characters]) {
-    const clip = character.clips.findIndex((own) => sameName(own.name, name));
-    if (clip >= 0) return { character, clip };
+    const take = character.takes.findIndex((own) => sameName(own.name, name));
+    if (take >= 0) return { character, take };
   }
   return undefined;
 }

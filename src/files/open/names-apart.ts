@@ -4,11 +4,11 @@ import { type Character, findCharacter } from '../../model/document.ts';
 import type { SourceFile } from '../../model/files.ts';
 import { tellingNames } from '../../model/names/telling-names.ts';
 import { NO_MARKS } from '../../model/part.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 import type { Opening } from './opening.ts';
 
 interface NewTake {
-  readonly clip: ChannelClip;
+  readonly take: Take;
   readonly input: SourceFile;
   readonly isOnly: boolean;
 }
@@ -34,33 +34,33 @@ function nameCharactersApart({ characters, base, opened }: Opening): void {
 function nameTakesApart({ characters, base, opened }: Opening): void {
   const fresh = characters.all.flatMap((c) => (opened.has(c.id) ? newTakes(c, findCharacter(base, c.id)) : []));
   if (fresh.length === 0) return;
-  const isNew = new Set(fresh.map(({ clip }) => clip));
-  const others = characters.all.flatMap(({ clips }) => clips.filter((clip) => !isNew.has(clip)));
+  const isNew = new Set(fresh.map(({ take }) => take));
+  const others = characters.all.flatMap(({ takes }) => takes.filter((take) => !isNew.has(take)));
   const names = tellingNames(
-    fresh.map(({ clip: { name }, input, isOnly }) => ({ name, input, isOnly })),
+    fresh.map(({ take: { name }, input, isOnly }) => ({ name, input, isOnly })),
     others.map(({ name }) => name),
   );
-  const renamed = new Map(fresh.flatMap(({ clip }, i) => (names[i] === clip.name ? [] : [[clip, names[i]] as const])));
+  const renamed = new Map(fresh.flatMap(({ take }, i) => (names[i] === take.name ? [] : [[take, names[i]] as const])));
   for (const character of renamed.size > 0 ? characters.all : []) {
-    if (!character.clips.some((clip) => renamed.has(clip))) continue;
-    const clips = character.clips.map((clip) => {
-      const name = renamed.get(clip);
-      return name === undefined ? clip : { ...clip, name };
+    if (!character.takes.some((take) => renamed.has(take))) continue;
+    const takes = character.takes.map((take) => {
+      const name = renamed.get(take);
+      return name === undefined ? take : { ...take, name };
     });
-    characters.replace({ ...character, clips });
+    characters.replace({ ...character, takes });
   }
 }
 
-function newTakes({ clips, parts = NO_MARKS }: Character, before: Character | undefined): readonly NewTake[] {
-  const known = new Set(before?.clips.map(({ name }) => name));
-  const inputs = clips.map((_, i) => {
-    const file = parts.clips[i]?.file;
+function newTakes({ takes, parts = NO_MARKS }: Character, before: Character | undefined): readonly NewTake[] {
+  const known = new Set(before?.takes.map(({ name }) => name));
+  const inputs = takes.map((_, i) => {
+    const file = parts.takes[i]?.file;
     return file?.kind === 'character' ? file.source : undefined;
   });
   const counts = new Map<SourceFile, number>();
   for (const input of inputs) if (input) counts.set(input, (counts.get(input) ?? 0) + 1);
-  return clips.flatMap((clip, i) => {
+  return takes.flatMap((take, i) => {
     const input = inputs[i];
-    return !input || known.has(clip.name) ? [] : [{ clip, input, isOnly: counts.get(input) === 1 }];
+    return !input || known.has(take.name) ? [] : [{ take, input, isOnly: counts.get(input) === 1 }];
   });
 }

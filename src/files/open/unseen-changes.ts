@@ -4,7 +4,7 @@
  * nothing had happened, or that something had been lost.
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, type Document, findCharacter, shownSkin, shownTake } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 
 /** Sentences shown at most; a count stands for the others. */
@@ -75,9 +75,9 @@ function morphChanges(before: Character, after: Character): string[] {
 }
 
 function takeChange(before: Character, after: Character): string[] {
-  const [shown, is] = [shownClip(before), shownClip(after)];
+  const [shown, is] = [shownTake(before), shownTake(after)];
   if (!shown || !is || shown === is) return [];
-  if (after.clips.includes(shown))
+  if (after.takes.includes(shown))
     return [`${after.name} now plays the take ${is.name}; ${shown.name} stays in Takes.`];
   return [`The take ${is.name} of ${after.name} was replaced.`];
 }

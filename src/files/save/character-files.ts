@@ -5,8 +5,8 @@
 
 import { CommandError } from '../../edit/command-error.ts';
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
-import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
-import { framesOf, MAX_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
+import { skelFigure, skelPose, skelTake } from '../../edit/convert/skel-figure.ts';
+import { framesOf, MAX_FRAMES, ownFrames, playedTake } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
@@ -14,9 +14,9 @@ import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 
-/** For clips without a frame rate of their own. */
+/** For takes without a frame rate of their own. */
 const DEFAULT_FRAMES_PER_SECOND = 30;
 
 /** The character's skeleton as `.skel` can hold it, in its current pose as set. Undefined without a skeleton. */
@@ -24,41 +24,37 @@ export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>)
   return skeleton && inPose(skelFigure(skeleton).skeleton, skelPose(pose, skeleton));
 }
 
-/** One of its clips as `.anim` can hold it: keys for the DOFs of `skelOf`. */
-export function animOf(
-  { skeleton }: Pick<Character, 'skeleton'>,
-  clip: ChannelClip,
-  options?: SampleKeyOptions,
-): ChannelClip {
-  return skeleton ? skelClip(clip, skeleton, options) : clip;
+/** One of its takes as `.anim` can hold it: keys for the DOFs of `skelOf`. */
+export function animOf({ skeleton }: Pick<Character, 'skeleton'>, take: Take, options?: SampleKeyOptions): Take {
+  return skeleton ? skelTake(take, skeleton, options) : take;
 }
 
-/** A clip as a BVH figure, with the name of its file without extension. */
+/** A take as a BVH figure, with the name of its file without extension. */
 export interface NamedFigure extends BvhFigure {
   readonly name: string;
 }
 
 /**
- * A BVH figure for each clip, or one in the pose as set if there are none. Throws a `CommandError` if there are too
+ * A BVH figure for each take, or one in the pose as set if there are none. Throws a `CommandError` if there are too
  * many frames to sample.
- * @param framesPerSecond for all clips; absent: each clip's own (of its samples or evenly spaced keys), or else 30,
+ * @param framesPerSecond for all takes; absent: each take's own (of its samples or evenly spaced keys), or else 30,
  * which is reported
  */
 export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
-  const { skeleton, clips, driver } = character;
+  const { skeleton, takes, driver } = character;
   if (!skeleton) return [];
   // The retargeted take, whichever of its own is shown.
-  if (driver) return [named(character, framesPerSecond, `${skeleton.name}_${driver.source.clip.name}`)];
-  if (clips.length === 0) return [named({ ...character, shownClip: -1 }, framesPerSecond, skeleton.name)];
-  return clips.map((clip, index) => named({ ...character, shownClip: index }, framesPerSecond, clip.name));
+  if (driver) return [named(character, framesPerSecond, `${skeleton.name}_${driver.source.take.name}`)];
+  if (takes.length === 0) return [named({ ...character, shownTake: -1 }, framesPerSecond, skeleton.name)];
+  return takes.map((take, index) => named({ ...character, shownTake: index }, framesPerSecond, take.name));
 }
 
 function named(character: Character, framesPerSecond: number | undefined, name: string): NamedFigure {
-  const clip = playedClip(character);
+  const take = playedTake(character);
   const frames =
     framesPerSecond === undefined
       ? framesFor(character, DEFAULT_FRAMES_PER_SECOND)
-      : framesOf(clip?.range ?? [0, 0], framesPerSecond);
+      : framesOf(take?.range ?? [0, 0], framesPerSecond);
   if (frames.frameCount > Math.max(MAX_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
     const count = frames.frameCount.toLocaleString('en');
     throw new CommandError(
@@ -66,17 +62,17 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
     );
   }
   const made = toBvhFigure(character, frames, `${name}.bvh`);
-  const isAssumed = framesPerSecond === undefined && clip !== undefined && !hasOwnRate(clip) && frames.frameCount > 1;
-  return { name, ...made, diagnostics: isAssumed ? [rateAssumed(clip, name), ...made.diagnostics] : made.diagnostics };
+  const isAssumed = framesPerSecond === undefined && take !== undefined && !hasOwnRate(take) && frames.frameCount > 1;
+  return { name, ...made, diagnostics: isAssumed ? [rateAssumed(take, name), ...made.diagnostics] : made.diagnostics };
 }
 
-/** Whether a clip has a frame rate of its own. */
-export function hasOwnRate(clip: ChannelClip): boolean {
-  return frameRateOf(clip) !== undefined;
+/** Whether a take has a frame rate of its own. */
+export function hasOwnRate(take: Take): boolean {
+  return frameRateOf(take) !== undefined;
 }
 
-function rateAssumed(clip: ChannelClip, name: string): Diagnostic {
-  const message = `Expected keys at an even rate or a frame rate for ${clip.name}, found keys at uneven times.`;
+function rateAssumed(take: Take, name: string): Diagnostic {
+  const message = `Expected keys at an even rate or a frame rate for ${take.name}, found keys at uneven times.`;
   return withoutPlace(
     'info',
     'rate-assumed',

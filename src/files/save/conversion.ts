@@ -1,6 +1,6 @@
 /**
  * Converts characters to formats other than their own: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton
- * and clip, either form of skeletons. Characters from one BVH file are written to one file if possible: several roots
+ * and take, either form of skeletons. Characters from one BVH file are written to one file if possible: several roots
  * with the same frames.
  */
 
@@ -22,15 +22,15 @@ export const TARGETS = ['skel', 'anim', 'bvh', 'rig'] as const;
 /** A format that characters are converted to; see `TARGETS`. */
 export type Target = (typeof TARGETS)[number];
 
-/** The file from which something of this name was read: the skeleton's, or a clip's. */
-export function sourceFor({ clips, parts }: Character, name: string): SourceFile | undefined {
+/** The file from which something of this name was read: the skeleton's, or a take's. */
+export function sourceFor({ takes, parts }: Character, name: string): SourceFile | undefined {
   const skeleton = parts?.skeleton?.file?.source;
   if (skeleton && stemOf(skeleton) === name) return skeleton;
-  return parts?.clips[clips.findIndex((clip) => clip.name === name)]?.file?.source ?? skeleton;
+  return parts?.takes[takes.findIndex((take) => take.name === name)]?.file?.source ?? skeleton;
 }
 
 /**
- * The files of characters converted to `target`: for `skel` the skeleton and its clips, for `anim` only the clips.
+ * The files of characters converted to `target`: for `skel` the skeleton and its takes, for `anim` only the takes.
  * Characters without a skeleton give none.
  */
 export function outputsOf(
@@ -41,17 +41,17 @@ export function outputsOf(
   if (target === 'bvh') return bvhOutputs(characters, options);
   return characters.flatMap((character) => {
     if (!character.skeleton) return [];
-    const clips = animCopies(character, options).map(outputOf);
-    if (target === 'anim') return clips;
-    if (target === 'rig') return [...skelCopies(character, options).map(outputOf), ...partOutputs(character), ...clips];
+    const takes = animCopies(character, options).map(outputOf);
+    if (target === 'anim') return takes;
+    if (target === 'rig') return [...skelCopies(character, options).map(outputOf), ...partOutputs(character), ...takes];
     // A different extension asks for the hierarchy form of all `.skel` files.
     const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
     const inForm = readAs === 'axskel' ? inHierarchyForm : (skeleton: Skeleton) => skeleton;
-    return [...skelCopies(character, options, inForm).map(outputOf), ...clips];
+    return [...skelCopies(character, options, inForm).map(outputOf), ...takes];
   });
 }
 
-/** All that a `.rig` names besides the skeleton and the clips, with textures, and the `.rig` itself. */
+/** All that a `.rig` names besides the skeleton and the takes, with textures, and the `.rig` itself. */
 function partOutputs(character: Character): readonly Output[] {
   const { skins, morphs, textures } = character;
   const parts = [
@@ -68,15 +68,15 @@ function partOutputs(character: Character): readonly Output[] {
  * whole characters, of which each may have one called Idle, and all that a `.rig` names.
  */
 export function withOwnNames(character: Character, target: Target): Character {
-  const { skeleton, clips, morphs, parts = NO_MARKS } = character;
+  const { skeleton, takes, morphs, parts = NO_MARKS } = character;
   const isRig = target === 'rig';
   const name = isRig ? character.name : (skeleton?.name ?? character.name);
-  const isInside = (clip: number) => parts.clips[clip]?.file?.kind === 'character';
-  const isOnly = clips.length === 1 && isInside(0);
+  const isInside = (take: number) => parts.takes[take]?.file?.kind === 'character';
+  const isOnly = takes.length === 1 && isInside(0);
   return {
     ...character,
-    clips: clips.map((clip, i) =>
-      isRig || isInside(i) ? { ...clip, name: nameByInput({ name: clip.name, isOnly }, name) } : clip,
+    takes: takes.map((take, i) =>
+      isRig || isInside(i) ? { ...take, name: nameByInput({ name: take.name, isOnly }, name) } : take,
     ),
     ...(isRig && { morphs: morphs.map((morph) => ({ ...morph, name: nameByInput(morph, name) })) }),
   };
@@ -89,17 +89,17 @@ export function renamedTo(character: Character, skeleton: Skeleton, name: string
     own !== '' && part.toLowerCase().startsWith(own) && /^(?:[_.\- ]|$)/.test(part.slice(own.length));
   const renamed = <T extends { readonly name: string }>(part: T): T =>
     isNamedAfter(part.name) ? { ...part, name: name + part.name.slice(skeleton.name.length) } : part;
-  const { skins, morphs, clips } = character;
+  const { skins, morphs, takes } = character;
   return {
     ...renamed(character),
     skeleton: { ...skeleton, name },
     skins: skins.map(renamed),
     morphs: morphs.map(renamed),
-    clips: clips.map(renamed),
+    takes: takes.map(renamed),
   };
 }
 
-/** A clip of each character, as roots of one file if they have the same frames. */
+/** A take of each character, as roots of one file if they have the same frames. */
 function bvhOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
   const all = characters.map((character) => bvhOf(character, options.framesPerSecond));
   const first = all.map(([figure]) => figure);

@@ -1,6 +1,6 @@
 /**
  * The files of a character in formats other than its own: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton
- * and clip, either form of skeletons, a `.rig` with the names of the others. Saving them marks nothing as saved.
+ * and take, either form of skeletons, a `.rig` with the names of the others. Saving them marks nothing as saved.
  */
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { partsOf } from '../../model/character-parts.ts';
@@ -25,7 +25,7 @@ export interface Copy {
 
 /** Options of writing a character in another format. */
 export interface ConversionOptions extends SampleKeyOptions {
-  /** Frame rate of `.bvh`; absent: each clip's own, or 30. */
+  /** Frame rate of `.bvh`; absent: each take's own, or 30. */
   readonly framesPerSecond?: number;
 }
 
@@ -51,9 +51,9 @@ export function axskelCopies(character: Character): readonly Copy[] {
 
 /** All takes, with keys. */
 export function animCopies(character: Character, options: ConversionOptions): readonly Copy[] {
-  return character.clips.map((clip) => ({
-    name: `${clip.name}.anim`,
-    content: () => ({ kind: 'anim', clip: animOf(character, clip, options) }),
+  return character.takes.map((take) => ({
+    name: `${take.name}.anim`,
+    content: () => ({ kind: 'anim', take: animOf(character, take, options) }),
   }));
 }
 
@@ -72,8 +72,8 @@ export function bvhCopy(name: string, figures: readonly NamedFigure[]): Copy {
 }
 
 /** A file for each take that has markers, called after it. */
-export function markersCopies({ clips }: Pick<Character, 'clips'>): readonly Copy[] {
-  return clips.flatMap(({ name, markers }) =>
+export function markersCopies({ takes }: Pick<Character, 'takes'>): readonly Copy[] {
+  return takes.flatMap(({ name, markers }) =>
     markers ? [{ name: `${name}.${MARKERS_EXTENSION}`, content: () => ({ kind: 'markers', markers }) }] : [],
   );
 }
@@ -84,15 +84,15 @@ export function rigCopies(character: Character): readonly Copy[] {
 }
 
 function rigOf(character: Character): Rig {
-  const { name, skins, shownSkin, morphs, clips, shownClip } = character;
+  const { name, skins, shownSkin, morphs, takes, shownTake } = character;
   const skeleton = partsOf(character).find(({ kind }) => kind === 'skel');
   const skin = skins[shownSkin];
-  const clip = clips[shownClip];
+  const take = takes[shownTake];
   return {
     name,
     ...(skeleton && { skeleton: newFileName(skeleton) }),
     ...(skin && { skin: `${skin.name}.skin` }),
     morphs: morphs.map((morph) => `${morph.name}.morph`),
-    ...(clip && { animation: `${clip.name}.anim` }),
+    ...(take && { animation: `${take.name}.anim` }),
   };
 }

@@ -41,11 +41,11 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
 
 /** The markers of a take, beside its file. @param none what it has without markers; absent: no file */
 function markersBeside(part: Part, none?: readonly Marker[]): readonly Job[] {
-  const clip = part.kind === 'bvh' ? part.content.clip : part.kind === 'anim' ? part.content : undefined;
-  if (!clip) return [];
-  const markers = clip.markers ?? none;
-  const named = { ...clip, name: part.name, ...(markers && { markers }) };
-  return markersCopies({ clips: [named] }).map((copy) => copyJob(outputOf(copy)));
+  const take = part.kind === 'bvh' ? part.content.take : part.kind === 'anim' ? part.content : undefined;
+  if (!take) return [];
+  const markers = take.markers ?? none;
+  const named = { ...take, name: part.name, ...(markers && { markers }) };
+  return markersCopies({ takes: [named] }).map((copy) => copyJob(outputOf(copy)));
 }
 
 /** The files of a character in one format. */

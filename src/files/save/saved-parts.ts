@@ -17,7 +17,7 @@ import { poseToSave } from './saved-poses.ts';
 export interface UnsavedPart {
   readonly characterId: string;
   readonly kind: PartKind;
-  /** Index into the character's skins, morphs or clips; 0 for its skeleton and pose library. */
+  /** Index into the character's skins, morphs or takes; 0 for its skeleton and pose library. */
   readonly index: number;
   /** Name of its file: `wasp_walk.anim`. */
   readonly name: string;

@@ -21,7 +21,7 @@ import { jointPose, posesByNames } from './saved-poses.ts';
 
 /** Options of writing a character in its own formats. */
 export interface SavingOptions {
-  /** Frame rate of `.bvh`, for clips without a rate of their own; absent: 30. */
+  /** Frame rate of `.bvh`, for takes without a rate of their own; absent: 30. */
   readonly framesPerSecond?: number;
 }
 
@@ -54,10 +54,10 @@ export function partsOfKind(character: Character, kind: SavedKind): readonly Par
   return partsOf(character).filter((part) => part.kind === KINDS[kind].content);
 }
 
-/** Whether all its clips have a frame rate of their own. */
-function haveOwnRates({ clips, driver }: Character): boolean {
-  if (driver) return hasOwnRate(driver.source.clip);
-  return clips.length > 0 && clips.every(hasOwnRate);
+/** Whether all its takes have a frame rate of their own. */
+function haveOwnRates({ takes, driver }: Character): boolean {
+  if (driver) return hasOwnRate(driver.source.take);
+  return takes.length > 0 && takes.every(hasOwnRate);
 }
 
 /**
@@ -86,9 +86,9 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
     case 'anim': {
       const [{ character }] = owned;
       const { skeleton, pose } = character;
-      if (!skeleton) return { kind: 'anim', clip: part.content };
+      if (!skeleton) return { kind: 'anim', take: part.content };
       // The joints of motion capture have their DOFs in another order there.
-      return { kind: 'anim', clip: skelChannels(part.content, skeleton, pose) };
+      return { kind: 'anim', take: skelChannels(part.content, skeleton, pose) };
     }
     case 'pose':
       return { kind: 'pose', poses: posesByNames(part.content) };
@@ -99,9 +99,9 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
   const figures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
     if (part.kind !== 'bvh') return [];
     // The take itself, even while another one is retargeted to the character.
-    const { clip } = part.content;
-    const rate = clip && hasOwnRate(clip) ? undefined : framesPerSecond;
-    return bvhOf({ ...character, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 }, rate);
+    const { take } = part.content;
+    const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
+    return bvhOf({ ...character, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
   });
   if (!fitOneBvh(figures.map(({ figure }) => figure))) {
     throw new Error(

@@ -13,7 +13,7 @@ import {
   SMOOTH,
   TANGENT_KINDS,
   type Tangents,
-} from '../../model/takes/clip.ts';
+} from '../../model/takes/take.ts';
 import { NUMBERS } from '../number-batch.ts';
 import type { Place } from '../places.ts';
 import type { BlockWords } from '../scan.ts';

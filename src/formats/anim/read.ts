@@ -6,12 +6,12 @@
  */
 import {
   type Channel,
-  type ChannelClip,
   EXTRAPOLATIONS,
   type Extrapolation,
   type Keys,
   restChannel,
-} from '../../model/takes/clip.ts';
+  type Take,
+} from '../../model/takes/take.ts';
 import {
   blockHead,
   braceTooMany,
@@ -32,12 +32,12 @@ import type { Mark, Tokens } from '../tokens.ts';
 import { KeySink } from './keys.ts';
 
 /** A reader for a `.anim`. */
-export function animReader(fileName: string): Reader<ChannelClip> {
+export function animReader(fileName: string): Reader<Take> {
   return grammarReader(fileName, animFile);
 }
 
 /** Reads a whole `.anim`. */
-export function readAnim(bytes: Uint8Array | string, fileName: string): ReadResult<ChannelClip> {
+export function readAnim(bytes: Uint8Array | string, fileName: string): ReadResult<Take> {
   return readWhole(animReader(fileName), bytes);
 }
 
@@ -52,7 +52,7 @@ interface Parts {
   readonly channels: Channel[];
 }
 
-function* animFile(t: Tokens): GrammarPart<ChannelClip> {
+function* animFile(t: Tokens): GrammarPart<Take> {
   let parts: Parts | undefined;
   let place: Mark | undefined;
   for (;;) {

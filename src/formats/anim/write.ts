@@ -3,38 +3,39 @@
  * gets a key per frame: the format has no other way. Those keys are the samples' values; to avoid jumps of angles,
  * convert to keys first (`edit/convert/keys-of-samples.ts`).
  */
+
+import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import {
-  type ChannelClip,
   FIXED_TANGENT,
   type KeyedChannel,
   type RestChannel,
   TANGENT_KINDS,
+  type Take,
   type Tangents,
-} from '../../model/takes/clip.ts';
-import { columnOf, type Samples } from '../../model/takes/samples.ts';
+} from '../../model/takes/take.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text, UnwritableError } from '../write-text.ts';
 
 /**
  * `fileName` appears in diagnostics.
- * @throws UnwritableError for a clip without channels, and for numbers that aren't finite
+ * @throws UnwritableError for a take without channels, and for numbers that aren't finite
  */
-export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
+export function writeAnim(take: Take, fileName = ''): WriteResult {
   // No reader takes such a file.
-  if (clip.channels.length === 0)
-    throw new UnwritableError(`Expected channels in ${clip.name}, found none. Key a DOF first.`);
+  if (take.channels.length === 0)
+    throw new UnwritableError(`Expected channels in ${take.name}, found none. Key a DOF first.`);
   const text = new Text(fileName);
   text.line(0, 'animation {');
   text.about('the range');
-  text.line(1, `range ${text.numbers(clip.range)}`);
-  text.line(1, `numchannels ${clip.channels.length}`);
-  clip.channels.forEach((channel, c) => {
+  text.line(1, `range ${text.numbers(take.range)}`);
+  text.line(1, `numchannels ${take.channels.length}`);
+  take.channels.forEach((channel, c) => {
     text.about(`channel ${c}`);
     text.line(1, 'channel {');
     text.line(2, `extrapolate ${channel.extrapolateIn} ${channel.extrapolateOut}`);
     if (channel.kind === 'keys') writeKeys(text, channel);
-    else if (channel.kind === 'rest') writeRest(text, channel, clip.range[0]);
-    else if (clip.samples) writeSampled(text, clip.samples, columnOf(clip.samples, c));
+    else if (channel.kind === 'rest') writeRest(text, channel, take.range[0]);
+    else if (take.samples) writeSampled(text, take.samples, columnOf(take.samples, c));
     text.line(2, '}');
     text.line(1, '}');
   });

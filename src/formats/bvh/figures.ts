@@ -5,8 +5,8 @@ import type { CapturedFigure } from '../../model/files.ts';
 import { rootDofCount } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../model/takes/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import { restChannel, SAMPLED, type Take } from '../../model/takes/take.ts';
 import type { Root } from './hierarchy.ts';
 import type { MotionRows } from './motion.ts';
 
@@ -23,7 +23,7 @@ export function figuresOf(stem: string, roots: readonly Root[], motion: MotionRo
     from += scales.length;
     if (scales.length === 0) return { skeleton };
     const values = scales.length === width ? motion.values : columns(motion, width, first, scales.length);
-    return { skeleton, clip: clipOf(skeleton, samplesOf(skeleton, motion, values, scales)) };
+    return { skeleton, take: takeOf(skeleton, samplesOf(skeleton, motion, values, scales)) };
   });
 }
 
@@ -66,7 +66,7 @@ function samplesOf(skeleton: Skeleton, motion: MotionRows, values: Float64Array,
   return { frameCount, frameSeconds, startSeconds: 0, firstChannel, values, scales, interpolation: 'linear' };
 }
 
-function clipOf({ name }: Skeleton, samples: Samples): ChannelClip {
+function takeOf({ name }: Skeleton, samples: Samples): Take {
   const { firstChannel, scales } = samples;
   const channels = Array.from({ length: firstChannel + scales.length }, (_, c) =>
     c < firstChannel ? restChannel() : SAMPLED,

@@ -31,7 +31,7 @@ const NO_FRAME_SECONDS = 1 / 30;
 
 /** Whether figures can be roots of one file: all that move have the same number of frames and frame time. */
 export function fitOneBvh(figures: readonly CapturedFigure[]): boolean {
-  const moving = figures.flatMap(({ clip }) => clip?.samples ?? []);
+  const moving = figures.flatMap(({ take }) => take?.samples ?? []);
   return moving.every((s) => s.frameCount === moving[0].frameCount && s.frameSeconds === moving[0].frameSeconds);
 }
 
@@ -47,9 +47,9 @@ export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): Wri
   text.line(0, 'HIERARCHY');
   for (const { skeleton } of figures) writeTree(text, skeleton.joints);
   const columns = figures.flatMap((figure) => columnsOf(figure));
-  const samples = figures.find(({ clip }) => clip?.samples)?.clip?.samples;
-  // A clip at rest is one frame.
-  const frameCount = samples?.frameCount ?? (figures.some(({ clip }) => clip) ? 1 : 0);
+  const samples = figures.find(({ take }) => take?.samples)?.take?.samples;
+  // A take at rest is one frame.
+  const frameCount = samples?.frameCount ?? (figures.some(({ take }) => take) ? 1 : 0);
   text.line(0, 'MOTION');
   text.line(0, `Frames: ${frameCount}`);
   text.about('the frame time');
@@ -108,15 +108,15 @@ interface Column {
   readonly plus: number;
 }
 
-function columnsOf({ skeleton, clip }: CapturedFigure): readonly Column[] {
+function columnsOf({ skeleton, take }: CapturedFigure): readonly Column[] {
   const starts = firstDofs(skeleton);
   return skeleton.joints.flatMap((joint, j) =>
     dofsOf(joint.motion).map(({ name, unit }, d): Column => {
-      const channel = clip?.channels[starts[j] + d];
+      const channel = take?.channels[starts[j] + d];
       if (channel?.kind === 'keys') throw new Error(`${joint.name}.${name} has keys. Resample them to frames first.`);
       const unitOfFile = unit === 'angle' ? RADIANS_PER_DEGREE : 1;
       const plus = unit === 'angle' ? 0 : addedTo(skeleton, j, name);
-      const { samples } = clip ?? {};
+      const { samples } = take ?? {};
       const first = columnOf(samples, starts[j] + d);
       if (samples && first >= 0) {
         const { values, scales } = samples;

@@ -6,7 +6,7 @@ import {
   type KeyedChannel,
   LINEAR,
   type Tangents,
-} from '../../model/takes/clip.ts';
+} from '../../model/takes/take.ts';
 
 /** A slope at a key, or that of the straight line to its neighbour. */
 export type Slope = number | 'line';

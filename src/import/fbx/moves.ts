@@ -6,7 +6,7 @@ import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
 import { EULER_ORDERS } from '../../model/skeleton/skeleton.ts';
-import type { Channel } from '../../model/takes/clip.ts';
+import type { Channel } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import { NOISE } from '../noise.ts';
 import { axesOfOrder, writeAnglesNear } from '../rotations.ts';

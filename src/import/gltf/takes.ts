@@ -14,7 +14,7 @@ import {
   type KeyedChannel,
   LINEAR,
   NO_EXTRAPOLATION,
-} from '../../model/takes/clip.ts';
+} from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import { firstNotFinite } from '../finite.ts';
 import { ImportError, type Remarks } from '../imported.ts';

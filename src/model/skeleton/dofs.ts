@@ -89,7 +89,7 @@ export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly {
 }
 
 /**
- * The unit of a channel's values: that of the DOF it drives. Channels beyond the DOFs, or of a clip without a skeleton,
+ * The unit of a channel's values: that of the DOF it drives. Channels beyond the DOFs, or of a take without a skeleton,
  * drive nothing and are plain numbers, like weights.
  */
 export function unitOfChannel(dofs: readonly CharacterDof[], channel: number): DofUnit {

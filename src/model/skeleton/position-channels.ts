@@ -3,7 +3,7 @@
  * added to it, as an old Blender exporter wrote them (MakeHuman files). Under the wrong rule a figure collapses, or
  * comes apart with every bone twice as long.
  */
-import type { ChannelClip } from '../takes/clip.ts';
+import type { Take } from '../takes/take.ts';
 import { firstDofs } from './dofs.ts';
 import { dofsOf, positionsOf, withParameter } from './joint-types.ts';
 import type { BvhMotion, Joint, Skeleton } from './skeleton.ts';
@@ -12,7 +12,7 @@ import type { BvhMotion, Joint, Skeleton } from './skeleton.ts';
 export type Positions = BvhMotion['positions'];
 
 const TRANSLATIONS: readonly string[] = ['tx', 'ty', 'tz'];
-/** Frames that are inspected, evenly spread over the clip. */
+/** Frames that are inspected, evenly spread over the take. */
 const MAX_FRAMES = 16;
 /** Channels below this fraction of their OFFSET's length count as 0. */
 const NOTHING = 0.05;
@@ -24,10 +24,10 @@ export function positionsTaken({ joints }: Skeleton): Positions | undefined {
 }
 
 /**
- * The meaning that fits the clip's values: `add` if most joints below the root have channels that stay at 0 although
+ * The meaning that fits the take's values: `add` if most joints below the root have channels that stay at 0 although
  * their OFFSETs don't. (Roots tell nothing: theirs move the figure.)
  */
-export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined): Positions {
+export function positionsMeant(skeleton: Skeleton, take: Take | undefined): Positions {
   const first = firstDofs(skeleton);
   const tellers = skeleton.joints.flatMap(({ motion, offset, parent }, j) => {
     const length = Math.hypot(...offset);
@@ -35,7 +35,7 @@ export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined
     const dofs = dofsOf(motion).flatMap(({ unit }, i) => (unit === 'length' ? [first[j] + i] : []));
     return [{ dofs, length, moves: false }];
   });
-  const samples = clip?.samples;
+  const samples = take?.samples;
   if (!samples || tellers.length === 0) return 'replace';
   const { values, scales, frameCount, firstChannel } = samples;
   const count = Math.min(MAX_FRAMES, frameCount);

@@ -9,8 +9,9 @@
  *
  * Where position channels replace the offset, the offset becomes 0 on their axes.
  */
-import { type Channel, type ChannelClip, restChannel } from '../takes/clip.ts';
+
 import { columnOf, type Samples } from '../takes/samples.ts';
+import { type Channel, restChannel, type Take } from '../takes/take.ts';
 import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
 import { dofsOf, isOfBvh, jointTypeOf, offsetBesideDofs } from './joint-types.ts';
 import { type Couple, type Joint, type Motion, type Skeleton, UNLIMITED } from './skeleton.ts';
@@ -57,16 +58,16 @@ export function skelSkeleton(skeleton: Skeleton): Skeleton {
 }
 
 /**
- * A clip of a skeleton with the channels of its `skelSkeleton`: the DOFs of joints may come in another order, and behind
+ * A take of a skeleton with the channels of its `skelSkeleton`: the DOFs of joints may come in another order, and behind
  * a root translation that a root of motion capture did without. The same object if nothing changes.
- * @param pose values of the DOFs that the clip has no channels for
+ * @param pose values of the DOFs that the take has no channels for
  */
-export function skelChannels(clip: ChannelClip, skeleton: Skeleton, pose: readonly number[]): ChannelClip {
+export function skelChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
   const own = rootDofCount(skeleton);
   const order = channelOrder(skeleton);
-  if (order.every((c, i) => c === i)) return clip;
-  const { samples, channels, ...rest } = clip;
-  // A clip may have fewer channels than DOFs, and more: those of morphs.
+  if (order.every((c, i) => c === i)) return take;
+  const { samples, channels, ...rest } = take;
+  // A take may have fewer channels than DOFs, and more: those of morphs.
   const count = order.findLastIndex((c) => c >= 0 && c < channels.length) + 1;
   const past = channels.length - own - jointDofCount(skeleton);
   const from = order.slice(0, past >= 0 ? order.length : count);
@@ -82,20 +83,20 @@ export function skelChannels(clip: ChannelClip, skeleton: Skeleton, pose: readon
  * The reverse for keys: channels that are in the order of the skeleton's `skelSkeleton`, as in an `.anim`, in that of
  * its own DOFs. The same object if nothing changes.
  */
-export function ownChannels(clip: ChannelClip, skeleton: Skeleton, pose: readonly number[]): ChannelClip {
+export function ownChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
   const order = channelOrder(skeleton);
-  if (order.every((c, i) => c === i)) return clip;
+  if (order.every((c, i) => c === i)) return take;
   const channels: Channel[] = [];
-  const given = order.slice(0, clip.channels.length);
+  const given = order.slice(0, take.channels.length);
   const count = given.reduce((most, c) => Math.max(most, c + 1), 0);
   for (let c = 0; c < count; c++) channels.push(restChannel(pose[c]));
   given.forEach((c, i) => {
-    if (c >= 0) channels[c] = clip.channels[i];
+    if (c >= 0) channels[c] = take.channels[i];
   });
-  return { ...clip, channels: [...channels, ...clip.channels.slice(order.length)] };
+  return { ...take, channels: [...channels, ...take.channels.slice(order.length)] };
 }
 
-/** For each channel of a clip of its `skelSkeleton`, the skeleton's own; -1 for none. */
+/** For each channel of a take of its `skelSkeleton`, the skeleton's own; -1 for none. */
 function channelOrder(skeleton: Skeleton): readonly number[] {
   const first = firstDofs(skeleton);
   const own = rootDofCount(skeleton);

@@ -1,6 +1,6 @@
 /** Labels of times and spans of a take. */
 export interface Marker {
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly timeSeconds: number;
   /** The end of a labelled span; at least `timeSeconds`. Absent: a marker of one time. */
   readonly endSeconds?: number;

@@ -1,18 +1,19 @@
 /** Which takes move. Scenes of other programs often begin with one that doesn't: an empty one, or a T-pose. */
-import type { Channel, ChannelClip } from './clip.ts';
+
 import type { Samples } from './samples.ts';
+import type { Channel, Take } from './take.ts';
 
 /** Values that differ by less stay put: radians, weights, or a part of the value. Files hold floats. */
 const STILL = 1e-5;
 
 /** Index of the take that is shown first: the first that moves, or the first if none does; -1 without takes. */
-export function firstTake(clips: readonly ChannelClip[]): number {
+export function firstTake(takes: readonly Take[]): number {
   // Looking through all frames of a lone capture would decide nothing.
-  if (clips.length < 2) return clips.length - 1;
-  return Math.max(0, clips.findIndex(moves));
+  if (takes.length < 2) return takes.length - 1;
+  return Math.max(0, takes.findIndex(moves));
 }
 
-function moves({ channels, samples, range }: ChannelClip): boolean {
+function moves({ channels, samples, range }: Take): boolean {
   return range[1] > range[0] && (channels.some(hasMotion) || (samples !== undefined && samplesMove(samples)));
 }
 

@@ -13,7 +13,7 @@ export interface RetargetOptions {
   /** Root motion scale, from metres to metres; absent: the ratio of leg lengths. */
   readonly scale?: number;
   /**
-   * The reference pose: the source's file pose, a time of its take (seconds of the clip), or `automatic`: the file pose
+   * The reference pose: the source's file pose, a time of its take (seconds of the take), or `automatic`: the file pose
    * if it is a standing one, else the frame closest to the target's pose.
    */
   readonly reference: 'automatic' | 'rest' | number;

@@ -12,7 +12,7 @@ export interface Samples {
   readonly frameCount: number;
   /** Time between frames; greater than 0. */
   readonly frameSeconds: number;
-  /** Time of frame 0, in seconds of the clip. */
+  /** Time of frame 0, in seconds of the take. */
   readonly startSeconds: number;
   /** The channel that column 0 drives. */
   readonly firstChannel: number;
@@ -38,7 +38,7 @@ export function columnOf(samples: Samples | undefined, channel: number): number 
   return column >= 0 && column < samples.scales.length ? column : -1;
 }
 
-/** First to last frame, in seconds of the clip. */
+/** First to last frame, in seconds of the take. */
 export function rangeOfSamples({ startSeconds, frameCount, frameSeconds }: Samples): readonly [number, number] {
   return [startSeconds, startSeconds + (frameCount - 1) * frameSeconds];
 }

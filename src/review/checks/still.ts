@@ -15,7 +15,7 @@ const APART = 8;
 
 /** Of takes with samples; keys hold still as meant. */
 export function stillFrames(frames: TakeFrames): readonly Flag[] {
-  const { samples } = frames.clip;
+  const { samples } = frames.take;
   if (!samples || samples.scales.length === 0) return [];
   const flags: Flag[] = [];
   const shortest = Math.max(FROZEN_FRAMES, Math.round(FROZEN_SECONDS / frames.frameSeconds));

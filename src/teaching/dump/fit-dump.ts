@@ -7,7 +7,7 @@
  *     channels    rows `time value …`; pairs of a channel; lists with their times
  */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, isMoved, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, isMoved, shownSkin, shownTake } from '../../model/document.ts';
 import type { Dump, DumpBlock, DumpHeading, DumpKind, DumpLabel } from '../../model/dump.ts';
 import { vertexCount } from '../../model/skin.ts';
 import type { FrameKind, FrameTarget, MatrixLayout, Origins, SolverTask, Targets } from '../compare/targets.ts';
@@ -85,7 +85,7 @@ class Fit {
     this.joints = new JointNames(this.names);
     const skin = shownSkin(character);
     this.vertices = skin ? vertexCount(skin) : 0;
-    this.channels = shownClip(character)?.channels.length ?? 0;
+    this.channels = shownTake(character)?.channels.length ?? 0;
     this.evaluator = new Evaluator(character);
   }
 

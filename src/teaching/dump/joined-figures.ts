@@ -3,11 +3,11 @@
  * root is a character of its own, so none of them has as many joints as the dump.
  */
 
-import { type Character, isBvh, shownClip } from '../../model/document.ts';
+import { type Character, isBvh, shownTake } from '../../model/document.ts';
 import { rootDofCount } from '../../model/skeleton/dofs.ts';
 import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../model/takes/clip.ts';
 import type { Samples } from '../../model/takes/samples.ts';
+import { restChannel, SAMPLED, type Take } from '../../model/takes/take.ts';
 
 /** For each file with several roots, all of them as one. */
 export function joinedFigures(characters: readonly Character[]): readonly Character[] {
@@ -32,16 +32,16 @@ function joined(roots: readonly Character[]): Character {
     );
   }
   const skeleton: Skeleton = { name: roots[0].skeleton?.name ?? '', joints };
-  const clip = joinedClip(skeleton, roots);
+  const take = joinedTake(skeleton, roots);
   const ofJoints = roots.flatMap((root) => root.pose.slice(rootDofCount(root.skeleton)));
   const pose = [...new Array<number>(rootDofCount(skeleton)).fill(0), ...ofJoints];
-  return { ...roots[0], skeleton, pose, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 };
+  return { ...roots[0], skeleton, pose, takes: take ? [take] : [], shownTake: take ? 0 : -1 };
 }
 
 /** The columns of all roots side by side, as in the file; undefined if there are no frames. */
-function joinedClip(skeleton: Skeleton, roots: readonly Character[]): ChannelClip | undefined {
-  const clips = roots.flatMap((root) => shownClip(root) ?? []);
-  const all = clips.flatMap(({ samples }) => samples ?? []);
+function joinedTake(skeleton: Skeleton, roots: readonly Character[]): Take | undefined {
+  const takes = roots.flatMap((root) => shownTake(root) ?? []);
+  const all = takes.flatMap(({ samples }) => samples ?? []);
   const [first] = all;
   if (!first || all.some(({ frameCount }) => frameCount !== first.frameCount)) return undefined;
   const width = all.reduce((sum, { scales }) => sum + scales.length, 0);
@@ -58,5 +58,5 @@ function joinedClip(skeleton: Skeleton, roots: readonly Character[]): ChannelCli
   const scales = Float64Array.from(all.flatMap((samples) => [...samples.scales]));
   const samples: Samples = { ...first, firstChannel, values, scales };
   const channels = Array.from({ length: firstChannel + width }, (_, c) => (c < firstChannel ? restChannel() : SAMPLED));
-  return { ...clips[0], channels, samples };
+  return { ...takes[0], channels, samples };
 }

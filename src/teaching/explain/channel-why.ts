@@ -8,12 +8,12 @@
  * Evaluation has the same cubic in seconds since the key, τ = u·h, with coefficients in the other order
  * (`math/hermite.ts`). The value is that of `evaluateChannel`, to the last bit.
  */
-import { compileClip } from '../../evaluate/compiled-clip.ts';
+import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel, repetitionAt } from '../../evaluate/curves.ts';
 import { frameAt } from '../../evaluate/samples/sampling.ts';
 import { lastNotAbove } from '../../math/search.ts';
-import { type ChannelClip, type Extrapolation, type KeyedChannel, repeats } from '../../model/takes/clip.ts';
 import type { Interpolation } from '../../model/takes/samples.ts';
+import { type Extrapolation, type KeyedChannel, repeats, type Take } from '../../model/takes/take.ts';
 import { type TangentWhy, whyTangent } from './tangent-why.ts';
 
 /** One segment, and how far into it. */
@@ -80,7 +80,7 @@ export type ChannelWhy =
     }
   | {
       readonly kind: 'keys';
-      /** Seconds of the clip. */
+      /** Seconds of the take. */
       readonly time: number;
       /** Outside the keys. */
       readonly outside?: OutsideWhy;
@@ -91,14 +91,14 @@ export type ChannelWhy =
       readonly value: number;
     };
 
-/** Undefined if the clip has no such channel. @param time in seconds of the clip */
-export function whyValue(clip: ChannelClip, channel: number, time: number): ChannelWhy | undefined {
-  const own = clip.channels[channel];
+/** Undefined if the take has no such channel. @param time in seconds of the take */
+export function whyValue(take: Take, channel: number, time: number): ChannelWhy | undefined {
+  const own = take.channels[channel];
   if (!own) return undefined;
-  const value = evaluateChannel(compileClip(clip), channel, time);
+  const value = evaluateChannel(compileTake(take), channel, time);
   if (own.kind === 'rest') return { kind: 'rest', value };
   if (own.kind === 'samples') {
-    const { samples } = clip;
+    const { samples } = take;
     if (!samples) return { kind: 'rest', value };
     const { interpolation, frameCount } = samples;
     return { kind: 'samples', interpolation, frame: frameAt(samples, time), frameCount, value };
@@ -107,9 +107,9 @@ export function whyValue(clip: ChannelClip, channel: number, time: number): Chan
   const last = times.length - 1;
   // NaN too, as in evaluation.
   const isBefore = !(time >= times[0]);
-  if (!isBefore && time <= times[last]) return { kind: 'keys', time, ...among(clip, channel, own, time), value };
+  if (!isBefore && time <= times[last]) return { kind: 'keys', time, ...among(take, channel, own, time), value };
   const outside = whyOutside(own, time, isBefore, values[last] - values[0]);
-  const place = 'folded' in outside ? among(clip, channel, own, outside.folded) : { at: outside.key };
+  const place = 'folded' in outside ? among(take, channel, own, outside.folded) : { at: outside.key };
   return { kind: 'keys', time, outside, ...place, value };
 }
 
@@ -142,7 +142,7 @@ function whyOutside(keys: KeyedChannel, time: number, isBefore: boolean, change:
 
 /** Where a time is from the first to the last key. */
 function among(
-  clip: ChannelClip,
+  take: Take,
   channel: number,
   keys: KeyedChannel,
   time: number,
@@ -151,18 +151,18 @@ function among(
   const key = lastNotAbove(times, 0, times.length, time);
   const tau = time - times[key];
   if (tau === 0 || key === times.length - 1) return { at: key };
-  return { segment: segmentOf(clip, channel, keys, key, tau, values) };
+  return { segment: segmentOf(take, channel, keys, key, tau, values) };
 }
 
 function segmentOf(
-  clip: ChannelClip,
+  take: Take,
   channel: number,
   keys: KeyedChannel,
   key: number,
   tau: number,
   values: Float64Array,
 ): SegmentWhy {
-  const { firstKey, cubics } = compileClip(clip);
+  const { firstKey, cubics } = compileTake(take);
   const o = 4 * (firstKey[channel] + key);
   const [d, c, b, a] = cubics.subarray(o, o + 4);
   const h = keys.times[key + 1] - keys.times[key];
@@ -184,8 +184,8 @@ function segmentOf(
 }
 
 /** The segment of a channel between a key and the next, at its first key; undefined past the last. */
-export function whySegment(clip: ChannelClip, channel: number, key: number): SegmentWhy | undefined {
-  const keys = clip.channels[channel];
+export function whySegment(take: Take, channel: number, key: number): SegmentWhy | undefined {
+  const keys = take.channels[channel];
   if (keys?.kind !== 'keys' || key < 0 || key + 1 >= keys.times.length) return undefined;
-  return segmentOf(clip, channel, keys, key, 0, keys.values);
+  return segmentOf(take, channel, keys, key, 0, keys.values);
 }

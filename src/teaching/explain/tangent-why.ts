@@ -1,6 +1,6 @@
 /** Why a key has its slopes: the rule of each tangent, with the numbers that it takes. */
 import { keySlope } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type Keys, LINEAR, TANGENT_KINDS, type TangentKind } from '../../model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, type Keys, LINEAR, TANGENT_KINDS, type TangentKind } from '../../model/takes/take.ts';
 
 /** A slope between two keys. */
 export interface Secant {

@@ -2,7 +2,7 @@
 
 import { openFiles } from '../../files/open/open-files.ts';
 import { formatOf } from '../../files/readers.ts';
-import { type Character, EMPTY_DOCUMENT, shownClip } from '../../model/document.ts';
+import { type Character, EMPTY_DOCUMENT, shownTake } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import { CATALOGUE } from '../catalogue/all.ts';
 import type { Variant } from '../catalogue/mistake.ts';
@@ -112,9 +112,9 @@ function triples(values: Float64Array): number[][] {
 }
 
 function channelValues(character: Character, times: readonly number[], { curves }: Program): number[][] {
-  const clip = shownClip(character);
-  return (clip?.channels ?? []).map((channel) =>
-    times.map((time) => channelValue(channel, clip?.range ?? [0, 1], time, curves)),
+  const take = shownTake(character);
+  return (take?.channels ?? []).map((channel) =>
+    times.map((time) => channelValue(channel, take?.range ?? [0, 1], time, curves)),
   );
 }
 

@@ -1,5 +1,5 @@
 /** Where the values of a channel differ, and what makes ours theirs there. */
-import { type Channel, type KeyedChannel, repeats } from '../../model/takes/clip.ts';
+import { type Channel, type KeyedChannel, repeats } from '../../model/takes/take.ts';
 import { shortNumber } from '../compare/short-number.ts';
 import { sidesOf } from '../program/jumps.ts';
 

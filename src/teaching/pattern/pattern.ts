@@ -2,7 +2,7 @@
  * How numbers differ that no known mistake explains, in words: where they do, and what makes ours theirs there. Only what
  * holds for all of them is said, never why.
  */
-import { type Character, shownClip } from '../../model/document.ts';
+import { type Character, shownTake } from '../../model/document.ts';
 import { nameOfChannel } from '../compare/channel-name.ts';
 import type { FrameTarget, Targets } from '../compare/targets.ts';
 import type { FrameNumbers, FrameTime } from '../program/evaluator.ts';
@@ -47,7 +47,7 @@ export function patternOf(differing: Differing): string {
 
 function channelSentences({ character, targets, ourChannels, tolerance }: Differing): readonly string[] {
   const { channels, times, values } = targets.channels;
-  const clip = shownClip(character);
+  const take = shownTake(character);
   const byWords = new Map<string, number[]>();
   let count = 0;
   for (let from = 0, to = from; from < channels.length; from = to) {
@@ -58,7 +58,7 @@ function channelSentences({ character, targets, ourChannels, tolerance }: Differ
       theirs: values.subarray(from, to),
       ours: ourChannels.subarray(from, to),
     };
-    const words = channelPattern(clip?.channels[channels[from]], samples, tolerance);
+    const words = channelPattern(take?.channels[channels[from]], samples, tolerance);
     if (words === undefined) continue;
     byWords.set(words, [...(byWords.get(words) ?? []), channels[from]]);
   }

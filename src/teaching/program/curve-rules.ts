@@ -20,7 +20,7 @@ import {
   LINEAR,
   SMOOTH,
   type Tangents,
-} from '../../model/takes/clip.ts';
+} from '../../model/takes/take.ts';
 
 /** Rows a b c d, columns p0 p1 m0 m1. */
 export type HermiteBasis = readonly number[];
@@ -89,7 +89,7 @@ export const RIGHT_CURVES: CurveRules = {
   linearSlope: 'tangent',
 };
 
-/** The value of a channel that follows no samples. @param range of the clip */
+/** The value of a channel that follows no samples. @param range of the take */
 export function channelValue(
   channel: Channel,
   range: readonly [number, number],

@@ -9,7 +9,7 @@
 import { applyConstraints, type CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import { invertAffine, multiplyAffine } from '../../math/mat4.ts';
-import { type Character, isBvh, shownClip } from '../../model/document.ts';
+import { type Character, isBvh, shownTake } from '../../model/document.ts';
 import { restPose, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { dofsOf, replacesOffset } from '../../model/skeleton/joint-types.ts';
 import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
@@ -144,12 +144,12 @@ export class Evaluator {
     const source = poseSource(time === undefined ? inFilePose(character) : unkeyedBeside(character, time));
     // Without a skeleton nothing is limited yet.
     poseFrom({ ...source, skeleton: undefined }, time ?? 0, out);
-    const clip = shownClip(character);
-    if (curves === RIGHT_CURVES || time === undefined || !clip || character.driver) return out;
+    const take = shownTake(character);
+    if (curves === RIGHT_CURVES || time === undefined || !take || character.driver) return out;
     for (let d = 0; d < source.driven; d++) {
-      const channel = clip.channels[d];
+      const channel = take.channels[d];
       if (channel.kind === 'keys')
-        out[d] = channelValue(channel, clip.range, time + character.timeOffsetSeconds, curves);
+        out[d] = channelValue(channel, take.range, time + character.timeOffsetSeconds, curves);
     }
     return out;
   }

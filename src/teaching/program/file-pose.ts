@@ -4,5 +4,5 @@ import type { Character } from '../../model/document.ts';
 /** The character without what moves it: a take, retargeting, unkeyed changes. */
 export function inFilePose(character: Character): Character {
   const { driver: _driver, unkeyed: _unkeyed, ...still } = character;
-  return { ...still, shownClip: -1 };
+  return { ...still, shownTake: -1 };
 }

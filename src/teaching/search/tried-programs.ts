@@ -3,7 +3,7 @@
  * touches. One trial has all numbers; a small one has those of few vertices and samples, and only tells what is not
  * worth trying with all.
  */
-import { type Character, shownClip } from '../../model/document.ts';
+import { type Character, shownTake } from '../../model/document.ts';
 import { larger, matrixError, pointError } from '../compare/errors.ts';
 import type { ChannelTarget, FrameTarget } from '../compare/targets.ts';
 import { channelValue, RIGHT_CURVES } from '../program/curve-rules.ts';
@@ -113,12 +113,12 @@ export class Trial {
       const { world, local, vertices, normals } = this.frame(program, f);
       for (const values of [world, local, vertices, normals]) add(values);
     });
-    const clip = shownClip(this.character);
+    const take = shownTake(this.character);
     for (const { channels: of } of this.cells) {
       of.channels.forEach((c, i) => {
-        const channel = clip?.channels[c];
-        if (clip && channel?.kind === 'keys')
-          sum += Math.sin(i) * channelValue(channel, clip.range, of.times[i], program.curves);
+        const channel = take?.channels[c];
+        if (take && channel?.kind === 'keys')
+          sum += Math.sin(i) * channelValue(channel, take.range, of.times[i], program.curves);
       });
     }
     return sum.toPrecision(12);
@@ -168,12 +168,12 @@ export class Trial {
   }
 
   private tryChannels(program: Program, target: ChannelTarget, ownValues: Float64Array, state: State): void {
-    const clip = shownClip(this.character);
+    const take = shownTake(this.character);
     const { channels, times, values } = target;
-    if (!clip) return;
+    if (!take) return;
     for (let from = 0; from < channels.length && !state.isHopeless; ) {
       const c = channels[from];
-      const channel = clip.channels[c];
+      const channel = take.channels[c];
       let change = 0;
       let error = 0;
       let changed = 0;
@@ -182,7 +182,7 @@ export class Trial {
         const now =
           channel.kind === 'keys'
             ? nearestSide(times[i], values[i], this.tolerance, (time) =>
-                channelValue(channel, clip.range, time, program.curves),
+                channelValue(channel, take.range, time, program.curves),
               )
             : ownValues[i];
         const own = larger(0, now - ownValues[i]);

@@ -57,7 +57,7 @@ function isAlike(a: Character, b: Character): boolean {
     a.space === b.space &&
     a.skeleton === b.skeleton &&
     a.skins === b.skins &&
-    a.shownClip === b.shownClip &&
-    a.clips.length === b.clips.length
+    a.shownTake === b.shownTake &&
+    a.takes.length === b.takes.length
   );
 }

@@ -1,6 +1,6 @@
 /** The bar at the top: menus on the left, what is loaded on the right. */
 import { cutName } from '../../edit/cut-name.ts';
-import { type Document, shownClip, shownSkin } from '../../model/document.ts';
+import { type Document, shownSkin, shownTake } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { tryById } from '../state/actions/action.ts';
 import { menuEntries } from '../state/actions/menu-entries.ts';
@@ -223,7 +223,7 @@ function loadedText(document: Document, cut = (name: string) => name): Loaded {
     facts:
       (joints ? ` · ${plural(joints, 'joint')}` : '') +
       (vertices ? ` · ${plural(vertices, 'vertex', 'vertices')}` : ''),
-    take: cut((one && shownClip(one)?.name) ?? ''),
+    take: cut((one && shownTake(one)?.name) ?? ''),
   };
 }
 

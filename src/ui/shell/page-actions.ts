@@ -54,7 +54,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
     menu: 'View',
     section: 3,
     shortcuts: ['C'],
-    icon: 'clip',
+    icon: 'take',
     checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline'),
     run: (wb) => openPanel(wb, 'timeline', !isPanelOpen(wb.settings.get(), 'timeline')),
   },

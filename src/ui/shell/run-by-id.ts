@@ -4,6 +4,7 @@ import type { AnyCommand } from '../../edit/command.ts';
 import type { CommandInfo } from '../../edit/commands/all.ts';
 import { COMMANDS_AT_HAND, mayBeFetched } from '../../edit/commands/first-commands.ts';
 import { argumentsFrom, finiteOnly } from '../../edit/schema/door.ts';
+import { presentId } from '../../edit/schema/old-names.ts';
 import { runAction } from '../state/actions/action.ts';
 import { resolveCharacter } from '../state/joints/character-ref.ts';
 import type { Uses } from '../state/workbench.ts';
@@ -14,9 +15,10 @@ import type { Uses } from '../state/workbench.ts';
  */
 export function runById(
   wb: Uses<'store' | 'actions' | 'transport'>,
-  id: string,
+  calledId: string,
   args: unknown,
 ): Promise<void> | undefined {
+  const id = presentId(calledId);
   const command = COMMANDS_AT_HAND.get(id);
   if (command) apply(wb, command, args);
   else if (mayBeFetched(id)) return fetchAndRun(wb, id, args);

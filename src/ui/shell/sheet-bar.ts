@@ -20,7 +20,7 @@ interface Sheet {
 const SHEETS: readonly Sheet[] = [
   { label: 'Joints', icon: 'outliner', panel: 'outliner', action: 'page.outliner' },
   { label: 'Curves', icon: 'curveTools', panel: 'timeline', action: 'page.tab.curves', tab: 'curves' },
-  { label: 'Takes', icon: 'clip', panel: 'timeline', action: 'page.tab.takes', tab: 'takes' },
+  { label: 'Takes', icon: 'take', panel: 'timeline', action: 'page.tab.takes', tab: 'takes' },
   { label: 'Inspector', icon: 'inspector', panel: 'inspector', action: 'page.inspector' },
 ];
 

@@ -215,7 +215,7 @@ export function withoutWeights({ characters }: Document, { characterId }: Select
 
 /** A sentence, or empty. */
 export function whatIsMissing(document: Document, selection: Selection, display: Display): string {
-  const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.clips.length > 0);
+  const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.takes.length > 0);
   if (alone) return `${alone.name} has only an animation. Drop its .skel file.`;
   const needsJoint = display.skin === 'heat' && selection.joint === undefined;
   return needsJoint && document.characters.some(shownSkin) ? 'Select a joint to see its weights' : '';

@@ -17,7 +17,7 @@ import type { KeyOptions } from '../../edit/key-dofs.ts';
 import { changedCyclesOf, type OutsideCycle } from '../../edit/keys/cycle.ts';
 import { type KeyedPose, keyedPose } from '../../edit/keys/keyed-pose.ts';
 import type { Gesture } from '../../edit/store.ts';
-import { type Document, findCharacter, shownClip } from '../../model/document.ts';
+import { type Document, findCharacter, shownTake } from '../../model/document.ts';
 import type { CycleQuestion, Easing, KeyedMoment } from './cycle-question.ts';
 import type { Uses } from './workbench.ts';
 
@@ -147,7 +147,7 @@ function momentAsked(
 function usualEasing(wb: Uses<'timeline' | 'transport'>, { characterId }: KeyedPose, document: Document): Easing {
   const { easeIn, easeOut } = wb.timeline.easing.get();
   const last = wb.timeline.moment.get();
-  const isThere = last?.clip && last.args.characterId === characterId && clipOf(document, last.args) === last.clip;
+  const isThere = last?.take && last.args.characterId === characterId && takeOf(document, last.args) === last.take;
   const since = isThere ? wb.transport.get().timeSeconds - last.args.timeSeconds : 0;
   return {
     easeIn: since > 0 ? Math.min(easeIn, wholeFrames(wb, since)) : easeIn,
@@ -157,17 +157,17 @@ function usualEasing(wb: Uses<'timeline' | 'transport'>, { characterId }: KeyedP
 
 /** What the last step has keyed for a moment, so that it can be eased otherwise. */
 export function keepMoment({ store, timeline }: Uses<'store' | 'timeline'>, args: ArgsOf<typeof keyForMoment>): void {
-  timeline.moment.set({ args, label: store.undoLabel, clip: clipOf(store.document, args) });
+  timeline.moment.set({ args, label: store.undoLabel, take: takeOf(store.document, args) });
 }
 
 /** Whether nothing was done since. */
-export function isLastMoment({ store }: Uses<'store'>, { args, label, clip }: KeyedMoment): boolean {
-  return store.undoLabel === label && clip !== undefined && clipOf(store.document, args) === clip;
+export function isLastMoment({ store }: Uses<'store'>, { args, label, take }: KeyedMoment): boolean {
+  return store.undoLabel === label && take !== undefined && takeOf(store.document, args) === take;
 }
 
-function clipOf(document: Document, { characterId }: { readonly characterId: string }) {
+function takeOf(document: Document, { characterId }: { readonly characterId: string }) {
   const character = findCharacter(document, characterId);
-  return character && shownClip(character);
+  return character && shownTake(character);
 }
 
 /** Easing goes over whole frames, so that keys and frames that are there stay where they are. */

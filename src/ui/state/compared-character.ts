@@ -1,19 +1,19 @@
 /** What of a character is compared with dumps. */
-import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { type Character, shownSkin, shownTake } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { offsetOf } from './dump-times.ts';
 
-/** What is compared of a character: the rest needn't be copied to the worker. Its times are those of the clip. */
+/** What is compared of a character: the rest needn't be copied to the worker. Its times are those of the take. */
 export function lean(character: Character): Character {
-  const [skin, clip] = [shownSkin(character), shownClip(character)];
+  const [skin, take] = [shownSkin(character), shownTake(character)];
   const { poses: _poses, parts: _parts, unkeyed, ...rest } = character;
   const offset = offsetOf(character);
   return {
     ...rest,
     skins: skin ? [skin] : [],
     shownSkin: 0,
-    clips: clip ? [clip] : [],
-    shownClip: clip ? 0 : -1,
+    takes: take ? [take] : [],
+    shownTake: take ? 0 : -1,
     timeOffsetSeconds: character.timeOffsetSeconds - offset,
     textures: [],
     sources: [],
@@ -26,7 +26,7 @@ export function isSameFor(a: Character, b: Character): boolean {
   return (
     a.skeleton === b.skeleton &&
     shownSkin(a) === shownSkin(b) &&
-    shownClip(a) === shownClip(b) &&
+    shownTake(a) === shownTake(b) &&
     a.morphs === b.morphs &&
     a.pose === b.pose &&
     a.unkeyed === b.unkeyed &&
@@ -42,7 +42,7 @@ export function fits(was: Character, is: Character): boolean {
     return [
       character.skeleton?.joints.length ?? 0,
       skin ? vertexCount(skin) : 0,
-      shownClip(character)?.channels.length ?? 0,
+      shownTake(character)?.channels.length ?? 0,
     ];
   };
   const before = sizesOf(was);

@@ -3,7 +3,7 @@ import type { ArgsOf } from '../../edit/command.ts';
 import type { keyForMoment } from '../../edit/commands/moment.ts';
 import type { ChangedCycle, OutsideCycle } from '../../edit/keys/cycle.ts';
 import type { Character } from '../../model/document.ts';
-import type { ChannelClip } from '../../model/takes/clip.ts';
+import type { Take } from '../../model/takes/take.ts';
 
 /** Seconds of easing before and after a key. */
 export interface Easing {
@@ -17,7 +17,7 @@ export interface KeyedMoment {
   /** Of its step. */
   readonly label: string | undefined;
   /** The take that it has made. */
-  readonly clip: ChannelClip | undefined;
+  readonly take: Take | undefined;
 }
 
 export interface CycleQuestion {

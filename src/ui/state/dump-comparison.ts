@@ -16,7 +16,7 @@
  *
  * All are in the character's own space, before its placement. An error times `frame.size` is a length, where it is one
  * of lengths. It is wrong if it isn't `<= tolerance`: NaN is wrong too. Times of frames and samples are those of the
- * character's clip: `transportTimeOf` (`dump-times.ts`) converts them.
+ * character's take: `transportTimeOf` (`dump-times.ts`) converts them.
  *
  * Edits of the character start the comparison again, in the worker. Until then the last result stays, unless its arrays
  * no longer fit.
@@ -33,7 +33,7 @@ import type { FrameTarget, Targets } from '../../teaching/compare/targets.ts';
 import type { NamedDump } from '../../teaching/dump/fit-dump.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 import { fits, isSameFor, lean } from './compared-character.ts';
-import { clipTimeShown, frameShown, statedTimes, statesTime, transportTimeOf } from './dump-times.ts';
+import { frameShown, statedTimes, statesTime, takeTimeShown, transportTimeOf } from './dump-times.ts';
 
 /** Of the worker's `compare` job. */
 export interface CompareInput {
@@ -85,7 +85,7 @@ export type ComparePhase =
   | { readonly kind: 'failed'; readonly message: string };
 
 export interface CompareState {
-  /** In the order in which they were given. Those without a time have an assumed one, of the clip. */
+  /** In the order in which they were given. Those without a time have an assumed one, of the take. */
   readonly dumps: readonly NamedDump[];
   /** Names of those that were given last: the banner is about them. */
   readonly newest: readonly string[];
@@ -195,7 +195,7 @@ export class DumpComparison {
     void this.start();
   }
 
-  /** Of a dump that states none. @param time of the character's clip; undefined: the file pose */
+  /** Of a dump that states none. @param time of the character's take; undefined: the file pose */
   setTime(fileName: string, time: number | undefined): void {
     const { dumps } = this.state.get();
     this.change({ dumps: dumps.map((dump) => (dump.fileName === fileName ? { ...dump, assumed: { time } } : dump)) });
@@ -221,7 +221,7 @@ export class DumpComparison {
     if (time !== undefined) this.goToTime(time);
   }
 
-  /** @param time of the character's clip */
+  /** @param time of the character's take */
   goToTime(time: number): void {
     const { character } = this;
     if (!character) return;
@@ -337,7 +337,7 @@ export class DumpComparison {
   /** Those without a time are of the only one that others state, else of the time shown. */
   private timed(dumps: readonly NamedDump[]): readonly NamedDump[] {
     const stated = statedTimes(dumps);
-    const time = stated.length === 1 ? stated[0] : clipTimeShown(this.wb, this.character);
+    const time = stated.length === 1 ? stated[0] : takeTimeShown(this.wb, this.character);
     return dumps.map((dump) => (statesTime(dump) ? dump : { ...dump, assumed: { time } }));
   }
 

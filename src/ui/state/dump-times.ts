@@ -1,4 +1,4 @@
-/** Times of dumps, and of a character's clip, beside those of the transport. */
+/** Times of dumps, and of a character's take, beside those of the transport. */
 import type { Playback } from '../../edit/playback.ts';
 import { type Character, isMoved } from '../../model/document.ts';
 import { isUntimed } from '../../model/dump.ts';
@@ -10,18 +10,18 @@ interface Clock {
   readonly transport: Observable<Playback>;
 }
 
-/** Seconds of the transport at which a time of the character's clip is shown. */
-export function transportTimeOf(character: Character, clipTime: number): number {
-  return clipTime - offsetOf(character);
+/** Seconds of the transport at which a time of the character's take is shown. */
+export function transportTimeOf(character: Character, takeTime: number): number {
+  return takeTime - offsetOf(character);
 }
 
-/** Seconds of the clip at the transport's 0. A retargeted take has its own start. */
+/** Seconds of the take at the transport's 0. A retargeted take has its own start. */
 export function offsetOf({ driver, timeOffsetSeconds }: Character): number {
   return driver ? 0 : timeOffsetSeconds;
 }
 
-/** Time of the clip that is shown; undefined if nothing moves the character: then the file pose is shown. */
-export function clipTimeShown({ transport }: Clock, character: Character | undefined): number | undefined {
+/** Time of the take that is shown; undefined if nothing moves the character: then the file pose is shown. */
+export function takeTimeShown({ transport }: Clock, character: Character | undefined): number | undefined {
   if (!character || !isMoved(character)) return undefined;
   return transport.get().timeSeconds + offsetOf(character);
 }

@@ -5,7 +5,7 @@ export interface KeptWork {
   readonly id: string;
   /** Milliseconds since 1970. */
   readonly savedAtMs: number;
-  readonly characters: readonly { readonly name: string; readonly joints: number; readonly clips: number }[];
+  readonly characters: readonly { readonly name: string; readonly joints: number; readonly takes: number }[];
 }
 
 export interface KeptOffer {

@@ -101,9 +101,9 @@ export function comparedIn(
 
 /** The take that a character plays: a retargeted one, or its own; undefined if it plays none. */
 export function playedTake(character: Character): TakeRef | undefined {
-  const { id, driver, clips, shownClip } = character;
-  if (driver) return { characterId: id, clip: RETARGETED };
-  return clips[shownClip] ? { characterId: id, clip: shownClip } : undefined;
+  const { id, driver, takes, shownTake } = character;
+  if (driver) return { characterId: id, take: RETARGETED };
+  return takes[shownTake] ? { characterId: id, take: shownTake } : undefined;
 }
 
 const plays = (character: Character) => playedTake(character) !== undefined;
@@ -113,23 +113,23 @@ export function playedName(character: Character): string {
   return character.driver ? `${takeName(character)} on ${character.name}` : takeName(character);
 }
 
-function takeName({ driver, clips, shownClip, name }: Character): string {
-  if (driver) return driver.source.clip.name || driver.source.name;
-  return clips[shownClip]?.name ?? name;
+function takeName({ driver, takes, shownTake, name }: Character): string {
+  if (driver) return driver.source.take.name || driver.source.name;
+  return takes[shownTake]?.name ?? name;
 }
 
 /** A character showing each of its takes, by index of the take. */
 const showingEach = perObject((character: Character) =>
-  character.clips.map((_, shownClip) => ({ ...withoutDriver(character), shownClip })),
+  character.takes.map((_, shownTake) => ({ ...withoutDriver(character), shownTake })),
 );
 
 /** The character playing that take: the same object for the same character. */
-export function showing(document: Document, { characterId, clip }: TakeRef): Character | undefined {
+export function showing(document: Document, { characterId, take }: TakeRef): Character | undefined {
   const character = findCharacter(document, characterId);
-  if (clip === RETARGETED) return character?.driver && character;
-  if (!character?.clips[clip]) return undefined;
-  if (character.shownClip === clip && !character.driver) return character;
-  return showingEach(character)[clip];
+  if (take === RETARGETED) return character?.driver && character;
+  if (!character?.takes[take]) return undefined;
+  if (character.shownTake === take && !character.driver) return character;
+  return showingEach(character)[take];
 }
 
 /** The document as drawn: a character appears twice, each with its take's name, if two of its takes are compared. */

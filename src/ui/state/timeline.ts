@@ -56,7 +56,7 @@ export type HandleMode = (typeof HANDLE_MODES)[number];
 
 /** Pinned, hidden and isolated channels of one character. Channel numbers mean nothing for another character. */
 export interface ChannelView {
-  /** Channels of the shown clip. */
+  /** Channels of the shown take. */
   readonly pinned: readonly number[];
   /** Listed, but not drawn. */
   readonly hidden: readonly number[];

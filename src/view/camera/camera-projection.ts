@@ -2,7 +2,7 @@
 import { Matrix4, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
 
-/** Points with a smaller clip w count as behind the camera. */
+/** Points with a smaller take w count as behind the camera. */
 const NEAREST = 1e-9;
 
 export class CameraProjection {
@@ -10,7 +10,7 @@ export class CameraProjection {
   width = 1;
   height = 1;
   private camera: PerspectiveCamera | OrthographicCamera | undefined;
-  private readonly toClip = new Matrix4();
+  private readonly toTake = new Matrix4();
   private readonly before = new Matrix4();
   private readonly eye = new Vector3();
   private readonly ahead = new Vector3();
@@ -27,20 +27,20 @@ export class CameraProjection {
     widthPx = heightPx * aspectOf(camera),
   ): boolean {
     camera.updateMatrixWorld();
-    const { toClip, before, height, width } = this;
-    before.copy(toClip);
+    const { toTake, before, height, width } = this;
+    before.copy(toTake);
     this.camera = camera;
     this.height = heightPx;
     this.width = widthPx;
-    toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    toTake.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     this.eye.setFromMatrixPosition(camera.matrixWorld);
     camera.getWorldDirection(this.ahead);
-    return height !== this.height || width !== this.width || !before.equals(toClip);
+    return height !== this.height || width !== this.width || !before.equals(toTake);
   }
 
   /** Writes x y, from the viewport's top left, to `out[o]`; NaN, and false, behind the camera. */
   toPixels(x: number, y: number, z: number, out: Float64Array, o: number): boolean {
-    const m = this.toClip.elements;
+    const m = this.toTake.elements;
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
     if (!(w > NEAREST)) {
       out[o] = out[o + 1] = Number.NaN;

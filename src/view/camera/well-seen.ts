@@ -33,7 +33,7 @@ export function isWellSeen(figure: Box3, room: Box3, camera: Camera, covered = 0
   return Math.max((right - left) * aspect, high - low) >= MIN_SIZE;
 }
 
-/** Projects from world to clip coordinates, in place; false if behind the camera. */
+/** Projects from world to take coordinates, in place; false if behind the camera. */
 function project(at: Vector3, camera: Camera): boolean {
   at.applyMatrix4(camera.matrixWorldInverse);
   if (camera instanceof PerspectiveCamera && at.z > -camera.near) return false;

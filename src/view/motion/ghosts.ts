@@ -20,7 +20,7 @@ import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { NO_TRAVEL, placementMatrix } from '../../evaluate/space/placements.ts';
 import { carrierOf, groundTravel } from '../../evaluate/travel.ts';
-import { type Character, shownClip } from '../../model/document.ts';
+import { type Character, shownTake } from '../../model/document.ts';
 import type { Display } from '../../model/session.ts';
 import { rawColor } from '../scene/thick-lines.ts';
 import { ballGeometry, boneGeometry, type Level, levelFor } from '../skeleton/bone-levels.ts';
@@ -36,10 +36,10 @@ const GHOST_LEVELS: readonly Level[] = [1, 1, 2];
 /** Tolerance at the range's ends; seconds. */
 const SLACK = 1e-9;
 
-/** Seconds between two ghosts. @param framesPerSecond for clips without frames of their own */
+/** Seconds between two ghosts. @param framesPerSecond for takes without frames of their own */
 export function ghostStepSeconds(character: Character, display: Display, framesPerSecond: number): number {
   if (display.ghostStepIn === 'seconds') return display.ghostStep;
-  return display.ghostStep * (shownClip(character)?.samples?.frameSeconds ?? 1 / framesPerSecond);
+  return display.ghostStep * (shownTake(character)?.samples?.frameSeconds ?? 1 / framesPerSecond);
 }
 
 /** Steps from the current time, earliest first: −2 −1 1 2, without those outside the range. */

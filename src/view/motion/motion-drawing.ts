@@ -35,7 +35,7 @@ export class MotionDrawing {
    * Every frame. Ghosts are of the selected character, or of the only one if none is selected.
    *
    * @param playedRange seconds of the transport
-   * @param framesPerSecond of clips without frames of their own: for ghosts that are frames apart
+   * @param framesPerSecond of takes without frames of their own: for ghosts that are frames apart
    */
   fill(
     { characterId }: Selection,

@@ -5,7 +5,7 @@
  *     transport's time ─► action.time ─► mixer.update(0) ─► our interpolant ─► evaluate/pose.ts ─► Dofs
  *
  * One track for all DOFs is far cheaper than one per DOF: the cost of a track in bindings, mixing and calls is paid
- * once per character. The interpolant reads the channels' own keys, or the clip's samples, in doubles rather than the
+ * once per character. The interpolant reads the channels' own keys, or the take's samples, in doubles rather than the
  * floats of a three.js track. So tangents, steps and extrapolation are exact at any time, also before 0 and past the
  * end, and a take of 100,000 frames isn't copied to be played. Everything else (DOFs without a channel, unkeyed
  * changes, limits) is evaluated by the same function as on the command line.
@@ -13,13 +13,13 @@
  * What three.js 0.187 requires:
  * - The property that a track drives needs `fromArray` and `toArray`; a bare typed array is replaced by a number.
  * - `createInterpolant` is put on the instance: the constructor sets its own there, hiding any method.
- * - A clip's duration must be above 0. It is used for nothing else, nor is the track's own time: the transport itself
+ * - A take's duration must be above 0. It is used for nothing else, nor is the track's own time: the transport itself
  *   wraps, bounces and stops; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
  */
 import { type AnimationAction, AnimationClip, AnimationMixer, Interpolant, NumberKeyframeTrack, Object3D } from 'three';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import { PoseRotations } from '../../evaluate/rotations/pose-rotations.ts';
-import { type Character, shownClip } from '../../model/document.ts';
+import { type Character, shownTake } from '../../model/document.ts';
 
 /** The property that the track drives. */
 class Dofs {
@@ -75,15 +75,15 @@ class PoseInterpolant extends Interpolant {
   }
 }
 
-/** Plays one character. Recreated when its DOFs or clip change; other edits need nothing. */
+/** Plays one character. Recreated when its DOFs or take change; other edits need nothing. */
 export class PosePlayer {
-  /** Source of pose and clip. Keeps the compiled clip alive, so that frames don't have to recompile it. */
+  /** Source of pose and take. Keeps the compiled take alive, so that frames don't have to recompile it. */
   source: PoseSource;
   /** Sampled rotations of joints at that time, beside `dofs`; undefined unless samples drive the character. */
   rotations: PoseRotations | undefined;
   /** Each DOF's value at the time of the last `seek`, in the order of `model/dofs.ts`. */
   readonly dofs: Float64Array;
-  readonly clip: AnimationClip;
+  readonly take: AnimationClip;
   private readonly mixer: AnimationMixer;
   private readonly action: AnimationAction;
 
@@ -94,16 +94,16 @@ export class PosePlayer {
     const track = new NumberKeyframeTrack(TRACK, [0], new Float32Array(count));
     // three.js assigns this method per instance; it calls no other.
     Object.assign(track, { createInterpolant: () => new PoseInterpolant(track.times, track.values, this) });
-    const clip = shownClip(character);
-    const duration = clip ? clip.range[1] - clip.range[0] : 0;
-    this.clip = new AnimationClip(clip?.name ?? 'pose', duration > 0 ? duration : 1, [track]);
+    const take = shownTake(character);
+    const duration = take ? take.range[1] - take.range[0] : 0;
+    this.take = new AnimationClip(take?.name ?? 'pose', duration > 0 ? duration : 1, [track]);
     const posed = new Posed(count);
     this.dofs = posed.dofs.values;
     this.mixer = new AnimationMixer(posed);
-    this.action = this.mixer.clipAction(this.clip).play();
+    this.action = this.mixer.clipAction(this.take).play();
   }
 
-  /** Replace after an edit that keeps DOFs and clip. */
+  /** Replace after an edit that keeps DOFs and take. */
   set character(character: Character) {
     this.source = poseSource(character);
     this.rotations = rotationsFor(this.source);
@@ -115,10 +115,10 @@ export class PosePlayer {
 
   /** Whether it can play the edited character. */
   fits(character: Character): boolean {
-    return dofCountOf(character) === this.dofs.length && shownClip(character) === shownClip(this.character);
+    return dofCountOf(character) === this.dofs.length && shownTake(character) === shownTake(this.character);
   }
 
-  /** Fills `dofs`. Any time, also before 0 and past the clip's end; allocates nothing. */
+  /** Fills `dofs`. Any time, also before 0 and past the take's end; allocates nothing. */
   seek(timeSeconds: number): void {
     this.action.time = timeSeconds;
     this.mixer.update(0);

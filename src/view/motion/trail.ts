@@ -18,7 +18,7 @@ import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../../evaluate/travel.ts';
 import { timeBetween } from '../../math/time-between.ts';
 import type { Character } from '../../model/document.ts';
-import { shownClip } from '../../model/document.ts';
+import { shownTake } from '../../model/document.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
 import { runInSlices } from '../slices.ts';
 import type { StageTheme } from '../theme.ts';
@@ -99,15 +99,15 @@ export class Trail {
     }
   }
 
-  /** Shows the joint's path, or nothing. `range` in seconds of the transport; default: the clip's own. */
+  /** Shows the joint's path, or nothing. `range` in seconds of the transport; default: the take's own. */
   show(
     character: Character | undefined,
     joint: number | undefined,
     range: readonly [number, number] | undefined,
     inPlace: boolean,
   ): void {
-    const clip = character && shownClip(character);
-    const [start, end] = range ?? clip?.range ?? [0, 0];
+    const take = character && shownTake(character);
+    const [start, end] = range ?? take?.range ?? [0, 0];
     const has = character?.skeleton && joint !== undefined && joint < character.skeleton.joints.length && end > start;
     if (!has) {
       this.sampling.abort();

@@ -27,12 +27,12 @@ const MAX_JOINTS = 48;
 export function placeName(
   { firstInstance, nodes }: DrawnSkeleton,
   positions: Float64Array,
-  toClip: Matrix4,
+  toTake: Matrix4,
   width: number,
   height: number,
   out: Float64Array,
 ): boolean {
-  const m = toClip.elements;
+  const m = toTake.elements;
   const step = Math.ceil(nodes.count / MAX_JOINTS);
   let sum = 0;
   let count = 0;

@@ -67,7 +67,7 @@ export class Labels {
   private wrote = false;
   /** Kept free of names in this frame. */
   private free: readonly ScreenBox[] = [];
-  private readonly toClip = new Matrix4();
+  private readonly toTake = new Matrix4();
   /** Screen x, y and depth of each candidate. */
   private readonly screen = new Float32Array(3 * CANDIDATES);
   /** Index in `drawn` and in `names`, and instance, of each candidate. */
@@ -139,7 +139,7 @@ export class Labels {
     this.canvas.style.visibility = nothing ? 'hidden' : '';
     this.wrote = !nothing;
     if (nothing) return;
-    this.toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    this.toTake.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
     this.writeCharacters(positions, theme);
     for (const instance of this.always) this.writeAlways(instance, positions, theme);
@@ -205,7 +205,7 @@ export class Labels {
 
   private writeCharacter(c: number, positions: Float64Array, color: string): void {
     const { place, characterNames } = this;
-    if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
+    if (!placeName(this.drawn[c], positions, this.toTake, this.width, this.height, place)) return;
     characterNames[c] ??= this.measure(this.drawn[c].name ?? '');
     const name = characterNames[c];
     // A name behind the axis widget is better than none.
@@ -299,7 +299,7 @@ export class Labels {
 
   /** Writes an instance's screen position to slot `to`; false if it is out of view. */
   private project(positions: Float64Array, instance: number, to: number): boolean {
-    const m = this.toClip.elements;
+    const m = this.toTake.elements;
     const x = positions[3 * instance];
     const y = positions[3 * instance + 1];
     const z = positions[3 * instance + 2];

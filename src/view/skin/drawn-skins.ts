@@ -53,7 +53,7 @@ const FIRST_CAPACITY = 4;
 
 /** Scratch, never escapes. */
 const toView = new Matrix4();
-const toClip = new Matrix4();
+const toTake = new Matrix4();
 const frustum = new Frustum();
 const sphere = new Sphere();
 
@@ -125,7 +125,7 @@ export class DrawnSkins {
       this.seenFrom.copy(matrixWorldInverse);
       this.instances.forEach(this.place);
     }
-    frustum.setFromProjectionMatrix(toClip.multiplyMatrices(camera.projectionMatrix, matrixWorldInverse));
+    frustum.setFromProjectionMatrix(toTake.multiplyMatrices(camera.projectionMatrix, matrixWorldInverse));
     for (const batch of this.batches.values()) batch.arrange(matrixWorldInverse, mayCast);
   }
 

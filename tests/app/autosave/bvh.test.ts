@@ -60,16 +60,16 @@ describe('a kept session with motion capture', () => {
     const { state } = await again(store);
     const [before, after] = [page.document.characters[0], state.document.characters[0]];
     expect(after.skeleton).toEqual(before.skeleton);
-    expect(after.clips[0].samples?.values).toEqual(before.clips[0].samples?.values);
+    expect(after.takes[0].samples?.values).toEqual(before.takes[0].samples?.values);
   });
 
   it('stores edited samples once, and which of them are saved', async () => {
     const { store, page, unsaved, keeper } = await openedPage();
     const [character] = page.document.characters;
-    const [clip] = character.clips;
-    if (!clip.samples) throw new Error('There are samples.');
-    const values = clip.samples.values.map((v) => v + 1);
-    const edited = { ...character, clips: [{ ...clip, samples: { ...clip.samples, values } }] };
+    const [take] = character.takes;
+    if (!take.samples) throw new Error('There are samples.');
+    const values = take.samples.values.map((v) => v + 1);
+    const edited = { ...character, takes: [{ ...take, samples: { ...take.samples, values } }] };
     page.replace('Edit', { ...page.document, characters: [edited] });
     await keeper.save(stateOf(page.document, unsaved.snapshot(page.document)), 1);
     expect(store.lastBytes()).toBe(values.byteLength);
@@ -84,6 +84,6 @@ describe('a kept session with motion capture', () => {
     marks.restore(state.saving as ReturnType<Unsaved['snapshot']>);
     expect(marks.current()).toMatchObject([{ kind: 'bvh', name: 'walk.bvh' }]);
     expect(partsOf(state.document.characters[0])[0]).toMatchObject({ kind: 'bvh', name: 'walk' });
-    expect(state.document.characters[0].clips[0].samples?.values).toEqual(values);
+    expect(state.document.characters[0].takes[0].samples?.values).toEqual(values);
   });
 });

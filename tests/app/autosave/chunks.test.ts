@@ -8,7 +8,7 @@ import type { SessionState } from '../../../src/app/autosave/session-state.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import type { Joint } from '../../../src/model/skeleton/skeleton.ts';
-import type { KeyedChannel } from '../../../src/model/takes/clip.ts';
+import type { KeyedChannel } from '../../../src/model/takes/take.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import { character, documentOf, skeleton, takeOfValues } from '../../helpers/builders.ts';
@@ -26,7 +26,7 @@ const keys = (count: number) => Array.from({ length: count }, (_, i) => key(i));
 function stateOf(...takes: readonly (readonly KeyedChannel[])[]): SessionState {
   return {
     document: documentOf(
-      character({ clips: takes.map((channels, i) => ({ ...takeOfValues(`take ${i}`, []), channels })) }),
+      character({ takes: takes.map((channels, i) => ({ ...takeOfValues(`take ${i}`, []), channels })) }),
     ),
     selection: NOTHING_SELECTED,
     transport: DEFAULT_PLAYBACK,
@@ -101,7 +101,7 @@ describe('chunks', () => {
     await keeper.save(stateOf(channels, channels), 2);
     expect(store.sessions.get('s')?.chunks.size).toBe(before);
     const { state } = await readBack(store);
-    const [one, other] = state.document.characters[0].clips;
+    const [one, other] = state.document.characters[0].takes;
     expect(one.channels[499]).toBe(other.channels[499]);
   });
 
@@ -178,7 +178,7 @@ describe('chunks', () => {
           expectSame(back.state, last);
           if (save === 'restore') {
             keeper = back.keeper();
-            takes = back.state.document.characters[0].clips.map(({ channels }) => channels as KeyedChannel[]);
+            takes = back.state.document.characters[0].takes.map(({ channels }) => channels as KeyedChannel[]);
           }
         }
         // Nothing is left of what was.

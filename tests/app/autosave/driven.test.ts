@@ -8,7 +8,7 @@ import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
-import { type Character, type Document, EMPTY_DOCUMENT, shownClip } from '../../../src/model/document.ts';
+import { type Character, type Document, EMPTY_DOCUMENT, shownTake } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
@@ -62,15 +62,15 @@ it('restores a retargeted character, which still follows edits of its source', a
   const next = new Store();
   next.replace('Restore', await reloaded(page.document, origins));
   const [source, driven] = next.document.characters;
-  const seconds = (shownClip(source)?.range[1] ?? 0) * 0.3;
+  const seconds = (shownTake(source)?.range[1] ?? 0) * 0.3;
   expect(poseOf(driven, seconds)).toEqual(poseOf(page.document.characters[1], seconds));
   expect(poseOf(driven, seconds).some((v) => Math.abs(v) > 0.05 && v !== 1)).toBe(true);
   // Not a copy: the same skeleton and samples, stored once.
   expect(driven.driver?.source.skeleton).toBe(source.skeleton);
-  expect(driven.driver?.source.clip).toBe(shownClip(source));
+  expect(driven.driver?.source.take).toBe(shownTake(source));
 
   next.apply(cropSamples, { characterId: source.id, from: seconds, to: 2 * seconds });
   const [cropped, following] = next.document.characters;
-  expect(shownClip(cropped)?.range).not.toEqual(shownClip(source)?.range);
-  expect(following.driver?.source.clip).toBe(shownClip(cropped));
+  expect(shownTake(cropped)?.range).not.toEqual(shownTake(source)?.range);
+  expect(following.driver?.source.take).toBe(shownTake(cropped));
 });

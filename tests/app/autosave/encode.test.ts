@@ -6,7 +6,7 @@ import type { Encoded, StorableNumbers } from '../../../src/app/autosave/encoded
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import {
   animFile,
   character,
@@ -120,10 +120,10 @@ describe('encoding a session', () => {
     origins.learn([blob('d/hero.skel'), blob('d/walk.anim')], files);
     const [skel, anim] = files;
     if (skel.kind !== 'skel' || anim.kind !== 'anim') throw new Error('fixtures');
-    const walk = anim.clip;
+    const walk = anim.take;
     const channels = walk.channels.map((c, i) => (i === 2 ? { ...c, values: Float64Array.of(9) } : c));
     const session = documentOf(
-      character({ skeleton: skel.skeletons[0], clips: [{ ...walk, channels }], shownClip: 0, sources: [skel.source] }),
+      character({ skeleton: skel.skeletons[0], takes: [{ ...walk, channels }], shownTake: 0, sources: [skel.source] }),
     );
     const again = read();
     const back = thereAndBack(session, origins, again) as typeof session;
@@ -132,9 +132,9 @@ describe('encoding a session', () => {
     if (newSkel.kind !== 'skel' || newAnim.kind !== 'anim') throw new Error('fixtures');
     expect(back.characters[0].skeleton).toBe(newSkel.skeletons[0]);
     expect(back.characters[0].sources[0]).toBe(newSkel.source);
-    expect(back.characters[0].clips[0].channels[1]).toBe(newAnim.clip.channels[1]);
-    expect(keysOf(back.characters[0].clips[0].channels[2]).times).toBe(keysOf(newAnim.clip.channels[2]).times);
-    expect([...keysOf(back.characters[0].clips[0].channels[2]).values]).toEqual([9]);
+    expect(back.characters[0].takes[0].channels[1]).toBe(newAnim.take.channels[1]);
+    expect(keysOf(back.characters[0].takes[0].channels[2]).times).toBe(keysOf(newAnim.take.channels[2]).times);
+    expect([...keysOf(back.characters[0].takes[0].channels[2]).values]).toEqual([9]);
   });
 
   it('refuses if a file reads differently than before', () => {

@@ -11,7 +11,7 @@ import { adoptSkinFacts, skinFacts } from '../../../src/evaluate/skin/bounds.ts'
 import type { Document } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
-import type { Channel, KeyedChannel } from '../../../src/model/takes/clip.ts';
+import type { Channel, KeyedChannel } from '../../../src/model/takes/take.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import type { Runs } from '../../../src/worker/client.ts';
 import { parse } from '../../../src/worker/parse.ts';
@@ -60,7 +60,7 @@ function channel(keys: number, first = 0): KeyedChannel {
 }
 
 const animated = (channels: readonly Channel[]) =>
-  documentOf(character({ clips: [{ ...takeOfValues('walk', []), channels }], shownClip: 0 }));
+  documentOf(character({ takes: [{ ...takeOfValues('walk', []), channels }], shownTake: 0 }));
 
 async function opened(store: MemoryStore, ...blobs: GivenBlob[]) {
   const origins = new Origins();
@@ -134,7 +134,7 @@ describe('a session', () => {
     const [hero] = back.state.document.characters;
     await next.save(stateOf(documentOf({ ...hero, name: 'other' })), 2);
     expect(store.writes[1]).toMatchObject({ files: [], pieces: [], goneFiles: [], gonePieces: [] });
-    await next.save(stateOf(documentOf({ ...hero, clips: [] })), 3);
+    await next.save(stateOf(documentOf({ ...hero, takes: [] })), 3);
     expect(store.sessions.get('s')?.pieces.size).toBe(0);
     expect(store.sessions.get('s')?.files.size).toBe(1);
     await next.save(stateOf(documentOf(character())), 4);

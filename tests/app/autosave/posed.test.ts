@@ -98,7 +98,7 @@ it('restores markers, and what is said about takes in review, with what of it a 
     state.areSaved(store.document.review ?? []);
     store.apply(setReview, { paths: ['lab/b.bvh'], review: { verdict: 'bad' } });
   }, TAKE);
-  expect(after.clips[0].markers).toEqual(MARKERS);
+  expect(after.takes[0].markers).toEqual(MARKERS);
   expect(unsaved.current().map(({ name }) => name)).toEqual(['walk.markers.json']);
   const [a, b] = document.review ?? [];
   expect(a).toEqual({ path: 'lab/a.bvh', ...said });

@@ -183,7 +183,7 @@ const documentOf = (page: Page) =>
   page.evaluate(() =>
     window.marrow
       .characters()
-      .map((c) => [c.id, c.joints.length, c.skins.length, c.morphs.length, c.clips.length, c.vertexCount].join())
+      .map((c) => [c.id, c.joints.length, c.skins.length, c.morphs.length, c.takes.length, c.vertexCount].join())
       .join(';'),
   );
 

@@ -213,11 +213,11 @@ async function checkImport({ subject, bytes }: Input, imports: NonNullable<Forma
       tell('finite', path);
       continue;
     }
-    const { skeleton, skins, morphs, clips } = character;
+    const { skeleton, skins, morphs, takes } = character;
     checkWritten({ kind: 'skel', skeletons: [skeleton] }, 'x.skel', tell, false);
     for (const skin of skins) checkWritten({ kind: 'skin', skin }, 'x.skin', tell, false);
     for (const morph of morphs) checkWritten({ kind: 'morph', morph }, 'x.morph', tell, false);
-    for (const clip of clips) checkWritten({ kind: 'anim', clip }, 'x.anim', tell, false);
+    for (const take of takes) checkWritten({ kind: 'anim', take }, 'x.anim', tell, false);
   }
 }
 

@@ -23,7 +23,7 @@ describe('scenes on a GPU', () => {
       const { scene, document, diagnostics, read } = await opened(name);
       expect([...read, ...diagnostics].filter(({ severity }) => severity !== 'info')).toEqual([]);
       expect(document.characters.length).toBe(scene?.characters);
-      for (const { clips } of document.characters) expect(clips.length).toBe(1);
+      for (const { takes } of document.characters) expect(takes.length).toBe(1);
     },
   );
 

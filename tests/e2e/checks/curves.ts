@@ -1,10 +1,10 @@
 /** The drawn curves against the evaluator: every coloured pixel is on its curve, and the curve is complete. */
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
-import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { readAnim } from '../../../src/formats/anim/read.ts';
-import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf, type Take } from '../../../src/model/takes/take.ts';
 import type { Check } from '../../helpers/check.ts';
 import { dropFiles, type Pixels, readPixels } from '../../helpers/page.ts';
 
@@ -61,14 +61,14 @@ export function drop(name: string, text: string | Uint8Array) {
   };
 }
 
-export async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> {
+export async function expectDrawn(page: Page, take: Take): Promise<void> {
   const box = await plotBox(page);
   const picture = await readPixels(page, box);
   const { timeAt, xOf, yOf } = await mapping(page, box.x, box.y);
-  const curves = compileClip(clip);
-  const edges = clip.range.map(xOf);
+  const curves = compileTake(take);
+  const edges = take.range.map(xOf);
   const top = 1;
-  clip.channels.map(keysOf).forEach(({ times }, channel) => {
+  take.channels.map(keysOf).forEach(({ times }, channel) => {
     let solid = 0;
     let dotted = 0;
     let gaps = 0;
@@ -87,7 +87,7 @@ export async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> 
       const stray = rows.filter((y) => y + 1 < low - HALF_LINE_PIXELS || y > high + HALF_LINE_PIXELS);
       expect(stray, `channel ${channel} at ${timeAt(x)} s, drawn at ${rows}, is ${low} to ${high}`).toEqual([]);
       const inside = timeAt(x) > times[0] && timeAt(x + 1) < times[times.length - 1];
-      const visible = low > top && high < picture.height && !coveredByKey(clip, channel, x, xOf);
+      const visible = low > top && high < picture.height && !coveredByKey(take, channel, x, xOf);
       if (!visible) continue;
       if (inside) {
         solid++;
@@ -103,15 +103,15 @@ export async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> 
 }
 
 /** Keys and other curves cover the line. */
-function coveredByKey(clip: ChannelClip, channel: number, x: number, xOf: (time: number) => number): boolean {
-  return clip.channels.map(keysOf).some(({ times }, c) => {
+function coveredByKey(take: Take, channel: number, x: number, xOf: (time: number) => number): boolean {
+  return take.channels.map(keysOf).some(({ times }, c) => {
     const near = Array.from(times).some((time) => Math.abs(xOf(time) - x) < 8);
-    return near || (c > channel && crosses(clip, channel, c, x, xOf));
+    return near || (c > channel && crosses(take, channel, c, x, xOf));
   });
 }
 
-function crosses(clip: ChannelClip, a: number, b: number, x: number, xOf: (time: number) => number): boolean {
-  const curves = compileClip(clip);
+function crosses(take: Take, a: number, b: number, x: number, xOf: (time: number) => number): boolean {
+  const curves = compileTake(take);
   const perPixel = 1 / (xOf(1) - xOf(0));
   const time = (x - xOf(0)) * perPixel;
   const gap = evaluateChannel(curves, a, time) - evaluateChannel(curves, b, time);
@@ -131,9 +131,9 @@ export const CURVES: readonly Check[] = [
     name: 'draws steps, tangents and extrapolations where the evaluator says',
     async run({ page }) {
       await drop('own.anim', OWN)(page);
-      const clip = readAnim(OWN, 'own.anim').value;
-      if (!clip) throw new Error('The fixture is broken.');
-      await expectDrawn(page, clip);
+      const take = readAnim(OWN, 'own.anim').value;
+      if (!take) throw new Error('The fixture is broken.');
+      await expectDrawn(page, take);
     },
   },
   {

@@ -95,7 +95,7 @@ export const BY_HAND: readonly Check[] = [
     async run({ page }) {
       await openArm(page);
       await dropFiles(page, [{ name: 'raise.anim', bytes: RAISE }]);
-      await page.waitForFunction(() => window.marrow.characters()[0].clips.length === 1);
+      await page.waitForFunction(() => window.marrow.characters()[0].takes.length === 1);
       await page.evaluate(() => {
         window.marrow.pause();
         window.marrow.seek(0);

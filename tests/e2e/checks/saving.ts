@@ -31,7 +31,7 @@ export const shown = (page: Page, name = 'hero') =>
   page.waitForFunction((n) => window.marrow?.characters().some((c) => c.name === n), name);
 export const titled = (page: Page, title: string) => page.waitForFunction((wanted) => document.title === wanted, title);
 export const setRange = (page: Page, end: number) =>
-  page.evaluate((seconds) => window.marrow.run('clip.setRange', { range: [0, seconds] }), end);
+  page.evaluate((seconds) => window.marrow.run('take.setRange', { range: [0, seconds] }), end);
 export const firstName = async (page: Page) => {
   await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
   return page.evaluate(() => window.marrow.characters()[0].name);

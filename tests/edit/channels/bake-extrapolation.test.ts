@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { unrolled, withExtrapolationBaked } from '../../../src/edit/channels/bake-extrapolation.ts';
 import { CommandError } from '../../../src/edit/command-error.ts';
-import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import {
   type Channel,
@@ -10,7 +10,7 @@ import {
   type Extrapolation,
   type KeyedChannel,
   keysOf,
-} from '../../../src/model/takes/clip.ts';
+} from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, valueAt } from '../keys/channels.ts';
 

@@ -13,8 +13,8 @@ import {
 } from '../../../src/edit/commands/channels.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
-import { type Document, shownClip } from '../../../src/model/document.ts';
-import { type Channel, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
+import { type Document, shownTake } from '../../../src/model/document.ts';
+import { type Channel, keysOf, restChannel } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint, skeleton } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { channelOf } from '../keys/channels.ts';
@@ -32,10 +32,10 @@ const calm = channelOf([
 
 /** Root translation, then rx ry rz of two joints. */
 function documentWith(...channels: Channel[]) {
-  const clip = { name: 'walk', range: [0, 2] as const, channels };
-  return documentOf(character({ skeleton: skeleton(2), clips: [clip], shownClip: 0 }));
+  const take = { name: 'walk', range: [0, 2] as const, channels };
+  return documentOf(character({ skeleton: skeleton(2), takes: [take], shownTake: 0 }));
 }
-const channelsOf = (document: ReturnType<typeof documentWith>) => shownClip(document.characters[0])?.channels ?? [];
+const channelsOf = (document: ReturnType<typeof documentWith>) => shownTake(document.characters[0])?.channels ?? [];
 const none = restChannel();
 
 describe('simplifying curves', () => {
@@ -165,14 +165,14 @@ describe('the Euler filter over a character', () => {
     const before = documentOf(
       character({
         skeleton: { name: 'hero', joints: [free, screw, hinge, follower] },
-        clips: [
+        takes: [
           {
             name: 'turns',
             range: [0, 1],
             channels: [none, none, none, turn(flipped.x), turn(flipped.y), turn(flipped.z), jumping, jumping, jumping],
           },
         ],
-        shownClip: 0,
+        shownTake: 0,
       }),
     );
     const { channels, notes } = filteredBy(before, { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] });

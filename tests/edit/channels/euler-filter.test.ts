@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { filterRotations, keyedTogether, keysChanged, unrollAngle } from '../../../src/edit/channels/euler-filter.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
 import { EULER_ORDERS, type EulerOrder } from '../../../src/model/skeleton/skeleton.ts';
-import type { KeyedChannel } from '../../../src/model/takes/clip.ts';
+import type { KeyedChannel } from '../../../src/model/takes/take.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { channelOf, pointsOf, slopesAt } from '../keys/channels.ts';
 

@@ -1,7 +1,7 @@
 /** Measuring by brute force, independently of how the code does it. */
-import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import type { Channel } from '../../../src/model/takes/clip.ts';
+import type { Channel } from '../../../src/model/takes/take.ts';
 
 /** The largest difference of two channels at even times, leaving out both ends. */
 export function largestSampled(a: Channel, b: Channel, from: number, to: number, count: number): number {

@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { simplifyChannel } from '../../../src/edit/channels/simplify.ts';
-import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf } from '../../../src/model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf } from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
-import { referenceClip } from '../../helpers/reference.ts';
+import { referenceTake } from '../../helpers/reference.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { channelOf, channels, pointsOf, rowsOf, slopesAt, type Tangent, valueAt } from '../keys/channels.ts';
 import { largestSampled } from './sampled.ts';
@@ -203,13 +203,13 @@ describe('simplifying', () => {
 
 describeShared('simplifying the walk of the wasp', () => {
   it.each([0.001, 0.01, 0.1])('simplifying the walk of the wasp stays within %d of every curve', (tolerance) => {
-    const clip = referenceClip('data/cse169/wasp_walk.anim');
-    const keyed = clip.channels.filter((c) => c.kind === 'keys');
-    expect(keyed).toHaveLength(clip.channels.length);
-    const before = compileClip(clip);
+    const take = referenceTake('data/cse169/wasp_walk.anim');
+    const keyed = take.channels.filter((c) => c.kind === 'keys');
+    expect(keyed).toHaveLength(take.channels.length);
+    const before = compileTake(take);
     const done = keyed.map((c) => simplifyChannel(c, tolerance));
-    const after = compileClip({ ...clip, channels: done.map((d) => d.channel) });
-    for (let c = 0; c < clip.channels.length; c++) {
+    const after = compileTake({ ...take, channels: done.map((d) => d.channel) });
+    for (let c = 0; c < take.channels.length; c++) {
       const { times } = keyed[c];
       for (let i = 0; i <= 2000; i++) {
         const t = times[0] + (i / 2000) * (times[times.length - 1] - times[0]);

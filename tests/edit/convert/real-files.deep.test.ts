@@ -29,13 +29,13 @@ function throughFile(content: FileContent, name: string): FileContent {
   return value;
 }
 
-function asSkelAndAnim({ skeleton, clip }: CapturedFigure): CapturedFigure {
+function asSkelAndAnim({ skeleton, take }: CapturedFigure): CapturedFigure {
   const own = skelOf({ skeleton, pose: filePose(skeleton, 0) });
   if (!own) throw new Error('There is a skeleton.');
   const skel = throughFile({ kind: 'skel', skeletons: [own] }, 'x.skel');
-  const anim = clip && throughFile({ kind: 'anim', clip: animOf({ skeleton }, clip) }, 'x.anim');
+  const anim = take && throughFile({ kind: 'anim', take: animOf({ skeleton }, take) }, 'x.anim');
   if (skel.kind !== 'skel' || (anim && anim.kind !== 'anim')) throw new Error('Files are of the kind asked for.');
-  return { skeleton: skel.skeletons[0], ...(anim && { clip: anim.clip }) };
+  return { skeleton: skel.skeletons[0], ...(anim && { take: anim.take }) };
 }
 
 function throughBvh(figure: CapturedFigure, framesPerSecond: number): CapturedFigure {
@@ -59,13 +59,13 @@ describeShared('a real .bvh as .skel and .anim', () => {
         const times = someFrames(figure);
         const there = asSkelAndAnim(figure);
         const toSkel = worstDistance(characterOf(figure), characterOf(there), times) / height;
-        const back = throughBvh(there, 1 / (figure.clip?.samples?.frameSeconds ?? 1));
+        const back = throughBvh(there, 1 / (figure.take?.samples?.frameSeconds ?? 1));
         const roundTrip = worstDistance(characterOf(figure), characterOf(back), times) / height;
         const again = asSkelAndAnim(back);
         const secondTrip = worstDistance(characterOf(there), characterOf(again), times) / height;
         if (process.env.SAY_ERRORS) console.log(name, toSkel, roundTrip, secondTrip);
         expect(Math.max(toSkel, roundTrip, secondTrip)).toBeLessThan(TOLERANCE);
-        expect(back.clip?.samples?.frameCount).toBe(figure.clip?.samples?.frameCount);
+        expect(back.take?.samples?.frameCount).toBe(figure.take?.samples?.frameCount);
         expect(back.skeleton.joints).toHaveLength(figure.skeleton.joints.length);
       }
     },

@@ -6,14 +6,14 @@ import type { CapturedFigure } from '../../../src/model/files.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { character } from '../../helpers/builders.ts';
 
-/** A character that plays the figure's clip. */
-export function characterOf({ skeleton, clip }: CapturedFigure): Character {
+/** A character that plays the figure's take. */
+export function characterOf({ skeleton, take }: CapturedFigure): Character {
   return character({
     name: skeleton.name,
     skeleton,
     pose: filePose(skeleton, 0),
-    clips: clip ? [clip] : [],
-    shownClip: clip ? 0 : -1,
+    takes: take ? [take] : [],
+    shownTake: take ? 0 : -1,
   });
 }
 
@@ -53,9 +53,9 @@ export function worstDistance(a: Character, b: Character, seconds: readonly numb
   return worst;
 }
 
-/** The times of a clip's frames; only frame 0 if it has none. */
-export function frameTimes({ clip }: CapturedFigure): readonly number[] {
-  const samples = clip?.samples;
+/** The times of a take's frames; only frame 0 if it has none. */
+export function frameTimes({ take }: CapturedFigure): readonly number[] {
+  const samples = take?.samples;
   if (!samples) return [0];
   return Array.from({ length: samples.frameCount }, (_, f) => samples.startSeconds + f * samples.frameSeconds);
 }

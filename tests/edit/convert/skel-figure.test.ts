@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { keyedClip } from '../../../src/edit/convert/keys-of-samples.ts';
+import { keyedTake } from '../../../src/edit/convert/keys-of-samples.ts';
 import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/files/save/character-files.ts';
 import type { CapturedFigure } from '../../../src/model/files.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { anyFigure } from './figures.ts';
 import { characterOf, frameTimes, worstDistance } from './round-trip.ts';
@@ -13,8 +13,8 @@ import { characterOf, frameTimes, worstDistance } from './round-trip.ts';
 /** `.skel` and `.anim` of a figure, as a character. */
 function skelAndAnim(figure: CapturedFigure) {
   const skeleton = skelOf({ skeleton: figure.skeleton, pose: filePose(figure.skeleton, 0) });
-  if (!skeleton || !figure.clip) throw new Error('There is a skeleton and a clip.');
-  return characterOf({ skeleton, clip: animOf(figure, figure.clip) });
+  if (!skeleton || !figure.take) throw new Error('There is a skeleton and a take.');
+  return characterOf({ skeleton, take: animOf(figure, figure.take) });
 }
 
 const angle = fc.double({ min: -400, max: 400, noNaN: true });
@@ -70,7 +70,7 @@ describe('BVH as .skel and .anim', () => {
     fc.assert(
       fc.property(anyFigure(angle), (figure) => {
         const there = skelAndAnim(figure);
-        const [{ figure: back }] = bvhOf(there, 1 / (figure.clip?.samples?.frameSeconds ?? 1));
+        const [{ figure: back }] = bvhOf(there, 1 / (figure.take?.samples?.frameSeconds ?? 1));
         expect(worstDistance(there, characterOf(back), frameTimes(back))).toBeLessThan(1e-7);
       }),
     );
@@ -78,8 +78,8 @@ describe('BVH as .skel and .anim', () => {
 
   it('gives keys that do not spin: an angle that jumps by a whole turn is unrolled', () => {
     const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[170], [-175], [-160]]);
-    if (!figure.clip) throw new Error('There is a clip.');
-    const { channels, samples } = keyedClip(figure.clip, figure.skeleton);
+    if (!figure.take) throw new Error('There is a take.');
+    const { channels, samples } = keyedTake(figure.take, figure.skeleton);
     expect(samples).toBeUndefined();
     expect(Array.from(keysOf(channels[3]).values, (v) => Math.round((v * 180) / Math.PI))).toEqual([170, 185, 200]);
   });
@@ -87,9 +87,9 @@ describe('BVH as .skel and .anim', () => {
   it('BVH as .skel and .anim keeps only the keys that a tolerance asks for', () => {
     const rows = Array.from({ length: 100 }, (_, f) => [10 * Math.sin(f / 20)]);
     const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, rows);
-    if (!figure.clip) throw new Error('There is a clip.');
-    const all = keyedClip(figure.clip, figure.skeleton);
-    const few = keyedClip(figure.clip, figure.skeleton, { tolerance: 0.001 });
+    if (!figure.take) throw new Error('There is a take.');
+    const all = keyedTake(figure.take, figure.skeleton);
+    const few = keyedTake(figure.take, figure.skeleton, { tolerance: 0.001 });
     expect(keysOf(all.channels[3]).times).toHaveLength(100);
     expect(keysOf(few.channels[3]).times.length).toBeLessThan(20);
   });

@@ -1,25 +1,25 @@
 import { describe, expect, it } from 'vitest';
 import { lockFeet, lockFeetSteps } from '../../../src/edit/commands/take-edits.ts';
 import { framesBetween } from '../../../src/edit/samples/frames.ts';
-import { clipOfFrames, readFrame } from '../../../src/edit/samples/take-frames.ts';
+import { readFrame, takeOfFrames } from '../../../src/edit/samples/take-frames.ts';
 import { feetOf } from '../../../src/evaluate/foot-contacts.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { metresPerUnit } from '../../../src/evaluate/space/metres.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { formatOf } from '../../../src/files/readers.ts';
-import { type Character, EMPTY_DOCUMENT, shownClip } from '../../../src/model/document.ts';
+import { type Character, EMPTY_DOCUMENT, shownTake } from '../../../src/model/document.ts';
 import { read } from '../../formats/read-in-pieces.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { sliding } from './sliding.ts';
 
-const takes = [{ characterId: 'c1', clip: 0 }];
+const takes = [{ characterId: 'c1', take: 0 }];
 
 /** How far a joint gets from its mean place between two times of the shown take; metres. */
 function slideOf(character: Character, joint: number, from: number, to: number): number {
-  const samples = shownClip(character)?.samples;
+  const samples = shownTake(character)?.samples;
   if (!samples || !character.skeleton) throw new Error('no samples');
   const compiled = compileSkeleton(character.skeleton);
   const dofs = new Float64Array(samples.scales.length);
@@ -44,7 +44,7 @@ describe('locking feet', () => {
       expect(slideOf(hero, ball, 0, 1.1)).toBeGreaterThan(0.02);
       expect(slideOf(after, ball, 0, 1.1)).toBeLessThan(1e-6);
     }
-    const [was, is] = [hero, after].map((c) => shownClip(c)?.samples?.values ?? new Float64Array(0));
+    const [was, is] = [hero, after].map((c) => shownTake(c)?.samples?.values ?? new Float64Array(0));
     // The hips have 6 channels, the head the last 3 of 33.
     for (let f = 0; f < 12; f++) {
       expect(is.slice(33 * f, 33 * f + 6)).toEqual(was.slice(33 * f, 33 * f + 6));
@@ -75,12 +75,12 @@ describeShared('locking feet of real takes', () => {
       if (!value) throw new Error(`${name} was not read.`);
       const source = { name, path: name, bytes: 1 };
       const [opened] = openFiles(EMPTY_DOCUMENT, [{ ...value, source }], []).document.characters;
-      const [whole] = opened.clips;
+      const [whole] = opened.takes;
       if (!whole.samples) throw new Error(`${name} has no samples.`);
-      const clip = clipOfFrames(whole, framesBetween(whole.samples, 0, Math.min(150, whole.samples.frameCount)));
-      const hero = { ...opened, clips: [clip] };
+      const take = takeOfFrames(whole, framesBetween(whole.samples, 0, Math.min(150, whole.samples.frameCount)));
+      const hero = { ...opened, takes: [take] };
       const { document, contacts, unreached } = runToEnd(
-        lockFeetSteps(documentOf(hero), { takes: [{ characterId: hero.id, clip: 0 }] }),
+        lockFeetSteps(documentOf(hero), { takes: [{ characterId: hero.id, take: 0 }] }),
       );
       expect(contacts.length).toBeGreaterThan(0);
       expect(unreached).toBe(0);

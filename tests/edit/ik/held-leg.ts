@@ -7,7 +7,7 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { type Channel, type ChannelClip, restChannel } from '../../../src/model/takes/clip.ts';
+import { type Channel, restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { channelOf } from '../keys/channels.ts';
 
@@ -30,7 +30,7 @@ export const swing = (height: number, phase: number): Channel =>
   channelOf(Array.from({ length: 9 }, (_, k) => [k / 4, height * Math.sin(1.5 * k + phase)] as const));
 
 /** Bent at the knee, swinging; two seconds. */
-export function walk(): ChannelClip {
+export function walk(): Take {
   const all: Channel[] = Array.from({ length: 15 }, () => restChannel());
   all[0] = swing(0.1, 0);
   all[3] = swing(0.2, 1);
@@ -40,14 +40,14 @@ export function walk(): ChannelClip {
 }
 
 export function store(more: Partial<Character> = {}): Store {
-  const made = new Store(documentOf(character({ skeleton: LEG, clips: [walk()], shownClip: 0, ...more })));
+  const made = new Store(documentOf(character({ skeleton: LEG, takes: [walk()], shownTake: 0, ...more })));
   made.apply(pinPoint, { characterId: 'c1', joint: FOOT, point: [0, 0, 0] });
   return made;
 }
 
 export const HOLD: HoldPins = { characterId: 'c1', pins: [1], range: [0.5, 1], atSeconds: 0.5, framesPerSecond: 30 };
 export const shown = (s: Store): Character => s.document.characters[0];
-export const clipOf = (s: Store): ChannelClip => shown(s).clips[0];
+export const takeOf = (s: Store): Take => shown(s).takes[0];
 
 export function footAt(c: Character, seconds: number, j = FOOT, point: Vec3 = [0, 0, 0]): Vec3 {
   if (!c.skeleton) throw new Error('no skeleton');

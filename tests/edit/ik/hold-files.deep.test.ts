@@ -9,7 +9,7 @@ import { defaultPinPoint } from '../../../src/evaluate/ik/pin-points.ts';
 import { reachOfSkeleton } from '../../../src/evaluate/ik/set-up.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
-import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../../src/model/document.ts';
+import { type Character, EMPTY_DOCUMENT, shownSkin, shownTake } from '../../../src/model/document.ts';
 import { character, documentOf } from '../../helpers/builders.ts';
 import { describeShared, sharedPath } from '../../helpers/shared.ts';
 
@@ -42,22 +42,22 @@ function expectHeld(own: Character, { joints, range, tolerance }: Asked): void {
   expect(report.unreached).toBe(0);
   expect(worst('slideBefore')).toBeGreaterThan(0.05 * reach);
   expect(worst('slideAfter')).toBeLessThan(tolerance * reach);
-  const [before, after] = [shownClip(own), shownClip(edit.document.characters[0])];
+  const [before, after] = [shownTake(own), shownTake(edit.document.characters[0])];
   const changed = after?.channels.flatMap((channel, c) => (channel === before?.channels[c] ? [] : [c])) ?? [];
   expect(report.channels).toEqual(expect.arrayContaining(changed));
   expect(document).not.toBe(pinned);
 }
 
 describe('the walker', () => {
-  const { skeleton, skin, morphs, clip } = walkerSample();
+  const { skeleton, skin, morphs, take } = walkerSample();
   const skins = skin ? [skin] : [];
   const walker = character({
     name: 'walker',
     skeleton,
     skins,
     morphs,
-    clips: clip ? [clip] : [],
-    shownClip: 0,
+    takes: take ? [take] : [],
+    shownTake: 0,
   });
 
   it('the walker keeps a foot in place that would move on', () => {

@@ -4,16 +4,16 @@ import { describe, expect, it } from 'vitest';
 import { holdPins } from '../../../src/edit/commands/hold.ts';
 import {
   type Channel,
-  type ChannelClip,
   type KeyedChannel,
   keysOf,
   restChannel,
   SAMPLED,
-} from '../../../src/model/takes/clip.ts';
+  type Take,
+} from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { evenly } from '../dice.ts';
 import { channelOf, channels } from '../keys/channels.ts';
-import { apart, clipOf, footAt, HOLD, LEG, REACH, shown, slide, store, TOLERANCE, valuesAt, walk } from './held-leg.ts';
+import { apart, footAt, HOLD, LEG, REACH, shown, slide, store, TOLERANCE, takeOf, valuesAt, walk } from './held-leg.ts';
 
 describe('takes of other kinds', () => {
   it('takes of other kinds that repeat are baked over the playback range, and continue as before', () => {
@@ -23,7 +23,7 @@ describe('takes of other kinds', () => {
       const kind = c === 0 ? 'cycle_offset' : 'cycle';
       return { ...channel, extrapolateIn: kind, extrapolateOut: kind };
     });
-    const s = store({ clips: [{ ...looped, range: [0, 6], channels: all }] });
+    const s = store({ takes: [{ ...looped, range: [0, 6], channels: all }] });
     const before = shown(s);
     const place = footAt(before, 2.5);
     s.apply(holdPins, { ...HOLD, range: [2.4, 2.8], atSeconds: 2.5 });
@@ -46,26 +46,26 @@ describe('takes of other kinds', () => {
     const scales = Float64Array.from({ length: 15 }, (_, c) => (c < 3 ? 1 : Math.PI / 180));
     const samples = { frameCount: rows, frameSeconds: 1 / 30, startSeconds: 0, firstChannel: 0, values, scales };
     const channels = Array.from({ length: 15 }, () => SAMPLED);
-    const clip: ChannelClip = {
+    const take: Take = {
       name: 'take',
       range: [0, 2],
       channels,
       samples: { ...samples, interpolation: 'linear' },
     };
-    const s = store({ clips: [clip] });
+    const s = store({ takes: [take] });
     const place = footAt(shown(s), 0.5);
     s.apply(holdPins, HOLD);
-    const now = clipOf(s).samples?.values ?? values;
+    const now = takeOf(s).samples?.values ?? values;
     const framesChanged = Array.from({ length: rows }, (_, f) => f).filter((f) =>
       now.subarray(15 * f, 15 * f + 15).some((value, c) => value !== values[15 * f + c]),
     );
     // Held are frames 15 to 30; three on either side go there and back, of which the outermost gets nothing.
     expect([framesChanged[0], framesChanged[framesChanged.length - 1]]).toEqual([13, 32]);
-    expect(clipOf(s).channels).toEqual(channels);
+    expect(takeOf(s).channels).toEqual(channels);
     for (let f = 15; f <= 30; f++) expect(apart(footAt(shown(s), f / 30), place)).toBeLessThan(1e-4 * REACH);
     expect(slide(shown(s), place, 0.5, 1)).toBeLessThan(2 * TOLERANCE);
     s.undo();
-    expect(clipOf(s)).toBe(clip);
+    expect(takeOf(s)).toBe(take);
   });
 
   it('takes of other kinds with quaternions keep to one side of them', () => {
@@ -84,7 +84,7 @@ describe('takes of other kinds', () => {
       all[3 + 4 * j + 3] = channelOf(Array.from({ length: 9 }, (_, k) => [k / 4, -Math.cos(turn(k))] as const));
     }
     all[14] = restChannel(1);
-    const s = store({ skeleton: { ...LEG, joints }, clips: [{ name: 'turning', range: [0, 2], channels: all }] });
+    const s = store({ skeleton: { ...LEG, joints }, takes: [{ name: 'turning', range: [0, 2], channels: all }] });
     const place = footAt(shown(s), 0.5);
     s.apply(holdPins, HOLD);
     expect(slide(shown(s), place, 0.5, 1)).toBeLessThan(TOLERANCE);
@@ -96,7 +96,7 @@ describe('takes of other kinds', () => {
     const place = footAt(shown(s), 0);
     s.apply(holdPins, { ...HOLD, range: [-1, 9], atSeconds: 0 });
     expect(slide(shown(s), place, 0, 2)).toBeLessThan(TOLERANCE);
-    for (const { times } of clipOf(s).channels.map(keysOf))
+    for (const { times } of takeOf(s).channels.map(keysOf))
       for (const time of times) expect(time >= 0 && time <= 2).toBe(true);
   });
 });
@@ -129,7 +129,7 @@ describe('whatever the way', () => {
           ),
         );
         const made = [...all, ...Array.from({ length: 6 }, () => restChannel())];
-        const s = store({ clips: [{ name: 'any', range: [0, 2], channels: made }] });
+        const s = store({ takes: [{ name: 'any', range: [0, 2], channels: made }] });
         const range = [Math.min(a, b), Math.max(a, b)] as const;
         const place = footAt(shown(s), a);
         s.apply(holdPins, { ...HOLD, range, atSeconds: a });
@@ -154,13 +154,13 @@ describe('whatever the curves', () => {
     fc.assert(
       fc.property(some, moment, moment, moment, (given, a, b, at) => {
         const all = [...given.map(small), ...Array.from({ length: 6 }, () => restChannel(0.1))];
-        const s = store({ clips: [{ name: 'any', range: [0, 2], channels: all }] });
+        const s = store({ takes: [{ name: 'any', range: [0, 2], channels: all }] });
         const { document } = s;
         const before = shown(s);
         const range = [Math.min(a, b), Math.max(a, b)] as const;
         s.apply(holdPins, { ...HOLD, range, atSeconds: at, framesPerSecond: 8, easeSeconds: 0.125 });
         const after = shown(s);
-        for (const channel of after.clips[0].channels) checkChannel(channel);
+        for (const channel of after.takes[0].channels) checkChannel(channel);
         // Not at the moments of steps, which have a value of their own.
         for (let t = 0.0123; t < 2; t += 0.0617) {
           if (t > range[0] - 0.13 && t < range[1] + 0.13) continue;

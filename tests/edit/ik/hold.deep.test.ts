@@ -9,13 +9,12 @@ import { Store } from '../../../src/edit/store.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { type Channel, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../src/model/takes/take.ts';
 import { character, documentOf } from '../../helpers/builders.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf } from '../keys/channels.ts';
 import {
   apart,
-  clipOf,
   FOOT,
   footAt,
   HOLD,
@@ -26,6 +25,7 @@ import {
   store,
   swing,
   TOLERANCE,
+  takeOf,
   valuesAt,
   walk,
 } from './held-leg.ts';
@@ -75,9 +75,9 @@ describe('holding a pin over a range of time', () => {
 
   it('keys only what has to change, and little of that', () => {
     const s = store();
-    const before = clipOf(s);
+    const before = takeOf(s);
     s.apply(holdPins, HOLD);
-    const after = clipOf(s);
+    const after = takeOf(s);
     after.channels.forEach((channel, c) => {
       const isArm = c >= 12;
       // Everything moves in one plane, and the foot's own turning moves nothing.
@@ -94,14 +94,14 @@ describe('holding a pin over a range of time', () => {
 
   it('changes no channel and no key without which nothing would slide', () => {
     const s = store();
-    const before = clipOf(s);
+    const before = takeOf(s);
     const { report, edit } = runToEnd(holdSteps(s.document, HOLD));
     const own = edit.document.characters[0];
     const target = footAt(shown(s), 0.5);
     const worstWith = (c: number, channel: Channel) => {
-      const clip = own.clips[0];
-      const channels = clip.channels.map((was, i) => (i === c ? channel : was));
-      return slide({ ...own, clips: [{ ...clip, channels }] }, target, 0.5, 1);
+      const take = own.takes[0];
+      const channels = take.channels.map((was, i) => (i === c ? channel : was));
+      return slide({ ...own, takes: [{ ...take, channels }] }, target, 0.5, 1);
     };
     expect(report.channels.length).toBeGreaterThan(1);
     for (const c of report.channels) expect(worstWith(c, before.channels[c])).toBeGreaterThan(0.5 * TOLERANCE);
@@ -110,7 +110,7 @@ describe('holding a pin over a range of time', () => {
   it('changes nothing where the point slides by less than the tolerance', () => {
     const all = walk().channels.map((channel, c) => (c === 12 ? channel : restChannel(c === 6 ? 0.9 : 0)));
     all[0] = swing(0.3 * TOLERANCE, 0);
-    const s = store({ clips: [{ ...walk(), channels: all }] });
+    const s = store({ takes: [{ ...walk(), channels: all }] });
     const { document } = s;
     expect(slide(shown(s), footAt(shown(s), 0.5), 0.5, 1)).toBeGreaterThan(0.1 * TOLERANCE);
     s.apply(holdPins, HOLD);
@@ -137,7 +137,7 @@ describe('holding a pin over a range of time', () => {
     const { keys = [] } = s.selection;
     expect(keys.length).toBeGreaterThan(1);
     for (const { channel, indices } of keys) {
-      for (const k of indices) expect(keysOf(clipOf(s).channels[channel]).times[k]).toBeGreaterThanOrEqual(0.4 - 1e-9);
+      for (const k of indices) expect(keysOf(takeOf(s).channels[channel]).times[k]).toBeGreaterThanOrEqual(0.4 - 1e-9);
     }
   });
 
@@ -154,7 +154,7 @@ describe('holding a pin over a range of time', () => {
   });
 
   it('changes nothing where the point stays by itself', () => {
-    const s = store({ clips: [{ ...walk(), channels: walk().channels.map(() => restChannel(0.3)) }] });
+    const s = store({ takes: [{ ...walk(), channels: walk().channels.map(() => restChannel(0.3)) }] });
     const { document } = s;
     s.apply(holdPins, HOLD);
     expect(s.document).toBe(document);
@@ -195,9 +195,9 @@ describe('what a hold may move', () => {
     const s = store();
     s.apply(setRootFree, { characterId: 'c1', isFree });
     if (locked.length) s.apply(setStiffness, { characterId: 'c1', joints: locked, stiffness: 'locked' });
-    const before = clipOf(s);
+    const before = takeOf(s);
     s.apply(holdPins, { ...HOLD, range: [0.5, 0.6] });
-    const changed = clipOf(s).channels.flatMap((channel, c) => (channel === before.channels[c] ? [] : [c]));
+    const changed = takeOf(s).channels.flatMap((channel, c) => (channel === before.channels[c] ? [] : [c]));
     expect(changed.length).toBeGreaterThan(0);
     expect(changed.filter(isHeld)).toEqual([]);
   });
@@ -229,7 +229,7 @@ describe('what a hold may move', () => {
       [0, 0],
       [2, 6],
     ]);
-    const gone = store({ clips: [{ ...far, channels }] });
+    const gone = store({ takes: [{ ...far, channels }] });
     gone.apply(setRootFree, { characterId: 'c1', isFree: false });
     const { report, edit } = runToEnd(holdSteps(gone.document, { ...HOLD, range: [0.2, 1.6], atSeconds: 0.2 }));
     expect(report.unreached).toBeGreaterThan(10);
@@ -286,10 +286,10 @@ describe('what can not be held', () => {
   });
 
   it('what can not be held is a character without a take, or one driven by retargeting', () => {
-    refused(store({ clips: [], shownClip: -1 }), {}, 'has no current take');
+    refused(store({ takes: [], shownTake: -1 }), {}, 'has no current take');
     const both = documentOf(
-      character({ skeleton: LEG, clips: [walk()], shownClip: 0 }),
-      character({ id: 's', skeleton: LEG, clips: [walk()], shownClip: 0 }),
+      character({ skeleton: LEG, takes: [walk()], shownTake: 0 }),
+      character({ id: 's', skeleton: LEG, takes: [walk()], shownTake: 0 }),
     );
     const s = new Store(both);
     s.apply(pinPoint, { characterId: 'c1', joint: FOOT, point: [0, 0, 0] });

@@ -1,7 +1,7 @@
 /** Channels for the tests of edits: written key by key, or made by fast-check. */
 import fc from 'fast-check';
 import { expect } from 'vitest';
-import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { keySlope } from '../../../src/evaluate/slopes.ts';
 import {
@@ -14,7 +14,7 @@ import {
   restChannel,
   TANGENT_KINDS,
   type Tangents,
-} from '../../../src/model/takes/clip.ts';
+} from '../../../src/model/takes/take.ts';
 import { evenly } from '../dice.ts';
 
 export type Tangent = 'flat' | 'linear' | 'smooth' | number;

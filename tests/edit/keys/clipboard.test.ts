@@ -2,13 +2,13 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { copyKeys, type PasteMode, withKeysPasted } from '../../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../../src/edit/keys/selection.ts';
-import { type Channel, type ChannelClip, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
+import { type Channel, keysOf, restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, channelsOrRest, expectNoCrowd, pointsOf, rowsOf } from './channels.ts';
 
-const clipOf = (...all: Channel[]): ChannelClip => ({ name: 'walk', range: [0, 1], channels: all });
+const takeOf = (...all: Channel[]): Take => ({ name: 'walk', range: [0, 1], channels: all });
 
-const walk = clipOf(
+const walk = takeOf(
   channelOf([
     [1, 10, 'linear', 3],
     [2, 20, 'smooth'],
@@ -36,7 +36,7 @@ describe('copying keys', () => {
     ]);
   });
 
-  it('copying keys is plain data that outlives the clip', () => {
+  it('copying keys is plain data that outlives the take', () => {
     expect(structuredClone(copyKeys(walk, allKeys(walk)))).toEqual(copyKeys(walk, allKeys(walk)));
   });
 });
@@ -124,7 +124,7 @@ describe('pasting keys', () => {
     );
     expect(() => paste(first, 0, 'merge', [3])).toThrow('no channel 3');
     expect(() => paste(both, 0, 'merge', [2, 2])).toThrow('pasted into only once');
-    expect(() => withKeysPasted(clipOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');
+    expect(() => withKeysPasted(takeOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');
   });
 
   it('returns valid channels and the pasted keys at their positions, whatever is pasted', () => {
@@ -132,9 +132,9 @@ describe('pasting keys', () => {
     const mode = fc.constantFrom<PasteMode[]>('merge', 'replace', 'insert');
     fc.assert(
       fc.property(channels(1, { steps: true }), channelsOrRest({ steps: true }), time, mode, (from, to, at, how) => {
-        const clip = clipOf(from, to);
-        const copied = copyKeys(clip, allKeys(clip, [0]));
-        const { channels: after, keys } = withKeysPasted(clip, copied, { timeSeconds: at, mode: how, into: [1] });
+        const take = takeOf(from, to);
+        const copied = copyKeys(take, allKeys(take, [0]));
+        const { channels: after, keys } = withKeysPasted(take, copied, { timeSeconds: at, mode: how, into: [1] });
         checkChannel(after[1]);
         expectNoCrowd(after[1]);
         const pasted = keys[0].indices.map((k) => [keysOf(after[1]).times[k] - at, keysOf(after[1]).values[k]]);

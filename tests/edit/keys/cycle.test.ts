@@ -8,7 +8,7 @@ import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { changedCycles, type OutsideCycle, period, placeOf, withRepeatsBaked } from '../../../src/edit/keys/cycle.ts';
 import { putKeyAt } from '../../../src/edit/keys/put-key.ts';
-import { type Document, shownClip } from '../../../src/model/document.ts';
+import { type Document, shownTake } from '../../../src/model/document.ts';
 import {
   type Channel,
   EXTRAPOLATIONS,
@@ -17,7 +17,7 @@ import {
   keysOf,
   repeats,
   SMOOTH,
-} from '../../../src/model/takes/clip.ts';
+} from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
@@ -234,7 +234,7 @@ describe('a key inside the cycle', () => {
 });
 
 describe('which cycles change', () => {
-  const clipOf = (...all: Channel[]) => ({ channels: all });
+  const takeOf = (...all: Channel[]) => ({ channels: all });
   const put = (channel: Channel, time: number) => putKeyAt(channel, time, 0, SMOOTH, {}).channel;
   const walk = (way: Extrapolation) =>
     channelOf(
@@ -247,7 +247,7 @@ describe('which cycles change', () => {
 
   it('names those that repeat, with their periods, and the key that ends the new one', () => {
     const all = EXTRAPOLATIONS.map(walk);
-    const found = (time: number) => changedCycles(clipOf(...all), clipOf(...all.map((c) => put(c, time))));
+    const found = (time: number) => changedCycles(takeOf(...all), takeOf(...all.map((c) => put(c, time))));
     const ways = (time: number) => found(time).map(({ channel }) => EXTRAPOLATIONS[channel]);
     expect(ways(2)).toEqual(REPEATING);
     expect(found(2)[0]).toEqual({ channel: 2, from: 1, to: 2, timeSeconds: 2 });
@@ -257,7 +257,7 @@ describe('which cycles change', () => {
 
   it('names none of a single key, which has no cycle yet', () => {
     const lone = channelOf([[0, 0]], 'cycle');
-    expect(changedCycles(clipOf(lone), clipOf(put(lone, 2)))).toEqual([]);
+    expect(changedCycles(takeOf(lone), takeOf(put(lone, 2)))).toEqual([]);
   });
 });
 
@@ -272,8 +272,8 @@ describe('every command that adds keys', () => {
   );
   const hero = character({
     skeleton: { name: 'hero', joints: [joint(-1, { name: 'hip' })] },
-    clips: [{ name: 'walk', range: [0, 4], channels: Array.from({ length: 6 }, () => loop) }],
-    shownClip: 0,
+    takes: [{ name: 'walk', range: [0, 4], channels: Array.from({ length: 6 }, () => loop) }],
+    shownTake: 0,
     timeOffsetSeconds: 0.25,
   });
   const document = documentOf(hero);
@@ -314,7 +314,7 @@ describe('every command that adds keys', () => {
         }),
       ),
   };
-  const channelAfter = (after: Document) => shownClip(after.characters[0])?.channels[3] ?? loop;
+  const channelAfter = (after: Document) => shownTake(after.characters[0])?.channels[3] ?? loop;
 
   it.each(Object.keys(made))('%s bakes the played range, keys inside the cycle or lengthens it', (id) => {
     const [baked, inside, longer] = (['bake', 'inside', 'lengthen'] as const).map((how) => channelAfter(made[id](how)));
@@ -328,7 +328,7 @@ describe('every command that adds keys', () => {
       // Two keys off it is the walk still.
       expect(valueAt(baked, 3.25)).toBeCloseTo(valueAt(loop, 0.25), 12);
     }
-    const others = (after: Document) => shownClip(after.characters[0])?.channels.filter((c) => c === loop);
+    const others = (after: Document) => shownTake(after.characters[0])?.channels.filter((c) => c === loop);
     expect(others(made[id]('bake'))).toHaveLength(5);
   });
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { nearestKey, walkChannels, walkKeys } from '../../../src/edit/keys/key-walk.ts';
-import { keysOf, restChannel } from '../../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../../src/model/takes/take.ts';
 import { channel } from '../../ui/builders.ts';
 
 const channels = [channel(0, 1, 2, 3), restChannel(), channel(0.4, 2.2)];

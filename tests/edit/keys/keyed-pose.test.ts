@@ -3,9 +3,9 @@ import { documentIn } from '../../../src/edit/change.ts';
 import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { abruptKey, keyedPose } from '../../../src/edit/keys/keyed-pose.ts';
-import type { KeyedChannel } from '../../../src/model/takes/clip.ts';
-import { restChannel } from '../../../src/model/takes/clip.ts';
-import { character, clip, documentOf, skeleton } from '../../ui/builders.ts';
+import type { KeyedChannel } from '../../../src/model/takes/take.ts';
+import { restChannel } from '../../../src/model/takes/take.ts';
+import { character, documentOf, skeleton, take } from '../../ui/builders.ts';
 import { channelOf } from './channels.ts';
 
 const WALK = channelOf(
@@ -20,7 +20,7 @@ const DENSE = channelOf(Array.from({ length: 61 }, (_, i) => [i / 30, 0] as cons
 
 function posedAt(channel: KeyedChannel, timeSeconds: number, value: number) {
   const channels = [restChannel(), restChannel(), restChannel(), channel, restChannel(), restChannel()];
-  const start = documentOf(character({ skeleton: skeleton(['hips', -1]), clips: [clip([0, 2], ...channels)] }));
+  const start = documentOf(character({ skeleton: skeleton(['hips', -1]), takes: [take([0, 2], ...channels)] }));
   const before = documentIn(setDofs.run(start, { characterId: 'c1', dofs: [{ index: 3, value }], timeSeconds }));
   const after = documentIn(keyPose.run(before, { characterId: 'c1', dofs: [3, 4], timeSeconds }));
   return { before, after };

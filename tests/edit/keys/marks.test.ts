@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../src/edit/keys/marks.ts';
-import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, keysOf, LINEAR } from '../../../src/model/takes/clip.ts';
+import { type Channel, keysOf, LINEAR } from '../../../src/model/takes/take.ts';
 import { channel } from '../../ui/builders.ts';
 import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 

@@ -4,10 +4,10 @@ import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { setLimit } from '../../../src/edit/commands/limits.ts';
 import { resetPose, setDofs } from '../../../src/edit/commands/pose.ts';
 import type { Document } from '../../../src/model/document.ts';
-import { shownClip } from '../../../src/model/document.ts';
+import { shownTake } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 
 const turning = joint(-1, {
@@ -34,7 +34,7 @@ const keyed = (document: Document, timeSeconds: number, values: readonly number[
     }) as { document: Document }
   ).document;
 const valuesAt = (document: Document, key: number) =>
-  [3, 4, 5, 6].map((c) => keysOf(shownClip(document.characters[0])?.channels[c]).values[key]);
+  [3, 4, 5, 6].map((c) => keysOf(shownTake(document.characters[0])?.channels[c]).values[key]);
 
 describe('a key of a quaternion joint', () => {
   const first = keyed(hero, 0, [0, 0, 0.6, 0.8]);
@@ -53,7 +53,7 @@ describe('a key of a quaternion joint', () => {
 
   it('a key of a quaternion joint is unchanged if not all of it is keyed', () => {
     const { document } = keyPose.run(first, { characterId: 'c1', dofs: [5], timeSeconds: 1 });
-    expect(keysOf(shownClip(document.characters[0])?.channels[5]).values[1]).toBe(0.6);
+    expect(keysOf(shownTake(document.characters[0])?.channels[5]).values[1]).toBe(0.6);
   });
 });
 

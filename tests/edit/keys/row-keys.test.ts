@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { areSelected, keysBetween, nearestKeyTime, selectedCount, spanOf } from '../../../src/edit/keys/row-keys.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { channel } from '../../ui/builders.ts';
 import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Scaling, withKeysScaled } from '../../../src/edit/keys/scale.ts';
-import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { FIXED_TANGENT } from '../../../src/model/takes/clip.ts';
+import { FIXED_TANGENT } from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, expectNoCrowd, pointsOf, rowsOf, withSome } from './channels.ts';
 

@@ -10,11 +10,11 @@ import {
   withoutKeys,
 } from '../../../src/edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../src/model/session.ts';
-import type { ChannelClip } from '../../../src/model/takes/clip.ts';
-import { restChannel } from '../../../src/model/takes/clip.ts';
+import type { Take } from '../../../src/model/takes/take.ts';
+import { restChannel } from '../../../src/model/takes/take.ts';
 import { channelOf } from './channels.ts';
 
-const clip: ChannelClip = {
+const take: Take = {
   name: 'walk',
   range: [0, 1],
   channels: [
@@ -34,23 +34,23 @@ const clip: ChannelClip = {
 
 describe('finding keys', () => {
   it('finds all keys of all channels or of some, none of keyless ones', () => {
-    expect(allKeys(clip)).toEqual([
+    expect(allKeys(take)).toEqual([
       { channel: 0, indices: [0, 1, 2, 3] },
       { channel: 2, indices: [0, 1] },
     ]);
-    expect(allKeys(clip, [2, 1, 2, 9])).toEqual([{ channel: 2, indices: [0, 1] }]);
+    expect(allKeys(take, [2, 1, 2, 9])).toEqual([{ channel: 2, indices: [0, 1] }]);
   });
 
   it('finds the keys at a time, both of a step', () => {
-    expect(keysAtTime(clip, undefined, 1 + 1e-12)).toEqual([
+    expect(keysAtTime(take, undefined, 1 + 1e-12)).toEqual([
       { channel: 0, indices: [1, 2] },
       { channel: 2, indices: [0] },
     ]);
-    expect(keysAtTime(clip, [0], 1.5)).toEqual([]);
+    expect(keysAtTime(take, [0], 1.5)).toEqual([]);
   });
 
   it('finding keys counts them, and knows each', () => {
-    expect(countKeys(allKeys(clip))).toBe(6);
+    expect(countKeys(allKeys(take))).toBe(6);
     expect(countKeys(undefined)).toBe(0);
     const some = [{ channel: 2, indices: [1, 4, 7] }];
     expect([1, 2, 4, 7, 8].map((k) => hasKey(some, 2, k))).toEqual([true, false, true, true, false]);

@@ -4,7 +4,7 @@ import { putKey } from '../../../src/edit/keys/put-key.ts';
 import { withKeysRemoved } from '../../../src/edit/keys/remove.ts';
 import { rippleRoom, withKeysRippled } from '../../../src/edit/keys/ripple.ts';
 import { withKeysSet, withKeysSnapped } from '../../../src/edit/keys/set.ts';
-import { keysOf, restChannel, SMOOTH } from '../../../src/model/takes/clip.ts';
+import { keysOf, restChannel, SMOOTH } from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, valueAt, withSome } from './channels.ts';
 

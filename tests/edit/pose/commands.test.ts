@@ -18,7 +18,7 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { type Document, findCharacter } from '../../../src/model/document.ts';
 import { EULER_ORDERS, type Joint } from '../../../src/model/skeleton/skeleton.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph, takeOfValues } from '../../helpers/builders.ts';
 
 /** Blended angles have passed through a quaternion. */
@@ -66,15 +66,15 @@ describe('poses.mirror', () => {
   });
 
   it('poses.mirror is unkeyed over keys, and keyed with auto-key', () => {
-    const keyed = documentOf(character({ skeleton, pose, clips: [takeOfValues('walk', pose)], shownClip: 0 }));
+    const keyed = documentOf(character({ skeleton, pose, takes: [takeOfValues('walk', pose)], shownTake: 0 }));
     const next = documentIn(mirrorPose.run(keyed, { ...at, way: 'swap' }));
     expect(next.characters[0].unkeyed?.dofs.length).toBeGreaterThan(0);
-    expect(next.characters[0].clips).toBe(keyed.characters[0].clips);
+    expect(next.characters[0].takes).toBe(keyed.characters[0].takes);
     // What is the same on both sides was not touched.
     expect(next.characters[0].unkeyed?.dofs).not.toContain(1);
     const auto = documentIn(mirrorPose.run(keyed, { ...at, timeSeconds: 0.5, way: 'swap', key: {} }));
     expect(auto.characters[0].unkeyed).toBeUndefined();
-    expect(auto.characters[0].clips[0].channels.slice(0, 18).every((c) => keysOf(c).times.includes(0.5))).toBe(true);
+    expect(auto.characters[0].takes[0].channels.slice(0, 18).every((c) => keysOf(c).times.includes(0.5))).toBe(true);
     expect(shown(auto, 0.5).slice(12, 15)).toEqual([0.1, -0.2, -0.3]);
   });
 });

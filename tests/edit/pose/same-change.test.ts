@@ -53,7 +53,7 @@ it('a change of several joints is the same amount for each that its limits allow
       of.forEach((dof, k) => {
         pose[dof] = within(start[k], k);
       });
-      const posed = character({ skeleton: { ...bones, joints }, pose, shownClip: -1 });
+      const posed = character({ skeleton: { ...bones, joints }, pose, shownTake: -1 });
       const store = new Store(documentOf(posed));
       const before = store.document;
       const dofs = (amount: number) => {

@@ -11,7 +11,7 @@ import { readSkin } from '../../../src/formats/skin/read.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { type Character, isBvh } from '../../../src/model/document.ts';
 import { DEFAULT_BOX, type Motion, NO_BOX, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
+import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
 import { character, documentOf, skeleton, skin, takeOfValues } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { BODY, body, done, jointsOf, NEAR, named, namesIn, of, worldOf } from './body.ts';
@@ -76,7 +76,7 @@ describe('rig.addJoint', () => {
     expect(namesIn(done(addJoint, spine, { characterId: 'c1', parent: 0 }))).toEqual(['spine09', 'spine10']);
   });
 
-  it('takes pose, clips, samples, couples, pins and weights behind it along', () => {
+  it('takes pose, takes, samples, couples, pins and weights behind it along', () => {
     const coupled = { ...BODY, joints: [...BODY.joints] };
     coupled.joints[3] = { ...BODY.joints[3], couples: [{ dof: 'rx', joint: 2, follows: 'ry', gain: 1, offset: 0 }] };
     coupled.joints[0] = { ...BODY.joints[0], couples: [{ dof: 'rz', joint: 3, follows: 'rz', gain: 1, offset: 0 }] };
@@ -101,8 +101,8 @@ describe('rig.addJoint', () => {
         character({
           skeleton: coupled,
           pose,
-          clips: [takeOfValues('hero_anim', pose), sampled],
-          shownClip: 0,
+          takes: [takeOfValues('hero_anim', pose), sampled],
+          shownTake: 0,
           skins: [skin('hero', 3)],
           unkeyed: { timeSeconds: 0, dofs: [2, 12], values: [7, 8] },
           poses: [{ name: 'wave', values: pose }],
@@ -118,9 +118,9 @@ describe('rig.addJoint', () => {
     const grown = [...pose.slice(0, 12), 0, 0, 0, ...pose.slice(12)];
     expect(made.pose).toEqual(grown);
     expect(made.poses?.[0].values).toEqual(grown);
-    expect(made.clips[0].channels.map((c) => (c.kind === 'rest' ? c.value : keysOf(c).values[0]))).toEqual(grown);
-    expect(made.clips[1].samples?.firstChannel).toBe(9);
-    expect([...(made.clips[1].samples?.values ?? [])]).toEqual([
+    expect(made.takes[0].channels.map((c) => (c.kind === 'rest' ? c.value : keysOf(c).values[0]))).toEqual(grown);
+    expect(made.takes[1].samples?.firstChannel).toBe(9);
+    expect([...(made.takes[1].samples?.values ?? [])]).toEqual([
       0, 1, 2, 0, 0, 0, 3, 4, 5, 6, 7, 8, 0, 0, 0, 9, 10, 11,
     ]);
     expect(made.unkeyed).toEqual({ timeSeconds: 0, dofs: [2, 15], values: [7, 8] });
@@ -231,20 +231,20 @@ describe('rig.remove', () => {
     followed.joints[3] = { ...BODY.joints[3], couples: [{ dof: 'rx', joint: 2, follows: 'ry', gain: 1, offset: 0 }] };
     const hero = character({
       skeleton: followed,
-      clips: [takeOfValues('hero_anim', Array(15).fill(0))],
-      shownClip: 0,
+      takes: [takeOfValues('hero_anim', Array(15).fill(0))],
+      shownTake: 0,
       ik: {
         pins: [{ id: 1, joint: 2, point: [0, 0, 0], weight: 1, holdsOrientation: false }],
         stiff: [],
         rootIsFree: true,
       },
     });
-    const { name, clips, pose, clampsToLimits, timeOffsetSeconds } = hero;
+    const { name, takes, pose, clampsToLimits, timeOffsetSeconds } = hero;
     const bee: Character = {
       ...character({ id: 'c2' }),
       driver: {
         sourceId: 'c1',
-        source: { name, skeleton: followed, clip: clips[0], pose, clampsToLimits, timeOffsetSeconds },
+        source: { name, skeleton: followed, take: takes[0], pose, clampsToLimits, timeOffsetSeconds },
         pairs: [
           { target: 0, source: 2 },
           { target: 1, source: 3 },
@@ -286,9 +286,9 @@ describe('rig.reparent', () => {
 
   it('rig.reparent keeps the pivot only where keys drive how it is turned', () => {
     const turned = takeOfValues('hero_anim', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
-    const before = body({ clips: [turned], shownClip: 0 });
+    const before = body({ takes: [turned], shownTake: 0 });
     const made = done(reparentJoint, before, { ...of(2), parent: 3 });
-    expect(made.clips[0].channels.slice(12)).toEqual(turned.channels.slice(9, 12));
+    expect(made.takes[0].channels.slice(12)).toEqual(turned.channels.slice(9, 12));
     const [was, is] = [worldOf(before.characters[0], 2), worldOf(made, 3)];
     for (let k = 12; k < 15; k++) expect(Math.abs(was[k] - is[k])).toBeLessThan(NEAR);
     expect(Math.abs(was[0] - is[0])).toBeGreaterThan(0.01);
@@ -309,7 +309,7 @@ describe('rig.reparent', () => {
         interpolation: 'linear' as const,
       },
     };
-    const made = done(reparentJoint, body({ pose, clips: [walk], shownClip: 0 }), { ...of(2), parent: 3 });
+    const made = done(reparentJoint, body({ pose, takes: [walk], shownTake: 0 }), { ...of(2), parent: 3 });
     const shown = new Float64Array(15);
     poseAt(made, 0, shown);
     const ten = 10 * RADIANS_PER_DEGREE;

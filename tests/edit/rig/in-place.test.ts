@@ -136,7 +136,7 @@ describe('limits and couples', () => {
   for (const [j, y] of [0, 1, 2].entries()) bindings.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, y, 0, 1], 16 * j);
   const on = (dofs: number) => [0.25, 0, 0, 0, 0, 0, dofs, 0, 0, 0.125, 0, 0];
   const document = documentOf(
-    character({ skeleton, pose: on(1), skins: [skin('leg', 2, { bindings })], clips: [], shownClip: -1 }),
+    character({ skeleton, pose: on(1), skins: [skin('leg', 2, { bindings })], takes: [], shownTake: -1 }),
   );
   const limit = { characterId: 'c1', dof: 6, min: -1, max: 0.25 };
   const follows = { joint: 0, dof: 'rx', gain: 1, offset: 0.5 };

@@ -12,7 +12,7 @@ import {
 } from '../../../src/edit/commands/rig-joint.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { character, documentOf, takeOfValues } from '../../helpers/builders.ts';
 import { BODY, body, done, jointsOf, NEAR, named, namesIn, of, worldOf } from './body.ts';
 
@@ -34,10 +34,10 @@ describe('rig.setMotion', () => {
 
   it('rig.setMotion turns the root translation into the DOFs of a root that moves by itself, and back', () => {
     const free: Motion = { kind: 'free', order: 'xyz' };
-    const before = body({ pose, clips: [takeOfValues('hero_anim', pose)], shownClip: 0 });
+    const before = body({ pose, takes: [takeOfValues('hero_anim', pose)], shownTake: 0 });
     const made = done(setMotion, before, { ...of(0), motion: free });
     expect(made.pose).toEqual(pose);
-    expect(made.clips[0].channels).toEqual(before.characters[0].clips[0].channels);
+    expect(made.takes[0].channels).toEqual(before.characters[0].takes[0].channels);
     expect([...worldOf(made, 3)]).toEqual([...worldOf(before.characters[0], 3)]);
     const back = done(setMotion, documentOf(made), { ...of(0), motion: { kind: 'ball', order: 'xyz' } });
     expect(back.pose).toEqual(pose);
@@ -50,14 +50,14 @@ describe('rig.setMotion', () => {
     const values = pose.map((_, d) => d);
     const made = done(
       setMotion,
-      body({ skeleton: limited, pose: values, clips: [takeOfValues('a', values)], shownClip: 0 }),
+      body({ skeleton: limited, pose: values, takes: [takeOfValues('a', values)], shownTake: 0 }),
       {
         ...of(1),
         motion: { kind: 'universal', order: 'yz' },
       },
     );
     expect(made.pose).toEqual([0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 14]);
-    expect(made.clips[0].channels.map((c) => keysOf(c).values[0])).toEqual(made.pose);
+    expect(made.takes[0].channels.map((c) => keysOf(c).values[0])).toEqual(made.pose);
     expect(jointsOf(made)[1].limits).toEqual([{ min: -1, max: 1 }, UNLIMITED]);
   });
 

@@ -23,8 +23,8 @@ import {
   UNLIMITED,
 } from '../../../src/model/skeleton/skeleton.ts';
 import { oneSurface, type Skin } from '../../../src/model/skin.ts';
-import { type Channel, type ChannelClip, followingSamples, restChannel } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import { type Channel, followingSamples, restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { character, documentOf, morph } from '../../helpers/builders.ts';
 import { Dice } from '../dice.ts';
 import { channelOf } from '../keys/channels.ts';
@@ -158,7 +158,7 @@ function randomSkin(dice: Dice, name: string, joints: number): Skin {
   };
 }
 
-function randomClip(dice: Dice, skeleton: Skeleton, dofs: number): ChannelClip {
+function randomTake(dice: Dice, skeleton: Skeleton, dofs: number): Take {
   const rests = filePose(skeleton, dofs);
   const count = dice.is(0.7) ? dofs + dice.below(2) : dice.below(dofs);
   const channels = Array.from({ length: count }, (_, c): Channel => {
@@ -166,8 +166,8 @@ function randomClip(dice: Dice, skeleton: Skeleton, dofs: number): ChannelClip {
     if (dice.is(0.5)) return restChannel(rest);
     return channelOf([0, 1, 2].map((time) => [time, rest + dice.number() / 4] as const));
   });
-  const clip = { name: 'hero_walk', range: [0, 2] as const, channels };
-  if (count === 0 || dice.is(0.4)) return clip;
+  const take = { name: 'hero_walk', range: [0, 2] as const, channels };
+  if (count === 0 || dice.is(0.4)) return take;
   const first = dice.below(count);
   const width = 1 + dice.below(count - first);
   const samples: Samples = {
@@ -179,7 +179,7 @@ function randomClip(dice: Dice, skeleton: Skeleton, dofs: number): ChannelClip {
     scales: Float64Array.from({ length: width }, () => dice.pick([RADIANS_PER_DEGREE, 0.025])),
     interpolation: dice.pick(['nearest', 'linear'] as const),
   };
-  return { ...clip, channels: followingSamples(channels, samples), samples };
+  return { ...take, channels: followingSamples(channels, samples), samples };
 }
 
 /** One that has all there is, and another that its take moves. */
@@ -188,7 +188,7 @@ export function randomDocument(seed: number): Document {
   const skeleton = randomSkeleton(dice, dice.is(0.25));
   const morphs = dice.is(0.5) ? [morph('smile')] : [];
   const pose = filePose(skeleton, morphs.length).map((value) => value + (dice.is(0.5) ? 0 : (dice.number() - 0.5) / 2));
-  const clips = dice.is(0.6) ? [randomClip(dice, skeleton, pose.length), randomClip(dice, skeleton, pose.length)] : [];
+  const takes = dice.is(0.6) ? [randomTake(dice, skeleton, pose.length), randomTake(dice, skeleton, pose.length)] : [];
   const joint = () => dice.below(skeleton.joints.length);
   const hero = character({
     skeleton,
@@ -198,8 +198,8 @@ export function randomDocument(seed: number): Document {
       randomSkin(dice, 'hero', skeleton.joints.length),
       ...(dice.is(0.3) ? [randomSkin(dice, 'b', skeleton.joints.length)] : []),
     ],
-    clips,
-    shownClip: clips.length - 1,
+    takes,
+    shownTake: takes.length - 1,
     clampsToLimits: dice.is(0.7),
     ...(dice.is(0.5) && {
       unkeyed: { timeSeconds: 1, dofs: [0, pose.length - 1].slice(0, pose.length), values: [0.1, 0.2] },
@@ -214,18 +214,18 @@ export function randomDocument(seed: number): Document {
       rootIsFree: true,
     },
   });
-  return { ...documentOf(hero, ...(clips.length ? [follower(dice, hero, skeleton)] : [])), charactersMade: 2 };
+  return { ...documentOf(hero, ...(takes.length ? [follower(dice, hero, skeleton)] : [])), charactersMade: 2 };
 }
 
 function follower(dice: Dice, hero: Character, skeleton: Skeleton): Character {
   const own = character({ id: 'c2', name: 'bee' });
-  const clip = hero.clips[hero.shownClip];
+  const take = hero.takes[hero.shownTake];
   const { name, pose, clampsToLimits, timeOffsetSeconds } = hero;
   return {
     ...own,
     driver: {
       sourceId: hero.id,
-      source: { name, skeleton, clip, pose, clampsToLimits, timeOffsetSeconds },
+      source: { name, skeleton, take, pose, clampsToLimits, timeOffsetSeconds },
       pairs: [
         { target: 0, source: 0 },
         { target: 1, source: dice.below(skeleton.joints.length) },

@@ -8,7 +8,7 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { type Channel, FIXED_TANGENT, followingSamples, keysOf, restChannel } from '../../../src/model/takes/clip.ts';
+import { type Channel, FIXED_TANGENT, followingSamples, keysOf, restChannel } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { channelOf } from '../keys/channels.ts';
 
@@ -41,16 +41,16 @@ function hinged(axis: Vec3): Character {
   };
   const resting: readonly Channel[] = [0, 1, 2].map(() => restChannel());
   const channels = [...resting, sloped()];
-  const clip = { name: 'walk', range: [0, 1] as const, channels };
+  const take = { name: 'walk', range: [0, 1] as const, channels };
   return character({
     skeleton,
     pose: [0, 0, 0, 0.125, 0, 0, 0],
     poses: [{ name: 'bent', values: [0, 0, 0, 0.5, 0, 0, 0] }],
-    clips: [
-      clip,
-      { ...clip, name: 'capture', channels: followingSamples([...resting, restChannel()], SAMPLES), samples: SAMPLES },
+    takes: [
+      take,
+      { ...take, name: 'capture', channels: followingSamples([...resting, restChannel()], SAMPLES), samples: SAMPLES },
     ],
-    shownClip: 0,
+    shownTake: 0,
   });
 }
 
@@ -80,10 +80,10 @@ describe('a hinge along an axis that becomes a ball', () => {
   it.each([[[1, 0, 0]], [[0, -1, 0]], [[0, 0, -2]]] as [Vec3][])('moves as before, about %j', (axis) => {
     const before = hinged(axis);
     const after = turned(before, BALL);
-    for (const shownClip of [0, 1]) {
+    for (const shownTake of [0, 1]) {
       for (const seconds of [0, 0.3, 0.7, 1]) {
-        worldsAt({ ...after, shownClip }, seconds).forEach((value, k) => {
-          expect(value).toBeCloseTo(worldsAt({ ...before, shownClip }, seconds)[k], 12);
+        worldsAt({ ...after, shownTake }, seconds).forEach((value, k) => {
+          expect(value).toBeCloseTo(worldsAt({ ...before, shownTake }, seconds)[k], 12);
         });
       }
     }
@@ -96,14 +96,14 @@ describe('a hinge along an axis that becomes a ball', () => {
     expect(thigh.pose).toEqual([-0.25, 0, 0]);
     expect(after.pose.slice(3, 6)).toEqual([-0.125, 0, 0]);
     expect(after.poses?.[0].values.slice(3, 6)).toEqual([-0.5, 0, 0]);
-    const { values, tangentsIn, tangentsOut } = keysOf(after.clips[0].channels[3]);
+    const { values, tangentsIn, tangentsOut } = keysOf(after.takes[0].channels[3]);
     expect([values, tangentsIn.slopes, tangentsOut.slopes].map((column) => [...column])).toEqual([
       [-0.25, 0.5],
       [-1, 2],
       // No −0, which would be written with its sign.
       [0, -3],
     ]);
-    expect([...(after.clips[1].samples?.values ?? [])]).toEqual([-10, 0]);
+    expect([...(after.takes[1].samples?.values ?? [])]).toEqual([-10, 0]);
     expect(foot.couples).toEqual([{ dof: 'rx', joint: 1, follows: 'rx', gain: -0.5, offset: 0.1 }]);
   });
 
@@ -117,7 +117,7 @@ describe('a hinge along an axis that becomes a ball', () => {
       expect(back.skeleton).toEqual(before.skeleton);
       expect(back.pose).toEqual(before.pose);
       expect(back.poses).toEqual(before.poses);
-      expect(back.clips[0].channels).toEqual(before.clips[0].channels);
+      expect(back.takes[0].channels).toEqual(before.takes[0].channels);
     }
   });
 });
@@ -139,7 +139,7 @@ describe('keys that have no DOF to go to', () => {
     const store = new Store(documentOf(hinged([0, 1, 1])));
     store.apply(setMotion, { characterId: 'c1', joint: 1, motion: BALL });
     expect(store.undoLabel).toBe('Set type of thigh, losing 2 keys and samples of r');
-    expect(store.document.characters[0].clips[0].channels.every(({ kind }) => kind === 'rest')).toBe(true);
+    expect(store.document.characters[0].takes[0].channels.every(({ kind }) => kind === 'rest')).toBe(true);
   });
 
   it('keys without a DOF are counted over all takes, and are none if all are kept', () => {
@@ -148,7 +148,7 @@ describe('keys that have no DOF to go to', () => {
     expect(lost([0, 0, 1], BALL)).toBeUndefined();
     expect(lost([0, 0, 1], { kind: 'universal', order: 'xy' })).toBe('2 keys and samples of r');
     const bare = hinged([0, 0, 1]);
-    const twice = { ...bare, clips: [bare.clips[0], { ...bare.clips[0], name: 'run' }] };
+    const twice = { ...bare, takes: [bare.takes[0], { ...bare.takes[0], name: 'run' }] };
     expect(keysLostBy(documentOf(twice), { characterId: 'c1', joint: 1, motion: { kind: 'fixed' } })).toBe(
       '4 keys of r',
     );

@@ -32,7 +32,7 @@ function expectSound({ document, selection }: Store): void {
 }
 
 describe('any sequence of rig commands', () => {
-  it('leaves skeleton, skins, clips, poses, pins and pairs sound', () => {
+  it('leaves skeleton, skins, takes, poses, pins and pairs sound', () => {
     fc.assert(
       fc.property(seeds, steps, (seed, all) => {
         const store = new Store(randomDocument(seed));

@@ -12,7 +12,7 @@ import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { SAMPLED } from '../../../src/model/takes/clip.ts';
+import { SAMPLED } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph, skin, takeOfValues } from '../../helpers/builders.ts';
 
 const NEAR = 1e-12;
@@ -43,7 +43,7 @@ describe('a character that another one’s take moves', () => {
     const store = new Store(
       documentOf(
         character({ skeleton: own }),
-        character({ id: 'c2', name: 'dancer', skeleton: BODY, clips: [turned], shownClip: 0 }),
+        character({ id: 'c2', name: 'dancer', skeleton: BODY, takes: [turned], shownTake: 0 }),
       ),
     );
     store.apply(setRetarget, { characterId: 'c1', sourceId: 'c2' });
@@ -180,9 +180,9 @@ describe('a take of motion capture', () => {
         interpolation: 'linear' as const,
       },
     };
-    const document = documentOf(character({ skeleton, clips: [walk], shownClip: 0 }));
+    const document = documentOf(character({ skeleton, takes: [walk], shownTake: 0 }));
     const [after] = documentIn(addJoint.run(document, { characterId: 'c1', parent: 1 })).characters;
-    const { samples, channels } = after.clips[0];
+    const { samples, channels } = after.takes[0];
     expect(samples?.scales.length).toBe(channels.length);
     expect([...(samples?.values ?? [])]).toEqual([
       0, 1, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 9, 10, 11, 12, 13, 14, 15, 16, 17, 0, 0, 0,

@@ -4,27 +4,27 @@ import { convertSteps, convertToKeys } from '../../../src/edit/commands/samples.
 import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
-import { shownClip } from '../../../src/model/document.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../src/model/document.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { CHAIN, documentWith, swing, swinging, takeOfColumns, WIDTH } from './made.ts';
 
 const tolerance = { position: 0.02, angle: 0.02 };
 const args = { characterId: 'c1', tolerance };
 
-function converted(clip = swing, more: object = {}) {
-  const steps = convertSteps(documentWith(clip), { ...args, ...more });
+function converted(take = swing, more: object = {}) {
+  const steps = convertSteps(documentWith(take), { ...args, ...more });
   let step = steps.next();
   const parts: number[] = [];
   for (; !step.done; step = steps.next()) parts.push(step.value);
-  const after = shownClip(step.value.edit.document.characters[0]);
+  const after = shownTake(step.value.edit.document.characters[0]);
   if (!after) throw new Error('the take is gone');
   return { after, report: step.value.report, parts };
 }
 
 /** The head's End Site at a time. */
-function tip(clip: typeof swing, seconds: number): number[] {
+function tip(take: typeof swing, seconds: number): number[] {
   const pose = new Float64Array(WIDTH);
-  poseAt(swinging(clip), seconds, pose);
+  poseAt(swinging(take), seconds, pose);
   const world = new Float64Array(16 * 3);
   worldMatrices(compileSkeleton(CHAIN), pose, world);
   return [0, 1, 2].map((r) => world[32 + 12 + r] + 0.5 * world[32 + 4 + r]);
@@ -96,12 +96,12 @@ describe('converting samples to keys', () => {
     store.apply(convertToKeys, args);
     expect(store.undoLabel).toBe('Convert swing to keys');
     store.undo();
-    expect(shownClip(store.document.characters[0])?.samples?.values).toBe(swing.samples?.values);
+    expect(shownTake(store.document.characters[0])?.samples?.values).toBe(swing.samples?.values);
   });
 
   it('refuses tolerances of nothing, and takes without samples', () => {
-    const refused = (more: object, clip = swing) =>
-      expect(() => convertToKeys.run(documentWith(clip), { ...args, ...more })).toThrow(CommandError);
+    const refused = (more: object, take = swing) =>
+      expect(() => convertToKeys.run(documentWith(take), { ...args, ...more })).toThrow(CommandError);
     refused({ tolerance: { position: 0, angle: 1 } });
     refused({ tolerance: 1 });
     refused({ channels: [99] });

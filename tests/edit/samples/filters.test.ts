@@ -11,31 +11,31 @@ import { Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import { type Document, shownClip } from '../../../src/model/document.ts';
-import type { ChannelClip } from '../../../src/model/takes/clip.ts';
+import { type Document, shownTake } from '../../../src/model/document.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import type { Take } from '../../../src/model/takes/take.ts';
 import { CHAIN, documentWith, swing, takeOfColumns, WIDTH } from './made.ts';
 
 const c1 = { characterId: 'c1' };
 
-function clipOf(document: Document): ChannelClip {
-  const clip = shownClip(document.characters[0]);
-  if (!clip) throw new Error('the take is gone');
-  return clip;
+function takeOf(document: Document): Take {
+  const take = shownTake(document.characters[0]);
+  if (!take) throw new Error('the take is gone');
+  return take;
 }
 
-function samplesOf(clip: ChannelClip): Samples {
-  if (!clip.samples) throw new Error('the samples are gone');
-  return clip.samples;
+function samplesOf(take: Take): Samples {
+  if (!take.samples) throw new Error('the samples are gone');
+  return take.samples;
 }
 
-const rows = (clip: ChannelClip) => samplesOf(clip).values;
-const row = (clip: ChannelClip, frame: number) => [...rows(clip).slice(frame * WIDTH, (frame + 1) * WIDTH)];
+const rows = (take: Take) => samplesOf(take).values;
+const row = (take: Take, frame: number) => [...rows(take).slice(frame * WIDTH, (frame + 1) * WIDTH)];
 
 /** World matrices of all joints in a frame, by the formula alone: turns and flips of angles are no difference. */
-function worldOf(clip: ChannelClip, frame: number): Float64Array {
-  const { scales } = samplesOf(clip);
-  const dofs = Float64Array.from(row(clip, frame), (value, c) => value * scales[c]);
+function worldOf(take: Take, frame: number): Float64Array {
+  const { scales } = samplesOf(take);
+  const dofs = Float64Array.from(row(take, frame), (value, c) => value * scales[c]);
   const world = new Float64Array(16 * CHAIN.joints.length);
   worldMatrices(compileSkeleton(CHAIN), dofs, world);
   return world;
@@ -46,8 +46,8 @@ function apart(a: ArrayLike<number>, b: ArrayLike<number>): number {
 }
 
 type Args = Omit<Parameters<typeof smoothSamples.run>[1], 'characterId'>;
-const filter = (clip: ChannelClip, args: Args) => clipOf(smoothSamples.run(documentWith(clip), { ...c1, ...args }));
-const median = (clip: ChannelClip, frames = 3, more: Args = {}) => filter(clip, { filter: 'median', frames, ...more });
+const filter = (take: Take, args: Args) => takeOf(smoothSamples.run(documentWith(take), { ...c1, ...args }));
+const median = (take: Take, frames = 3, more: Args = {}) => filter(take, { filter: 'median', frames, ...more });
 
 /** A take of any angles, in degrees, with jumps of whole turns among them. */
 const anyTake = fc
@@ -134,21 +134,21 @@ describe('the median of a few frames', () => {
   it('the median of a few frames keeps monotonic stretches, corners and steps', () => {
     const step = takeOfColumns((c, t) => (c < 3 ? Math.min(1, t) : t < 0.7 ? 0 : c === 4 ? 40 : 0));
     const document = documentWith(step);
-    const after = clipOf(smoothSamples.run(document, { ...c1, filter: 'median', frames: 7 }));
+    const after = takeOf(smoothSamples.run(document, { ...c1, filter: 'median', frames: 7 }));
     expect(rows(after)).toEqual(rows(step));
   });
 
   it('gives values and rotations of a neighbouring frame', () => {
     fc.assert(
-      fc.property(anyTake, fc.constantFrom(3, 5, 7), (clip, frames) => {
-        const after = median(clip, frames);
+      fc.property(anyTake, fc.constantFrom(3, 5, 7), (take, frames) => {
+        const after = median(take, frames);
         const reach = (frames - 1) / 2;
         for (let f = 0; f < 40; f++) {
           const near = Array.from({ length: 2 * reach + 1 }, (_, n) => f - reach + n).filter((g) => g >= 0 && g < 40);
-          for (let c = 0; c < 3; c++) expect(near.map((g) => row(clip, g)[c])).toContain(row(after, f)[c]);
+          for (let c = 0; c < 3; c++) expect(near.map((g) => row(take, g)[c])).toContain(row(after, f)[c]);
           // The root's rotation, of the first joint's matrix.
           const own = worldOf(after, f).slice(0, 11);
-          expect(Math.min(...near.map((g) => apart(worldOf(clip, g).slice(0, 11), own)))).toBeLessThan(1e-12);
+          expect(Math.min(...near.map((g) => apart(worldOf(take, g).slice(0, 11), own)))).toBeLessThan(1e-12);
         }
       }),
       { numRuns: 20 },
@@ -169,11 +169,11 @@ describe('the median of a few frames', () => {
     const store = new Store();
     store.apply({ id: 'x', label: () => 'x', run: () => documentWith(spiky) }, {});
     store.apply(smoothSamples, { ...c1, filter: 'median', frames: 3, range: [0.5, 1.5] });
-    const after = clipOf(store.document);
+    const after = takeOf(store.document);
     expect(row(after, 20)).toEqual(row(spiky, 20));
     expect(apart(row(after, 60), row(swing, 60))).toBeLessThan(3);
     store.undo();
-    expect(clipOf(store.document)).toBe(spiky);
+    expect(takeOf(store.document)).toBe(spiky);
   });
 });
 
@@ -182,15 +182,15 @@ describe('the Euler filter, of samples', () => {
 
   it('the Euler filter, of samples keeps every rotation, and leaves no angle that jumps if another form does not', () => {
     fc.assert(
-      fc.property(anyTake, (clip) => {
-        const after = clipOf(eulerFilter.run(documentWith(clip), { ...c1, channels }).document);
+      fc.property(anyTake, (take) => {
+        const after = takeOf(eulerFilter.run(documentWith(take), { ...c1, channels }).document);
         for (let f = 0; f < 40; f++) {
-          expect(apart(worldOf(after, f), worldOf(clip, f))).toBeLessThan(1e-12 * 400);
+          expect(apart(worldOf(after, f), worldOf(take, f))).toBeLessThan(1e-12 * 400);
           if (f === 0) continue;
           for (const first of [3, 6, 9]) {
             const [now, before] = [row(after, f).slice(first, first + 3), row(after, f - 1).slice(first, first + 3)];
             const far = Math.hypot(...now.map((v, i) => v - before[i]));
-            const own = row(clip, f).slice(first, first + 3);
+            const own = row(take, f).slice(first, first + 3);
             // zxy: the middle one is mirrored, the others go on by half a turn; and whole turns of each.
             const other = [own[0] + 180, 180 - own[1], own[2] + 180];
             for (const form of [own, other]) {
@@ -209,20 +209,20 @@ describe('the Euler filter, of samples', () => {
     const store = new Store();
     store.apply({ id: 'x', label: () => 'x', run: () => documentWith(turning) }, {});
     store.apply(eulerFilter, { ...c1, channels: [3, 4, 5] });
-    const after = clipOf(store.document);
+    const after = takeOf(store.document);
     for (let f = 0; f < 121; f++) expect(row(after, f)[3]).toBeCloseTo(170 + 1.5 * f, 10);
     expect(after.channels[3]).toBe(turning.channels[3]);
     const again = runToEnd(eulerFilterSteps(store.document, { ...c1, channels: [3, 4, 5] }));
     expect(again).toMatchObject({ changed: [], notes: [] });
     expect(again.edit.document).toBe(store.document);
     store.undo();
-    expect(clipOf(store.document)).toBe(turning);
+    expect(takeOf(store.document)).toBe(turning);
   });
 
   it('takes whole turns alone where not all angles of a joint are given, and says so', () => {
     const document = documentWith(takeOfColumns((c, t) => (c === 3 ? (t < 1 ? 179 : -179) : 0)));
     const { edit, notes } = runToEnd(eulerFilterSteps(document, { ...c1, channels: [3] }));
-    expect(row(clipOf(edit.document), 100)[3]).toBeCloseTo(181, 10);
+    expect(row(takeOf(edit.document), 100)[3]).toBeCloseTo(181, 10);
     expect(notes).toEqual([expect.stringContaining('only full turns were removed')]);
     expect(RADIANS_PER_DEGREE).toBeCloseTo(Math.PI / 180, 15);
   });

@@ -8,8 +8,8 @@ import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { convertToKeys } from '../../../src/edit/commands/samples.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { rangeOfKeys } from '../../../src/edit/takes.ts';
-import { shownClip } from '../../../src/model/document.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../src/model/document.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { documentWith, swing } from './made.ts';
 
 const c1 = { characterId: 'c1' };
@@ -19,7 +19,7 @@ const half = convertToKeys.run(documentWith(), {
   channels: [9, 10, 11],
   tolerance: { position: 0.01, angle: 0.01 },
 }).document;
-const halfClip = shownClip(half.characters[0]) ?? swing;
+const halfTake = shownTake(half.characters[0]) ?? swing;
 
 describe('keys over samples', () => {
   it('keys over samples are refused, with the way out', () => {
@@ -31,7 +31,7 @@ describe('keys over samples', () => {
     expect(() => setExtrapolation.run(document, { ...c1, channels: [3], side: 'in', extrapolation: 'cycle' })).toThrow(
       way,
     );
-    const copied = copyKeys(halfClip, [{ channel: 9, indices: [0] }]);
+    const copied = copyKeys(halfTake, [{ channel: 9, indices: [0] }]);
     expect(() => pasteKeys.run(half, { ...c1, copied, into: [3], timeSeconds: 1, mode: 'merge' })).toThrow(way);
   });
 
@@ -40,14 +40,14 @@ describe('keys over samples', () => {
     expect(keyed.keys.map((k) => k.channel)).toEqual([9, 10, 11]);
     const inserted = insertKeys.run(half, { ...c1, channels: [3, 9], timeSeconds: 0.321 });
     expect(inserted.keys.map((k) => k.channel)).toEqual([9]);
-    expect(shownClip(inserted.document.characters[0])?.samples).toBe(swing.samples);
+    expect(shownTake(inserted.document.characters[0])?.samples).toBe(swing.samples);
   });
 
   it('keys over samples go back to the samples beneath when the last of them is deleted', () => {
-    const indices = [...keysOf(halfClip.channels[9]).times.keys()];
+    const indices = [...keysOf(halfTake.channels[9]).times.keys()];
     const { document } = removeKeys.run(half, { ...c1, keys: [{ channel: 9, indices }], timeSeconds: 1 });
-    const clip = shownClip(document.characters[0]) ?? halfClip;
-    expect([clip.channels[9].kind, clip.channels[10].kind]).toEqual(['samples', 'keys']);
+    const take = shownTake(document.characters[0]) ?? halfTake;
+    expect([take.channels[9].kind, take.channels[10].kind]).toEqual(['samples', 'keys']);
   });
 
   it('keys over samples are not made by posing: changes stay unkeyed, with auto-key too', () => {
@@ -65,12 +65,12 @@ describe('keys over samples', () => {
       );
       const [character] = document.characters;
       expect(character.unkeyed).toMatchObject(key ? { dofs: [3], values: [1] } : { dofs: [3, 9], values: [1, 2] });
-      expect(shownClip(character)?.channels[3]).toBe(halfClip.channels[3]);
+      expect(shownTake(character)?.channels[3]).toBe(halfTake.channels[3]);
     }
   });
 
   it('count together with samples for what a take’s range is', () => {
     expect(rangeOfKeys(swing)).toEqual([0, 2]);
-    expect(rangeOfKeys(halfClip)).toEqual([0, 2]);
+    expect(rangeOfKeys(halfTake)).toEqual([0, 2]);
   });
 });

@@ -3,8 +3,8 @@
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import { type ChannelClip, SAMPLED } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import { SAMPLED, type Take } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 
 const ROOT: readonly BvhChannel[] = ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'];
@@ -23,11 +23,7 @@ export const CHAIN: Skeleton = {
 export const WIDTH: number = ROOT.length + 2 * LIMB.length;
 
 /** @param of a value in file units (degrees) for each column and second */
-export function takeOfColumns(
-  of: (column: number, seconds: number) => number,
-  frameCount = 121,
-  rate = 60,
-): ChannelClip {
+export function takeOfColumns(of: (column: number, seconds: number) => number, frameCount = 121, rate = 60): Take {
   const samples: Samples = {
     frameCount,
     frameSeconds: 1 / rate,
@@ -41,12 +37,12 @@ export function takeOfColumns(
   return { name: 'swing', range: [0, (frameCount - 1) / rate], channels, samples };
 }
 
-export const swing: ChannelClip = takeOfColumns((c, t) => (c < 3 ? t * (c + 1) : 30 * Math.sin(2 * t + c)));
+export const swing: Take = takeOfColumns((c, t) => (c < 3 ? t * (c + 1) : 30 * Math.sin(2 * t + c)));
 
-export function swinging(clip: ChannelClip = swing): Character {
-  return character({ id: 'c1', name: 'chain', skeleton: CHAIN, clips: [clip], shownClip: 0, clampsToLimits: false });
+export function swinging(take: Take = swing): Character {
+  return character({ id: 'c1', name: 'chain', skeleton: CHAIN, takes: [take], shownTake: 0, clampsToLimits: false });
 }
 
-export function documentWith(clip: ChannelClip = swing): Document {
-  return documentOf(swinging(clip));
+export function documentWith(take: Take = swing): Document {
+  return documentOf(swinging(take));
 }

@@ -2,11 +2,11 @@ import { describe, expect, it } from 'vitest';
 import { splitSamples } from '../../../src/edit/commands/samples.ts';
 import { setTakeSpeed } from '../../../src/edit/commands/take-edits.ts';
 import { cutOutOfTakes, insertIntoTake, joinTakes } from '../../../src/edit/commands/take-joins.ts';
-import { clipOfFrames, readFrame } from '../../../src/edit/samples/take-frames.ts';
+import { readFrame, takeOfFrames } from '../../../src/edit/samples/take-frames.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
-import { type Character, type Document, shownClip } from '../../../src/model/document.ts';
-import type { ChannelClip } from '../../../src/model/takes/clip.ts';
+import { type Character, type Document, shownTake } from '../../../src/model/document.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
@@ -15,30 +15,30 @@ import { describeShared } from '../../helpers/shared.ts';
 
 const WALKER = figure();
 /** 20 frames at 10 FPS that walk along z. */
-const walk = (from: readonly [number, number], perFrame: readonly [number, number], name = 'walk'): ChannelClip => ({
+const walk = (from: readonly [number, number], perFrame: readonly [number, number], name = 'walk'): Take => ({
   ...takeOfRoots(
     WALKER,
     Array.from({ length: 20 }, (_, f) => [from[0] + perFrame[0] * f, 90, from[1] + perFrame[1] * f] as const),
   ),
   name,
 });
-const ref = (clip = 0, characterId = 'c1') => ({ characterId, clip });
+const ref = (take = 0, characterId = 'c1') => ({ characterId, take });
 
-function shownIn(document: Document, index = 0): ChannelClip {
-  const clip = shownClip(document.characters[index]);
-  if (!clip) throw new Error('No take is shown.');
-  return clip;
+function shownIn(document: Document, index = 0): Take {
+  const take = shownTake(document.characters[index]);
+  if (!take) throw new Error('No take is shown.');
+  return take;
 }
 
-function samplesOf(clip: ChannelClip): Samples {
-  if (!clip.samples) throw new Error(`${clip.name} has no samples.`);
-  return clip.samples;
+function samplesOf(take: Take): Samples {
+  if (!take.samples) throw new Error(`${take.name} has no samples.`);
+  return take.samples;
 }
 
 /** x y z of all joints, a frame after the other. */
-function pointsOf({ skeleton }: Character, clip: ChannelClip): Float64Array[] {
+function pointsOf({ skeleton }: Character, take: Take): Float64Array[] {
   if (!skeleton) throw new Error('no skeleton');
-  const samples = samplesOf(clip);
+  const samples = samplesOf(take);
   const compiled = compileSkeleton(skeleton);
   const dofs = new Float64Array(samples.scales.length);
   const world = new Float64Array(16 * compiled.jointCount);
@@ -64,7 +64,7 @@ function stepsOf(points: readonly Float64Array[]): number[] {
 }
 
 /** The same numbers; the range's end is computed from frames. */
-function expectSameTake(found: ChannelClip, meant: ChannelClip): void {
+function expectSameTake(found: Take, meant: Take): void {
   expect(found.range[1]).toBeCloseTo(meant.range[1], 12);
   expect({ ...found, range: meant.range }).toEqual(meant);
 }
@@ -81,15 +81,15 @@ describe('joining takes', () => {
     // The second walks along x, turned by a right angle, from far away.
     const along = walk([0, 0], [0, 10]);
     const sideways = walk([500, 40], [10, 0], 'sideways');
-    const turned: ChannelClip = {
+    const turned: Take = {
       ...sideways,
       samples: { ...samplesOf(sideways), values: samplesOf(sideways).values.map((v, i) => (i % 21 === 5 ? 90 : v)) },
     };
     const hero = captured(WALKER, along);
-    const document = documentOf({ ...hero, clips: [along, turned] });
+    const document = documentOf({ ...hero, takes: [along, turned] });
     for (const overlapSeconds of [0, 0.5]) {
-      const clip = shownIn(expectEdit(document, joinTakes, { takes: [ref(0), ref(1)], overlapSeconds }));
-      const { values, frameCount } = samplesOf(clip);
+      const take = shownIn(expectEdit(document, joinTakes, { takes: [ref(0), ref(1)], overlapSeconds }));
+      const { values, frameCount } = samplesOf(take);
       expect(frameCount).toBe(40 - 10 * overlapSeconds);
       for (let f = 0; f < frameCount; f++) {
         expect(values[21 * f]).toBeCloseTo(0, 9);
@@ -109,10 +109,10 @@ describe('joining takes', () => {
     );
     const atFive = { ...slow, range: [0, 2] as const, samples: { ...samplesOf(slow), frameSeconds: 0.2 } };
     const document = documentOf(captured(WALKER, walk([0, 0], [0, 10])), captured(other, atFive, { id: 'c2' }));
-    const clip = shownIn(expectEdit(document, joinTakes, { takes: [ref(), ref(0, 'c2')], overlapSeconds: 0.4 }));
-    expect(samplesOf(clip).frameCount).toBe(20 + 21 - 4);
-    expect(samplesOf(clip).frameSeconds).toBe(0.1);
-    stepsOf(pointsOf(captured(WALKER), clip)).forEach((step) => {
+    const take = shownIn(expectEdit(document, joinTakes, { takes: [ref(), ref(0, 'c2')], overlapSeconds: 0.4 }));
+    expect(samplesOf(take).frameCount).toBe(20 + 21 - 4);
+    expect(samplesOf(take).frameSeconds).toBe(0.1);
+    stepsOf(pointsOf(captured(WALKER), take)).forEach((step) => {
       expect(step).toBeCloseTo(10, 6);
     });
   });
@@ -170,9 +170,9 @@ describe('cutting out and inserting', () => {
   it('a take is inserted at a time, and all of it is one walk', () => {
     const two = documentOf(captured(WALKER, WALK), captured(WALKER, walk([90, 7], [0, 10]), { id: 'c2' }));
     const args = { into: ref(), atSeconds: 0.7, take: ref(0, 'c2'), overlapSeconds: 0.2 };
-    const clip = shownIn(expectEdit(two, insertIntoTake, args));
-    expect(samplesOf(clip).frameCount).toBe(40 - 4);
-    for (const step of stepsOf(pointsOf(captured(WALKER), clip))) expect(step).toBeCloseTo(10, 6);
+    const take = shownIn(expectEdit(two, insertIntoTake, args));
+    expect(samplesOf(take).frameCount).toBe(40 - 4);
+    for (const step of stepsOf(pointsOf(captured(WALKER), take))) expect(step).toBeCloseTo(10, 6);
   });
 });
 
@@ -194,22 +194,22 @@ describe('changing the speed', () => {
 describeShared('joining real takes', () => {
   for (const name of BVH_FILES) {
     it(`the halves of ${name} joined are the take, and joined with itself it doesn't jump`, () => {
-      for (const { skeleton, clip: whole } of sharedFigures(name)) {
+      for (const { skeleton, take: whole } of sharedFigures(name)) {
         const samples = whole?.samples;
         if (!whole || !samples || samples.frameCount < 8) continue;
         const count = Math.min(240, samples.frameCount);
         const values = samples.values.slice(0, count * samples.scales.length);
-        const clip = clipOfFrames(whole, { ...samples, frameCount: count, values });
-        const hero = captured(skeleton, clip);
+        const take = takeOfFrames(whole, { ...samples, frameCount: count, values });
+        const hero = captured(skeleton, take);
         for (const part of [0.2, 0.5, 0.7]) {
           const timeSeconds = samples.startSeconds + Math.round(part * count) * samples.frameSeconds;
           const halves = splitSamples.run(documentOf(hero), { characterId: 'c1', timeSeconds });
-          const joined = joinTakes.run(halves, { takes: [ref(0), ref(1)], overlapSeconds: 0, name: clip.name });
+          const joined = joinTakes.run(halves, { takes: [ref(0), ref(1)], overlapSeconds: 0, name: take.name });
           expect(samplesOf(shownIn(joined)).values, `cut at ${timeSeconds} s`).toEqual(values);
         }
-        const own = stepsOf(pointsOf(hero, clip));
+        const own = stepsOf(pointsOf(hero, take));
         const overlapSeconds = Math.floor(count / 3) * samples.frameSeconds;
-        const twice = { ...hero, clips: [clip, { ...clip, name: 'again' }] };
+        const twice = { ...hero, takes: [take, { ...take, name: 'again' }] };
         for (const align of ['root', 'foot'] as const) {
           const joined = joinTakes.run(documentOf(twice), { takes: [ref(0), ref(1)], overlapSeconds, align });
           const steps = stepsOf(pointsOf(hero, shownIn(joined)));

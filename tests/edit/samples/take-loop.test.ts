@@ -2,22 +2,22 @@ import { describe, expect, it } from 'vitest';
 import { loopTakes } from '../../../src/edit/commands/take-edits.ts';
 import { Carrier } from '../../../src/edit/samples/carry.ts';
 import { framesBetween } from '../../../src/edit/samples/frames.ts';
-import { clipOfFrames, readFrame } from '../../../src/edit/samples/take-frames.ts';
-import { shownClip } from '../../../src/model/document.ts';
+import { readFrame, takeOfFrames } from '../../../src/edit/samples/take-frames.ts';
+import { shownTake } from '../../../src/model/document.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 
-const takes = [{ characterId: 'c1', clip: 0 }];
+const takes = [{ characterId: 'c1', take: 0 }];
 
-function looped(skeleton: Skeleton, clip: ChannelClip, blendSeconds: number): Samples {
-  const after = expectEdit(documentOf(captured(skeleton, clip)), loopTakes, { takes, blendSeconds });
-  const samples = shownClip(after.characters[0])?.samples;
+function looped(skeleton: Skeleton, take: Take, blendSeconds: number): Samples {
+  const after = expectEdit(documentOf(captured(skeleton, take)), loopTakes, { takes, blendSeconds });
+  const samples = shownTake(after.characters[0])?.samples;
   if (!samples) throw new Error('no samples');
   return samples;
 }
@@ -51,8 +51,8 @@ describe('making a take loop', () => {
     const { samples, ...walk } = takeOfRoots(WALKER, [[0, 90, 0] as const, [0, 91, 12] as const, [0, 90, 24] as const]);
     if (!samples) throw new Error('no samples');
     const narrow = { ...samples, scales: samples.scales.slice(0, 1), values: Float64Array.of(0, 1, 2) };
-    const clip = { ...walk, channels: walk.channels.slice(0, 1), samples: narrow };
-    expect(() => looped(WALKER, clip, 0.1)).toThrow(/frames for 1 of \d+ DOFs/);
+    const take = { ...walk, channels: walk.channels.slice(0, 1), samples: narrow };
+    expect(() => looped(WALKER, take, 0.1)).toThrow(/frames for 1 of \d+ DOFs/);
   });
 
   it('a walk at an even pace goes on at that pace, round after round', () => {
@@ -75,7 +75,7 @@ describe('making a take loop', () => {
     );
     const document = documentOf(captured(WALKER, sway));
     const once = loopTakes.run(document, { takes, blendSeconds: 0.5 });
-    const samples = shownClip(once.characters[0])?.samples;
+    const samples = shownTake(once.characters[0])?.samples;
     expect(samples?.values[0]).toBeCloseTo(samples?.values[21 * ((samples?.frameCount ?? 0) - 1)] ?? 0, 9);
     expect(loopTakes.run(once, { takes, blendSeconds: 0.5 })).toBe(once);
   });
@@ -84,19 +84,19 @@ describe('making a take loop', () => {
 describeShared('loops of real takes', () => {
   for (const name of BVH_FILES) {
     it(`${name} made a loop ends in the pose it begins with, at the speed it begins with`, () => {
-      for (const { skeleton, clip: whole } of sharedFigures(name)) {
+      for (const { skeleton, take: whole } of sharedFigures(name)) {
         if (!whole?.samples || whole.samples.frameCount < 20) continue;
-        const clip = clipOfFrames(whole, framesBetween(whole.samples, 0, Math.min(80, whole.samples.frameCount)));
+        const take = takeOfFrames(whole, framesBetween(whole.samples, 0, Math.min(80, whole.samples.frameCount)));
         const { frameSeconds } = whole.samples;
-        const made = looped(skeleton, clip, 8 * frameSeconds);
-        const carrier = new Carrier(skeleton, clip, 'y');
+        const made = looped(skeleton, take, 8 * frameSeconds);
+        const carrier = new Carrier(skeleton, take, 'y');
         const last = made.frameCount - 1;
         const facing = facingOf(carrier, made, last, 0);
         const first = poseOf(carrier, made, 0);
         const size = Math.max(...first.map(Math.abs));
         expect(apart(first, poseOf(carrier, made, last, facing))).toBeLessThan(1e-6 * size);
         // The step out of the seam is that of the frame after it in the take, but for the little that is blended in.
-        const own = clip.samples ?? made;
+        const own = take.samples ?? made;
         const [into, outOf] = [poseOf(carrier, made, 1), poseOf(carrier, own, last + 1, facing)];
         const most = apart(poseOf(carrier, own, 1), outOf);
         expect(apart(into, outOf)).toBeLessThan(0.1 * most + 1e-6 * size);

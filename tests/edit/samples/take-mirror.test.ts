@@ -9,7 +9,7 @@ import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { type ChannelClip, restChannel } from '../../../src/model/takes/clip.ts';
+import { restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph } from '../../helpers/builders.ts';
 import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
@@ -17,18 +17,18 @@ import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { channelOf } from '../keys/channels.ts';
 
-function mirrored(skeleton: Skeleton, clip: ChannelClip, up: 'y' | 'z' = 'y'): ChannelClip {
-  return runToEnd(mirroringTake({ skeleton, morphs: [], pose: filePose(skeleton, 0) }, clip, up));
+function mirrored(skeleton: Skeleton, take: Take, up: 'y' | 'z' = 'y'): Take {
+  return runToEnd(mirroringTake({ skeleton, morphs: [], pose: filePose(skeleton, 0) }, take, up));
 }
 
-function framesOf(clip: ChannelClip) {
-  if (!clip.samples) throw new Error(`${clip.name} has no samples.`);
-  return clip.samples;
+function framesOf(take: Take) {
+  if (!take.samples) throw new Error(`${take.name} has no samples.`);
+  return take.samples;
 }
 
 /** World matrices in a frame. */
-function worldOf(skeleton: Skeleton, clip: ChannelClip, frame: number): Float64Array {
-  const { values, scales } = framesOf(clip);
+function worldOf(skeleton: Skeleton, take: Take, frame: number): Float64Array {
+  const { values, scales } = framesOf(take);
   const width = scales.length;
   const compiled = compileSkeleton(skeleton);
   const world = new Float64Array(16 * compiled.jointCount);
@@ -41,7 +41,7 @@ function worldOf(skeleton: Skeleton, clip: ChannelClip, frame: number): Float64A
 }
 
 /** The largest difference of two takes in the world, with every twentieth frame looked at. */
-function worldApart(skeleton: Skeleton, a: ChannelClip, b: ChannelClip): number {
+function worldApart(skeleton: Skeleton, a: Take, b: Take): number {
   let most = 0;
   for (let frame = 0; frame < framesOf(a).frameCount; frame += 20) {
     const theirs = worldOf(skeleton, b, frame);
@@ -53,11 +53,11 @@ function worldApart(skeleton: Skeleton, a: ChannelClip, b: ChannelClip): number 
 }
 
 /** How far the joints of a mirrored take are from the mirror image of their counterparts, both relative to the root. */
-function offTheMirror(skeleton: Skeleton, clip: ChannelClip, once: ChannelClip): number {
+function offTheMirror(skeleton: Skeleton, take: Take, once: Take): number {
   const { partner } = reflectionOf(skeleton);
   const worst = [0, 0, 0];
-  for (let frame = 0; frame < framesOf(clip).frameCount; frame += 20) {
-    const [was, is] = [worldOf(skeleton, clip, frame), worldOf(skeleton, once, frame)];
+  for (let frame = 0; frame < framesOf(take).frameCount; frame += 20) {
+    const [was, is] = [worldOf(skeleton, take, frame), worldOf(skeleton, once, frame)];
     partner.forEach((t, s) => {
       if (t < 0) return;
       worst.forEach((_, axis) => {
@@ -94,15 +94,15 @@ const WALK = takeOfRoots(
   Array.from({ length: 20 }, (_, f) => [3 * f, 90, 20 * f] as const),
 );
 /** With the left knee bent, by column. */
-const LIMPING: ChannelClip = {
+const LIMPING: Take = {
   ...WALK,
   samples: { ...framesOf(WALK), values: framesOf(WALK).values.map((v, i) => (i % 21 === 13 ? 30 : v)) },
 };
 
 describe('mirroring a take', () => {
   it('mirroring a take exchanges the sides and reflects the path, in the numbers of the file', () => {
-    const clip = mirrored(WALKER, LIMPING);
-    const { values } = framesOf(clip);
+    const take = mirrored(WALKER, LIMPING);
+    const { values } = framesOf(take);
     const before = framesOf(LIMPING).values;
     for (let f = 0; f < 20; f++) {
       const row = f * 21;
@@ -142,11 +142,11 @@ describe('mirroring a take', () => {
     const hero: Character = character({
       skeleton,
       morphs: [morph('smile_l'), morph('smile_r')],
-      clips: [{ name: 'hero_wave', range: [0, 1], channels }],
-      shownClip: 0,
+      takes: [{ name: 'hero_wave', range: [0, 1], channels }],
+      shownTake: 0,
       pose: Array<number>(14).fill(0),
     });
-    const args = { takes: [{ characterId: 'c1', clip: 0 }] };
+    const args = { takes: [{ characterId: 'c1', take: 0 }] };
     const once = expectEdit(documentOf(hero), mirrorTakes, args).characters[0];
     const at = (of: Character, seconds: number) => {
       const out = new Float64Array(14);
@@ -161,27 +161,27 @@ describe('mirroring a take', () => {
       expect([now[6], now[8]].map(Math.abs)).toEqual([0, 0]);
       expect([now[12], now[13]]).toEqual([0, was[12]]);
     }
-    expect(mirrorTakes.run(documentOf(once), args).characters[0].clips).toEqual(hero.clips);
+    expect(mirrorTakes.run(documentOf(once), args).characters[0].takes).toEqual(hero.takes);
   });
 
   it('several takes are mirrored in one step', () => {
     const two = documentOf(captured(WALKER, LIMPING), captured(WALKER, WALK, { id: 'c2', name: 'second' }));
-    const takes = ['c1', 'c2'].map((characterId) => ({ characterId, clip: 0 }));
-    const after = expectEdit(two, mirrorTakes, { takes });
-    expect(after.characters.map(({ clips }) => framesOf(clips[0]).values[21])).toEqual([-3, -3]);
+    const refs = ['c1', 'c2'].map((characterId) => ({ characterId, take: 0 }));
+    const after = expectEdit(two, mirrorTakes, { takes: refs });
+    expect(after.characters.map(({ takes }) => framesOf(takes[0]).values[21])).toEqual([-3, -3]);
   });
 });
 
 describeShared('mirroring real takes', () => {
   for (const name of BVH_FILES) {
     it(`${name} mirrored shows each side where the other was, and mirrored twice is itself`, () => {
-      for (const { skeleton, clip: whole } of sharedFigures(name)) {
+      for (const { skeleton, take: whole } of sharedFigures(name)) {
         if (!whole?.samples) continue;
-        const clip = { ...whole, samples: framesBetween(whole.samples, 0, Math.min(60, whole.samples.frameCount)) };
+        const take = { ...whole, samples: framesBetween(whole.samples, 0, Math.min(60, whole.samples.frameCount)) };
         const { size } = reflectionOf(skeleton);
-        const once = mirrored(skeleton, clip);
-        expect(worldApart(skeleton, mirrored(skeleton, once), clip)).toBeLessThan(1e-6 * size);
-        expect(offTheMirror(skeleton, clip, once)).toBeLessThan(lopsided(skeleton) + 0.03 * size);
+        const once = mirrored(skeleton, take);
+        expect(worldApart(skeleton, mirrored(skeleton, once), take)).toBeLessThan(1e-6 * size);
+        expect(offTheMirror(skeleton, take, once)).toBeLessThan(lopsided(skeleton) + 0.03 * size);
       }
     });
   }

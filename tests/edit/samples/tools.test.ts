@@ -19,8 +19,8 @@ import { resampling } from '../../../src/edit/samples/resample.ts';
 import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
-import { type Document, shownClip } from '../../../src/model/document.ts';
-import { type ChannelClip, keysOf } from '../../../src/model/takes/clip.ts';
+import { type Document, shownTake } from '../../../src/model/document.ts';
+import { keysOf, type Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { channelOf } from '../keys/channels.ts';
@@ -28,39 +28,39 @@ import { documentWith, swing, swinging, takeOfColumns, WIDTH } from './made.ts';
 
 const c1 = { characterId: 'c1' };
 
-function clipOf(document: Document): ChannelClip {
-  const clip = shownClip(document.characters[0]);
-  if (!clip) throw new Error('the take is gone');
-  return clip;
+function takeOf(document: Document): Take {
+  const take = shownTake(document.characters[0]);
+  if (!take) throw new Error('the take is gone');
+  return take;
 }
 
-function pose(clip: ChannelClip, seconds: number): number[] {
+function pose(take: Take, seconds: number): number[] {
   const out = new Float64Array(WIDTH);
-  poseAt(swinging(clip), seconds, out);
+  poseAt(swinging(take), seconds, out);
   return [...out];
 }
 
 describe('cutting samples', () => {
   it('crops to the frames within a range, at the times they had', () => {
-    const clip = clipOf(cropSamples.run(documentWith(), { ...c1, from: 0.49, to: 1.5 }));
-    expect(clip.samples?.frameCount).toBe(61);
-    expect(clip.range).toEqual([0.5, 1.5]);
-    expect(pose(clip, 1)).toEqual(pose(swing, 1));
-    expect(clip.samples?.values.buffer.byteLength).toBe(61 * WIDTH * 8);
+    const take = takeOf(cropSamples.run(documentWith(), { ...c1, from: 0.49, to: 1.5 }));
+    expect(take.samples?.frameCount).toBe(61);
+    expect(take.range).toEqual([0.5, 1.5]);
+    expect(pose(take, 1)).toEqual(pose(swing, 1));
+    expect(take.samples?.values.buffer.byteLength).toBe(61 * WIDTH * 8);
   });
 
   it('times of frames typed with three decimals keep those frames', () => {
     // 60 frames a second: 34 / 60 = 0.56666…, 77 / 60 = 1.28333….
-    const clip = clipOf(cropSamples.run(documentWith(), { ...c1, from: 0.567, to: 1.283 }));
-    expect(clip.samples?.frameCount).toBe(44);
-    expectClose(clip.range, [34 / 60, 77 / 60], 1e-12);
-    const [before, after] = splitSamples.run(documentWith(), { ...c1, timeSeconds: 0.567 }).characters[0].clips;
+    const take = takeOf(cropSamples.run(documentWith(), { ...c1, from: 0.567, to: 1.283 }));
+    expect(take.samples?.frameCount).toBe(44);
+    expectClose(take.range, [34 / 60, 77 / 60], 1e-12);
+    const [before, after] = splitSamples.run(documentWith(), { ...c1, timeSeconds: 0.567 }).characters[0].takes;
     expect([before, after].map(({ samples }) => samples?.frameCount)).toEqual([34, 87]);
   });
 
   it('trims either end at a time, keeping the frame there', () => {
-    const start = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'start', timeSeconds: 1 }));
-    const end = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'end', timeSeconds: 1 }));
+    const start = takeOf(trimSamples.run(documentWith(), { ...c1, side: 'start', timeSeconds: 1 }));
+    const end = takeOf(trimSamples.run(documentWith(), { ...c1, side: 'end', timeSeconds: 1 }));
     expect([start.range, end.range]).toEqual([
       [1, 2],
       [0, 1],
@@ -69,13 +69,13 @@ describe('cutting samples', () => {
 
   it('splits into two takes, of which the second is shown', () => {
     const document = splitSamples.run(documentWith(), { ...c1, timeSeconds: 1 });
-    const { clips, shownClip: shown } = document.characters[0];
-    expect(clips.map((c) => [c.name, c.samples?.frameCount])).toEqual([
+    const { takes, shownTake: shown } = document.characters[0];
+    expect(takes.map((c) => [c.name, c.samples?.frameCount])).toEqual([
       ['swing', 60],
       ['swing_2', 61],
     ]);
     expect(shown).toBe(1);
-    expect(pose(clips[1], 1.5)).toEqual(pose(swing, 1.5));
+    expect(pose(takes[1], 1.5)).toEqual(pose(swing, 1.5));
   });
 
   it('changes nothing if nothing is removed, and refuses to leave nothing', () => {
@@ -89,12 +89,12 @@ describe('cutting samples', () => {
 
 describe('resampling samples', () => {
   it('samples what plays at the new frames', () => {
-    const clip = clipOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 24 }));
-    expect(clip.samples?.frameCount).toBe(49);
-    pose(clip, 1.125).forEach((value, d) => {
+    const take = takeOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 24 }));
+    expect(take.samples?.frameCount).toBe(49);
+    pose(take, 1.125).forEach((value, d) => {
       expect(value).toBeCloseTo(pose(swing, 1.125)[d], 12);
     });
-    expect(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 60 }).characters[0].clips[0]).toBe(swing);
+    expect(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 60 }).characters[0].takes[0]).toBe(swing);
   });
 
   it('refuses more than a page can hold, frames or values', () => {
@@ -109,8 +109,8 @@ describe('resampling samples', () => {
 
   it('resampling samples turns joints the short way if an angle jumps from frame to frame', () => {
     const jump = takeOfColumns((c, t) => (c === 4 ? (t < 0.25 ? 178 : -178) : 0), 31, 60);
-    const clip = clipOf(resampleSamples.run(documentWith(jump), { ...c1, framesPerSecond: 120 }));
-    const angle = pose(clip, 14.5 / 60)[4];
+    const take = takeOf(resampleSamples.run(documentWith(jump), { ...c1, framesPerSecond: 120 }));
+    const angle = pose(take, 14.5 / 60)[4];
     expect(Math.cos(angle)).toBeLessThan(-0.99);
   });
 });
@@ -128,27 +128,27 @@ describe('reversing a take', () => {
           : c,
       ),
     };
-    const clip = clipOf(reverseSamples.run(documentWith(keyed), c1));
+    const take = takeOf(reverseSamples.run(documentWith(keyed), c1));
     for (const seconds of [0, 0.5, 2]) {
-      pose(clip, 2 - seconds).forEach((value, d) => {
+      pose(take, 2 - seconds).forEach((value, d) => {
         expect(value).toBeCloseTo(pose(keyed, seconds)[d], 10);
       });
     }
-    const twice = clipOf(reverseSamples.run(documentWith(clip), c1));
+    const twice = takeOf(reverseSamples.run(documentWith(take), c1));
     expect(twice.samples?.values).toEqual(swing.samples?.values);
     expect([...keysOf(twice.channels[0]).times]).toEqual([0, 1]);
   });
 });
 
 describe('smoothing samples', () => {
-  const smooth = (clip: ChannelClip, sigmaSeconds = 0.05, channels?: readonly number[]) =>
-    clipOf(smoothSamples.run(documentWith(clip), { ...c1, sigmaSeconds, channels }));
+  const smooth = (take: Take, sigmaSeconds = 0.05, channels?: readonly number[]) =>
+    takeOf(smoothSamples.run(documentWith(take), { ...c1, sigmaSeconds, channels }));
 
   it('removes jitter and keeps ends and straight stretches', () => {
     const jitter = takeOfColumns((c, t) => (c === 0 ? 10 * t + (Math.round(60 * t) % 2 ? 0.1 : -0.1) : 0));
-    const clip = smooth(jitter);
-    expect(pose(clip, 1)[0]).toBeCloseTo(10, 3);
-    expect(pose(clip, 0)[0]).toBeCloseTo(-0.1, 12);
+    const take = smooth(jitter);
+    expect(pose(take, 1)[0]).toBeCloseTo(10, 3);
+    expect(pose(take, 0)[0]).toBeCloseTo(-0.1, 12);
     const straight = takeOfColumns((c, t) => (c === 0 ? 10 * t : 0));
     for (const t of [0, 0.1, 1, 2]) expect(pose(smooth(straight), t)[0]).toBeCloseTo(10 * t, 10);
   });
@@ -161,16 +161,16 @@ describe('smoothing samples', () => {
 
   it('smoothing samples does not smear angles that jump by a turn', () => {
     const turning = takeOfColumns((c, t) => (c === 3 ? ((90 * t + 170) % 360) - (90 * t + 170 >= 180 ? 360 : 0) : 0));
-    const clip = smooth(turning);
+    const take = smooth(turning);
     for (const t of [0.05, 0.1, 0.111, 0.15, 1]) {
-      expect(Math.cos(pose(clip, t)[3] - ((90 * t + 170) * Math.PI) / 180)).toBeCloseTo(1, 4);
+      expect(Math.cos(pose(take, t)[3] - ((90 * t + 170) * Math.PI) / 180)).toBeCloseTo(1, 4);
     }
   });
 
   it('leaves other channels, and keyed ones, unchanged', () => {
-    const clip = smooth(swing, 0.1, [0]);
-    expect(pose(clip, 0.7).slice(1)).toEqual(pose(swing, 0.7).slice(1));
-    expect(pose(clip, 0.7)[0]).toBeCloseTo(0.7, 10);
+    const take = smooth(swing, 0.1, [0]);
+    expect(pose(take, 0.7).slice(1)).toEqual(pose(swing, 0.7).slice(1));
+    expect(pose(take, 0.7)[0]).toBeCloseTo(0.7, 10);
   });
 
   it('refuses a filter of no width', () => {
@@ -180,9 +180,9 @@ describe('smoothing samples', () => {
 
 describe('samples of a character that another one moves', () => {
   const source = swinging(takeOfColumns((c) => (c === 4 ? 90 : 0)));
-  const driven = (clip: ChannelClip) => {
+  const driven = (take: Take) => {
     const moving = { ...source, id: 'c2', name: 'other' };
-    return setRetarget.run(documentOf(swinging(clip), moving), { ...c1, sourceId: 'c2' });
+    return setRetarget.run(documentOf(swinging(take), moving), { ...c1, sourceId: 'c2' });
   };
   const tolerance = { position: 0.1, angle: 0.1 };
 
@@ -203,7 +203,7 @@ describe('samples of a character that another one moves', () => {
     expect(takeAlone(character, swing)).not.toHaveProperty('driver');
     const resampled = runToEnd(resampling(character, swing, 30));
     expect(pose(resampled, 1)).toEqual(
-      pose(clipOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 30 })), 1),
+      pose(takeOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 30 })), 1),
     );
   });
 });

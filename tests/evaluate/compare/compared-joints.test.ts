@@ -75,8 +75,8 @@ describe('the compared joints of two characters', () => {
       { target: 0, source: 0 },
       { target: 4, source: 3 },
     ];
-    const clip = takeOfRows(person(), [[0]]);
-    const driver = driverOf(source.skeleton ?? person(), clip, pairs);
+    const take = takeOfRows(person(), [[0]]);
+    const driver = driverOf(source.skeleton ?? person(), take, pairs);
     const target = of({ ...person({ names: (_, i) => `j${i}` }), name: 'target' }, { driver });
     expect(comparedJoints(target, source)).toMatchObject({ first: [0, 4], second: [0, 3] });
     expect(comparedJoints(source, target)).toMatchObject({
@@ -117,12 +117,12 @@ describe('a comparison of two rigs relative to their roots', () => {
   it('a comparison of two rigs relative to their roots ignores how their axes differ at rest', () => {
     const source = person();
     const angles = Array.from({ length: jointDofCount(source) - 3 }, (_, i) => (i < 3 ? 0.4 : 0) + 0.1 * Math.sin(i));
-    const clip = takeOfRows(source, [[0.3, 0.9, -0.2, ...angles]]);
+    const take = takeOfRows(source, [[0.3, 0.9, -0.2, ...angles]]);
     const metres: Space = { up: 'y', unit: 'metres', lift: 0 };
-    const a = of({ ...source, name: 'a' }, { clips: [clip], shownClip: 0, space: metres });
+    const a = of({ ...source, name: 'a' }, { takes: [take], shownTake: 0, space: metres });
     const target = { ...person({ zUp: true, size: 100, names: (part) => part.toUpperCase() }), name: 'b' };
     const pairs = automaticPairs(source, target, metres, SPACE);
-    const b = of(target, { driver: driverOf(source, clip, pairs, { plantsFeet: false }, metres), space: SPACE });
+    const b = of(target, { driver: driverOf(source, take, pairs, { plantsFeet: false }, metres), space: SPACE });
     const joints = comparedJoints(a, b);
     expect(joints.first).toHaveLength(source.joints.length);
     expect(largest(a, b, rootTurn(a, b, joints))).toBeLessThan(0.01);

@@ -7,8 +7,8 @@ import { zxyAngles } from '../../../src/evaluate/rotations/euler-angles.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
-import { type ChannelClip, SAMPLED } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import { SAMPLED, type Take } from '../../../src/model/takes/take.ts';
 import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { sharedFigures } from '../../helpers/bvh-files.ts';
@@ -17,7 +17,7 @@ import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 
 /** Moved along x by the value of its first channel; joints one above the other. */
 function moving(values: readonly number[], more: Partial<Character> = {}): Character {
-  return character({ skeleton: skeleton(3), clips: [takeOfValues('take', values)], shownClip: 0, ...more });
+  return character({ skeleton: skeleton(3), takes: [takeOfValues('take', values)], shownTake: 0, ...more });
 }
 
 function measured(a: Character, b: Character, alignment: Alignment = 'world', framesPerSecond = 10): Distances {
@@ -83,7 +83,7 @@ describe('the distance of two takes', () => {
         const swing = 30 * Math.sin(f);
         return [0, 0, 0, x + 5 * f * sin, 9, 5 * f * cos, heading, f, swing, -swing];
       });
-      const { skeleton: made, clip: take } = bvhFigure(own, rows);
+      const { skeleton: made, take } = bvhFigure(own, rows);
       if (!take) throw new Error('no take was made');
       return captured(made, take, { id });
     };
@@ -97,7 +97,7 @@ describe('the distance of two takes', () => {
   });
 
   it('the distance of two takes is taken where both takes are, at the finer rate, each with its offset', () => {
-    const sampled: ChannelClip = {
+    const sampled: Take = {
       ...takeOfValues('sampled', []),
       range: [0, 1],
       samples: {
@@ -110,14 +110,14 @@ describe('the distance of two takes', () => {
         interpolation: 'linear',
       },
     };
-    const a = moving([], { clips: [sampled], timeOffsetSeconds: 0.5 });
-    const b = moving([0], { clips: [takeOfValues('keyed', [0], [0, 3])] });
+    const a = moving([], { takes: [sampled], timeOffsetSeconds: 0.5 });
+    const b = moving([0], { takes: [takeOfValues('keyed', [0], [0, 3])] });
     const times = commonFrames(a, b, 10, 3);
     expect(times?.startSeconds).toBeCloseTo(0, 12);
     expect(times?.frameSeconds).toBeCloseTo(0.02, 12);
     expect(times?.frameCount).toBe(26);
     expect(commonFrames(a, moving([], { timeOffsetSeconds: -9 }), 10, 3)).toBeUndefined();
-    expect(commonFrames(a, { ...b, shownClip: -1 }, 10, 3)).toBeUndefined();
+    expect(commonFrames(a, { ...b, shownTake: -1 }, 10, 3)).toBeUndefined();
   });
 
   it('says of each joint how far it is in the mean and at most, and when', () => {
@@ -130,8 +130,8 @@ describe('the distance of two takes', () => {
       scales: Float64Array.of(1),
       interpolation: 'linear',
     };
-    const ramp: ChannelClip = { name: 'ramp', range: [0, 1], channels: [SAMPLED], samples };
-    const d = measured(moving([], { clips: [ramp] }), moving([0]), 'world', 2);
+    const ramp: Take = { name: 'ramp', range: [0, 1], channels: [SAMPLED], samples };
+    const d = measured(moving([], { takes: [ramp] }), moving([0]), 'world', 2);
     expect([...d.values.subarray(0, d.frameCount)]).toEqual([0, 6, 3]);
     expect(d.jointMost[0]).toBe(6);
     expect(d.jointMostAt[0]).toBe(1);
@@ -144,9 +144,9 @@ describeShared('the distance of a real take and itself', () => {
   it('a real take is at distance 0 from itself at the same offset, and at that of its motion at another', () => {
     const { value } = readBvh(sharedBytes('data/bvh/cmu-daz-pirouette.bvh'), 'pirouette.bvh');
     const figure = value?.[0];
-    if (!figure?.clip) throw new Error('the file has no motion');
-    const { skeleton: own, clip: take } = figure;
-    const base = { skeleton: own, pose: filePose(own, 0), clips: [take], shownClip: 0 };
+    if (!figure?.take) throw new Error('the file has no motion');
+    const { skeleton: own, take } = figure;
+    const base = { skeleton: own, pose: filePose(own, 0), takes: [take], shownTake: 0 };
     const same = measured(character(base), character({ ...base, id: 'c2' }));
     expect(same.frameCount).toBe(take.samples?.frameCount);
     expect(Math.max(...same.jointMost)).toBe(0);
@@ -155,7 +155,7 @@ describeShared('the distance of a real take and itself', () => {
     expect(later.match.first).toHaveLength(own.joints.length);
   });
   it('a real take whose root stays at the origin is at distance 0 from itself, moved and turned as a whole', () => {
-    const [{ skeleton: own, clip: take }] = sharedFigures('bandai-namco-bow-normal.bvh');
+    const [{ skeleton: own, take }] = sharedFigures('bandai-namco-bow-normal.bvh');
     if (!take?.samples) throw new Error('the file has no motion');
     const { samples } = take;
     const compiled = compileSkeleton(own);

@@ -17,7 +17,7 @@ function warped(a: Character, b: Character) {
 
 /** Its frames, in the order and as often as `at` says, as a take of as many frames. */
 function retimed(one: Character, at: (frame: number, count: number) => number): Character {
-  const take = one.clips[one.shownClip];
+  const take = one.takes[one.shownTake];
   const { samples } = take;
   if (!samples) throw new Error('The take has no samples.');
   const { frameCount, values } = samples;
@@ -28,12 +28,12 @@ function retimed(one: Character, at: (frame: number, count: number) => number): 
     for (let k = 0; k < width; k++) moved[f * width + k] = values[from * width + k];
   }
   const changed: Samples = { ...samples, values: moved };
-  return { ...one, clips: [{ ...take, samples: changed }], shownClip: 0 };
+  return { ...one, takes: [{ ...take, samples: changed }], shownTake: 0 };
 }
 
 describe('the distance of two takes with time warp', () => {
   it('takes without joints in common, or without a take, have none', () => {
-    const made = character({ clips: [takeOfValues('take', [])], shownClip: 0 });
+    const made = character({ takes: [takeOfValues('take', [])], shownTake: 0 });
     expect(warped(made, character())).toBeUndefined();
     const none = { first: [], second: [], onlyFirst: [0, 1], onlySecond: [0, 1] };
     expect(runToEnd(warpTakes(made, made, none, 'world', 30))).toBeUndefined();
@@ -43,8 +43,8 @@ describe('the distance of two takes with time warp', () => {
 describeShared('the distance of real takes with time warp', () => {
   const [figure] = sharedFigures('cmu-01_01.bvh');
   const one = () => {
-    if (!figure.clip) throw new Error('The file has no take.');
-    return captured(figure.skeleton, figure.clip);
+    if (!figure.take) throw new Error('The file has no take.');
+    return captured(figure.skeleton, figure.take);
   };
 
   it('a take is at distance 0 from itself', () => {

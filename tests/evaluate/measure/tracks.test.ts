@@ -25,7 +25,7 @@ function tracked(of: Character) {
 }
 
 function opened(name: string): readonly Character[] {
-  return sharedFigures(name).flatMap(({ skeleton: own, clip: take }) => (take ? [captured(own, take)] : []));
+  return sharedFigures(name).flatMap(({ skeleton: own, take }) => (take ? [captured(own, take)] : []));
 }
 
 interface Expected {
@@ -43,10 +43,10 @@ interface Expected {
 
 describe('the tracks of joints', () => {
   it('are at the frames of the take in seconds of the transport; a character without a take has none', () => {
-    const made = character({ clips: [takeOfValues('walk', [], [0, 2])], shownClip: 0, timeOffsetSeconds: 0.5 });
+    const made = character({ takes: [takeOfValues('walk', [], [0, 2])], shownTake: 0, timeOffsetSeconds: 0.5 });
     expect(measuredFrames(made, 10)).toEqual({ startSeconds: -0.5, frameSeconds: 0.1, frameCount: 21 });
     expect(measuredFrames(character(), 10)).toBeUndefined();
-    const stated = character({ clips: [{ ...takeOfValues('walk', [], [0, 2]), framesPerSecond: 24 }], shownClip: 0 });
+    const stated = character({ takes: [{ ...takeOfValues('walk', [], [0, 2]), framesPerSecond: 24 }], shownTake: 0 });
     expect(measuredFrames(stated, 10)).toEqual({ startSeconds: 0, frameSeconds: 1 / 24, frameCount: 49 });
   });
 
@@ -55,7 +55,7 @@ describe('the tracks of joints', () => {
     [-1e308, 1e308],
     [0, 1e6],
   ])('a range of keys from %d to %d s is measured in frames that a page can hold', (start, end) => {
-    const long = character({ skeleton: skeleton(1), clips: [takeOfValues('take', [0], [start, end])], shownClip: 0 });
+    const long = character({ skeleton: skeleton(1), takes: [takeOfValues('take', [0], [start, end])], shownTake: 0 });
     const frames = measuredFrames(long, 30);
     expect(frames?.frameCount).toBeLessThanOrEqual(1e6);
     const { startSeconds = 0, frameCount = 0, frameSeconds = 0 } = frames ?? {};
@@ -67,8 +67,8 @@ describe('the tracks of joints', () => {
   it('positions are metres of the scene, and rotations are from rest and relative to the parent', () => {
     const made = character({
       skeleton: skeleton(2),
-      clips: [takeOfValues('take', [100, 0, 0, 0, 0, 0, 0.5, 0, 0])],
-      shownClip: 0,
+      takes: [takeOfValues('take', [100, 0, 0, 0, 0, 0, 0.5, 0, 0])],
+      shownTake: 0,
       space: { up: 'y', unit: 'centimetres', lift: 0 },
       placements: [{ ...DEFAULT_PLACEMENT, position: [0, 3, 0] }],
     });
@@ -82,7 +82,7 @@ describe('the tracks of joints', () => {
   it('the centre of mass of a skeleton that is no body is the middle of its bones', () => {
     const own = skeleton(3);
     expect(jointMasses(own)).toEqual({ model: 'bones', weights: Float64Array.of(0.25, 0.5, 0.25) });
-    const made = character({ skeleton: own, clips: [takeOfValues('take', [4, 0, 0])], shownClip: 0 });
+    const made = character({ skeleton: own, takes: [takeOfValues('take', [4, 0, 0])], shownTake: 0 });
     expect([...tracked(made).mass.subarray(0, 3)]).toEqual([4, 2, 0]);
     expect(jointMasses(skeleton(1)).weights).toEqual(Float64Array.of(1));
   });

@@ -2,13 +2,13 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { bucketKeys, MEANT_KEY, NO_KEY, OTHER_KEY } from '../../../src/evaluate/plot/key-buckets.ts';
 import {
-  clipsRange,
   nextKey,
   previousKey,
   type ShownChannel,
   shownKeys,
+  takesRange,
 } from '../../../src/evaluate/plot/shown-keys.ts';
-import { channel, character, clip, documentOf, skeleton } from '../../ui/builders.ts';
+import { channel, character, documentOf, skeleton, take } from '../../ui/builders.ts';
 
 const two = skeleton(['hips', -1], ['leg', 0]);
 
@@ -19,7 +19,7 @@ function shown(times: readonly number[], meant = true, offsetSeconds = 0): Shown
 describe('shownKeys', () => {
   // Three translations, then three rotations a joint.
   const channels = Array.from({ length: 9 }, (_, i) => channel(i));
-  const wasp = character({ skeleton: two, clips: [clip([0, 1], ...channels)] });
+  const wasp = character({ skeleton: two, takes: [take([0, 1], ...channels)] });
   const meantTimes = (joint: number) =>
     shownKeys(documentOf(wasp), { characterId: 'c1', joint }).flatMap((c) => (c.meant ? [...c.times] : []));
 
@@ -33,13 +33,13 @@ describe('shownKeys', () => {
   });
 
   it('means all where the joint has none', () => {
-    const bare = character({ skeleton: two, clips: [clip([0, 1], channel(0, 1))] });
+    const bare = character({ skeleton: two, takes: [take([0, 1], channel(0, 1))] });
     const keys = shownKeys(documentOf(bare), { characterId: 'c1', joint: 1 });
     expect(keys.map((c) => c.meant)).toEqual([true]);
   });
 
   it('shownKeys shows the selected character’s only', () => {
-    const other = character({ id: 'c2', clips: [clip([0, 1], channel(9))] });
+    const other = character({ id: 'c2', takes: [take([0, 1], channel(9))] });
     expect(shownKeys(documentOf(wasp, other), { characterId: 'c2' })).toHaveLength(1);
     expect(shownKeys(documentOf(wasp, other), {})).toHaveLength(10);
   });
@@ -117,8 +117,8 @@ describe('bucketKeys', () => {
 });
 
 it('spans the takes of all characters, with their offsets', () => {
-  const a = character({ clips: [clip([0, 2])] });
-  const b = character({ id: 'c2', clips: [clip([1, 3])], timeOffsetSeconds: 2 });
-  expect(clipsRange(documentOf(a, b))).toEqual([-1, 2]);
-  expect(clipsRange(documentOf(character()))).toBeUndefined();
+  const a = character({ takes: [take([0, 2])] });
+  const b = character({ id: 'c2', takes: [take([1, 3])], timeOffsetSeconds: 2 });
+  expect(takesRange(documentOf(a, b))).toEqual([-1, 2]);
+  expect(takesRange(documentOf(character()))).toBeUndefined();
 });

@@ -4,7 +4,7 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { type PoseSource, poseFrom, poseSource } from '../../../src/evaluate/pose.ts';
 import { applySpace } from '../../../src/evaluate/space/space.ts';
 import { guessSpace } from '../../../src/evaluate/space/space-guess.ts';
-import { type Character, findCharacter, shownClip } from '../../../src/model/document.ts';
+import { type Character, findCharacter, shownTake } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { positionsMeant, withPositions } from '../../../src/model/skeleton/position-channels.ts';
 import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
@@ -51,12 +51,12 @@ export const HUMANOIDS: readonly string[] = Object.keys(LIMBS);
 
 /** Its first figure as a character, position channels as its writer meant them. */
 export function captured(file: string, id = file): Character {
-  const [{ skeleton: read, clip }] = sharedFigures(file);
-  const skeleton = withPositions(read, positionsMeant(read, clip));
+  const [{ skeleton: read, take }] = sharedFigures(file);
+  const skeleton = withPositions(read, positionsMeant(read, take));
   return {
-    ...character({ id, name: id, skeleton, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 }),
+    ...character({ id, name: id, skeleton, takes: take ? [take] : [], shownTake: take ? 0 : -1 }),
     pose: filePose(skeleton, 0),
-    space: guessSpace(skeleton, clip),
+    space: guessSpace(skeleton, take),
   };
 }
 
@@ -137,9 +137,9 @@ export function pointNames(character: Character): readonly string[] {
 
 /** Seconds of the transport at each frame of the shown take. */
 export function frameTimes(character: Character, most = Infinity): readonly number[] {
-  const clip = shownClip(character);
-  if (!clip?.samples) throw new Error(`${character.name} has no samples.`);
-  const { frameCount, frameSeconds, startSeconds } = clip.samples;
+  const take = shownTake(character);
+  if (!take?.samples) throw new Error(`${character.name} has no samples.`);
+  const { frameCount, frameSeconds, startSeconds } = take.samples;
   const count = Math.min(most, frameCount);
   return Array.from(
     { length: count },

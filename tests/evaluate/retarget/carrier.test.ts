@@ -38,7 +38,7 @@ function dancer(skeleton: Skeleton, moving: string): Character {
     return row;
   });
   return {
-    ...character({ id: 's', name: 'dancer', skeleton, clips: [takeOfRows(skeleton, rows)], shownClip: 0 }),
+    ...character({ id: 's', name: 'dancer', skeleton, takes: [takeOfRows(skeleton, rows)], shownTake: 0 }),
     pose: rest,
   };
 }

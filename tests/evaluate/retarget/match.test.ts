@@ -109,7 +109,7 @@ describeShared('the files of data/bvh, on the walker', () => {
 
   it.each(files.filter((f) => !f.startsWith('dialect')))('%s: hips, knees, feet, elbows, hands and head', (file) => {
     const { figure } = read(file);
-    const pairs = automaticPairs(figure.skeleton, WALKER_SKELETON, guessSpace(figure.skeleton, figure.clip));
+    const pairs = automaticPairs(figure.skeleton, WALKER_SKELETON, guessSpace(figure.skeleton, figure.take));
     const follows = new Map(
       pairs.map((p) => [WALKER_SKELETON.joints[p.target].name, figure.skeleton.joints[p.source].name]),
     );

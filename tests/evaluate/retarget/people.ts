@@ -6,9 +6,9 @@ import { filePose, jointDofCount, rootDofCount } from '../../../src/model/skelet
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import { type BvhMotion, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
 import type { Space } from '../../../src/model/space.ts';
-import { type ChannelClip, restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../../src/model/takes/retarget.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import { restChannel, SAMPLED, type Take } from '../../../src/model/takes/take.ts';
 
 export const PARTS = [
   'hips',
@@ -95,8 +95,8 @@ export function person({ names = (part) => part, size = 1, droop = 0, zUp = fals
   return { name: 'person', joints };
 }
 
-/** A clip of frames of all joint DOFs, one a second tenth. */
-export function takeOfRows(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.1): ChannelClip {
+/** A take of frames of all joint DOFs, one a second tenth. */
+export function takeOfRows(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.1): Take {
   const width = jointDofCount(skeleton);
   const first = rootDofCount(skeleton);
   const samples: Samples = {
@@ -118,7 +118,7 @@ export function takeOfRows(skeleton: Skeleton, rows: readonly (readonly number[]
 
 export function driverOf(
   skeleton: Skeleton,
-  clip: ChannelClip,
+  take: Take,
   pairs: readonly JointPair[],
   options: Partial<RetargetOptions> = {},
   space?: Space,
@@ -128,7 +128,7 @@ export function driverOf(
     source: {
       name: 'source',
       skeleton,
-      clip,
+      take,
       pose: filePose(skeleton, 0),
       clampsToLimits: true,
       timeOffsetSeconds: 0,

@@ -51,7 +51,7 @@ describe('humanoids of unseen kinds', () => {
         const target = stranger('target', others, WALKING);
         // Bones along one axis say nothing about how they stand: only a take does.
         const isTold = hasTake || others.rest === 'x';
-        const onto = isTold ? target.character : { ...target.character, clips: [], shownClip: -1 };
+        const onto = isTold ? target.character : { ...target.character, takes: [], shownTake: -1 };
         const fit = strangersFit(retargeted(source.character, onto), target, source);
         expect(fit.limbs, fit.worst).toBeLessThan(LIMBS);
         expect(fit.feet, fit.worst).toBeLessThan(FEET);

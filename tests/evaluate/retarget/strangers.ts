@@ -265,8 +265,8 @@ export function stranger(name: string, looks: Looks, doing: Doing): Stranger {
   });
   const skeleton: Skeleton = { name, joints };
   const space: Space = { up: looks.up, unit: looks.unit, lift: 0 };
-  const clip = takeOfRows(skeleton, posesOf(parts, looks, doing).map(rowOf), FRAME);
-  const made = character({ id: name, name, skeleton, clips: [clip], shownClip: 0 });
+  const take = takeOfRows(skeleton, posesOf(parts, looks, doing).map(rowOf), FRAME);
+  const made = character({ id: name, name, skeleton, takes: [take], shownTake: 0 });
   const person = { ...made, pose: filePose(skeleton, 0), space };
   const names = pointNames(person);
   const pointOf = (id: string) => {

@@ -7,7 +7,7 @@ import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { jointDofCount } from '../../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import type { Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
+import { restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
 import { character, joint } from '../../helpers/builders.ts';
 
 /** A rotation by way of its angles, or of the quaternion that they came from. */
@@ -47,7 +47,7 @@ const [RZ, RX, RY] = [3, 4, 5];
 function sampled(degrees: readonly number[]) {
   return character({
     skeleton: chain,
-    clips: [
+    takes: [
       {
         name: 'two frames',
         range: [0, 1],
@@ -63,7 +63,7 @@ function sampled(degrees: readonly number[]) {
         },
       },
     ],
-    shownClip: 0,
+    shownTake: 0,
   });
 }
 

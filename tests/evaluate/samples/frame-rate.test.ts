@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { frameRateOf, rateOfTimes, statedRate } from '../../../src/evaluate/samples/frame-rate.ts';
-import { framesOfClip } from '../../../src/evaluate/samples/key-frames.ts';
+import { framesOfTake } from '../../../src/evaluate/samples/key-frames.ts';
 import { takeOfValues } from '../../helpers/builders.ts';
 
 /** Of a take of samples without channels. */
@@ -168,6 +168,6 @@ describe('a stated frame rate', () => {
   it('counts before that of the keys, and its frames are those of the range', () => {
     const keyed = { ...takeOfValues('x', [0, 1], [0.5, 2.5]), framesPerSecond: 24 };
     expect(frameRateOf(keyed)).toBe(24);
-    expect(framesOfClip(keyed, 60)).toEqual({ startSeconds: 0.5, frameSeconds: 1 / 24, frameCount: 49 });
+    expect(framesOfTake(keyed, 60)).toEqual({ startSeconds: 0.5, frameSeconds: 1 / 24, frameCount: 49 });
   });
 });

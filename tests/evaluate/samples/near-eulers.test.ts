@@ -1,13 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { compileSkeleton, localMatrices } from '../../../src/evaluate/kinematics.ts';
 import { PoseRotations } from '../../../src/evaluate/rotations/pose-rotations.ts';
 import { nearEuler, readRows } from '../../../src/evaluate/samples/near-eulers.ts';
 import { sampledJoints } from '../../../src/evaluate/samples/sampled-joints.ts';
 import type { BvhChannel, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
+import { restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
 import { bvhJoint } from '../../helpers/bvh.ts';
 
 /** Radians; of matrices their elements. */
@@ -44,7 +44,7 @@ function between(order: readonly BvhChannel[], from: readonly number[], to: read
     interpolation: 'linear',
   };
   const channels = Array.from({ length: 6 }, (_, c) => (c < 3 ? restChannel() : SAMPLED));
-  const joints = sampledJoints(compileClip({ name: 'go', range: [0, 1], channels, samples }), skeleton);
+  const joints = sampledJoints(compileTake({ name: 'go', range: [0, 1], channels, samples }), skeleton);
   const out = new Float64Array(6);
   const rotations = new PoseRotations(1);
   readRows(samples, joints, 0, part);

@@ -13,8 +13,8 @@ import {
   type Motion,
   UNLIMITED,
 } from '../../../src/model/skeleton/skeleton.ts';
-import { restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
 import { INTERPOLATIONS, type Interpolation } from '../../../src/model/takes/samples.ts';
+import { restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
 import { character, joint, takeOfValues } from '../../helpers/builders.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
 import { evenly } from '../../helpers/evenly.ts';
@@ -29,7 +29,7 @@ function take(motion: Motion, rows: readonly (readonly number[])[], interpolatio
   const firstChannel = rootDofCount(skeleton);
   return character({
     skeleton,
-    clips: [
+    takes: [
       {
         name: 'take',
         range: [0, rows.length - 1],
@@ -47,7 +47,7 @@ function take(motion: Motion, rows: readonly (readonly number[])[], interpolatio
         },
       },
     ],
-    shownClip: 0,
+    shownTake: 0,
   });
 }
 
@@ -298,10 +298,10 @@ describe('linear', () => {
       [170, 0, 0],
       [-170, 40, 80],
     ]);
-    const [sampled] = c.clips;
+    const [sampled] = c.takes;
     const [key] = takeOfValues('key', [0.5]).channels;
     const channels = sampled.channels.with(rootDofCount(c.skeleton) + 1, key);
-    const mixed = { ...c, clips: [{ ...sampled, channels }] };
+    const mixed = { ...c, takes: [{ ...sampled, channels }] };
     expectClose(poseOf(mixed, 0.25), [175 * RADIANS_PER_DEGREE, 0.5, 20 * RADIANS_PER_DEGREE], WITHIN.rounding);
   });
 

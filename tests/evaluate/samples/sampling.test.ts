@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../../src/evaluate/curves.ts';
 import { columnSlope, frameAt, sampleColumn } from '../../../src/evaluate/samples/sampling.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import { type KeyedChannel, restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
 import { INTERPOLATIONS, type Interpolation, type Samples } from '../../../src/model/takes/samples.ts';
+import { type KeyedChannel, restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
 
 function column(values: readonly number[], more: Partial<Samples> = {}): Samples {
@@ -143,8 +143,8 @@ describe('a column by itself', () => {
     };
     const channels = [restChannel(5), SAMPLED, keyed];
     const samples = column([1, 2, 3, 4], { frameCount: 2, firstChannel: 1, scales: Float64Array.of(1, 1) });
-    const clip = compileClip({ name: 'mixed', range: [0, 1], channels, samples });
-    expect([0, 1, 2].map((c) => evaluateChannel(clip, c, 0.25))).toEqual([5, 2, 7]);
-    expect([0, 1, 2].map((c) => evaluateSlope(clip, c, 0.25, 'out'))).toEqual([0, 4, 0]);
+    const take = compileTake({ name: 'mixed', range: [0, 1], channels, samples });
+    expect([0, 1, 2].map((c) => evaluateChannel(take, c, 0.25))).toEqual([5, 2, 7]);
+    expect([0, 1, 2].map((c) => evaluateSlope(take, c, 0.25, 'out'))).toEqual([0, 4, 0]);
   });
 });

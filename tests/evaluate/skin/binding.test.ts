@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { checkClip, checkMorph, checkSkin } from '../../../src/evaluate/skin/binding.ts';
+import { checkMorph, checkSkin, checkTake } from '../../../src/evaluate/skin/binding.ts';
 import { morph, skeleton, skin, takeOfValues } from '../../helpers/builders.ts';
 
 const channels = (n: number) => takeOfValues('walk', new Array<number>(n).fill(0));
@@ -68,22 +68,22 @@ describe('a morph and its skin', () => {
   });
 });
 
-describe('a clip and its skeleton', () => {
-  it('a clip and its skeleton fit with channels for root translation and joints, with or without the morphs', () => {
-    expect(checkClip(channels(9), skeleton(2), 0, 'walk.anim')).toEqual([]);
-    expect(checkClip(channels(9), skeleton(2), 4, 'walk.anim')).toEqual([]);
-    expect(checkClip(channels(13), skeleton(2), 4, 'walk.anim')).toEqual([]);
+describe('a take and its skeleton', () => {
+  it('a take and its skeleton fit with channels for root translation and joints, with or without the morphs', () => {
+    expect(checkTake(channels(9), skeleton(2), 0, 'walk.anim')).toEqual([]);
+    expect(checkTake(channels(9), skeleton(2), 4, 'walk.anim')).toEqual([]);
+    expect(checkTake(channels(13), skeleton(2), 4, 'walk.anim')).toEqual([]);
   });
 
   it('bring a warning with fewer channels', () => {
-    expect(checkClip(channels(3), skeleton(2), 4, 'walk.anim')).toMatchObject([
+    expect(checkTake(channels(3), skeleton(2), 4, 'walk.anim')).toMatchObject([
       {
         severity: 'warning',
         code: 'channels-fewer',
         message: 'The animation has 3 channels, but "hero" needs 9: 3 for the root translation, 6 for its joints.',
       },
     ]);
-    expect(checkClip(channels(10), skeleton(2), 2, 'walk.anim')).toMatchObject([
+    expect(checkTake(channels(10), skeleton(2), 2, 'walk.anim')).toMatchObject([
       {
         code: 'channels-fewer',
         message: expect.stringContaining('needs 11: 3 for the root translation, 6 for its joints and 2 for its morphs'),
@@ -92,7 +92,7 @@ describe('a clip and its skeleton', () => {
   });
 
   it('bring a warning with more channels', () => {
-    expect(checkClip(channels(12), skeleton(2), 1, 'walk.anim')).toMatchObject([
+    expect(checkTake(channels(12), skeleton(2), 1, 'walk.anim')).toMatchObject([
       { severity: 'warning', code: 'channels-more', assumed: 'the last 2 channels are unused' },
     ]);
   });

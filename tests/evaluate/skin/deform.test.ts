@@ -10,7 +10,7 @@ import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Skin } from '../../../src/model/skin.ts';
 import { character, morph, skin } from '../../helpers/builders.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
-import { referenceClip, referenceMorph, referenceSkeleton, referenceSkin } from '../../helpers/reference.ts';
+import { referenceMorph, referenceSkeleton, referenceSkin, referenceTake } from '../../helpers/reference.ts';
 import { conformance, describeShared } from '../../helpers/shared.ts';
 
 interface Expected {
@@ -132,7 +132,7 @@ describeShared('skins against the reference', () => {
   it.each(animFile.cases.filter((c) => c.skin))(
     'vertices of $skin playing $anim are those of the reference',
     ({ skel, skin: path = '', anim, frames }) => {
-      const played = character({ skeleton: referenceSkeleton(skel), clips: [referenceClip(anim)], shownClip: 0 });
+      const played = character({ skeleton: referenceSkeleton(skel), takes: [referenceTake(anim)], shownTake: 0 });
       const model = referenceSkin(path);
       for (const frame of frames) {
         const dofs = new Float64Array(played.pose.length);

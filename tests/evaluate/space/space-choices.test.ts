@@ -12,10 +12,10 @@ it('a stated unit that leaves a figure at an unlikely height is offered others t
   fc.assert(
     fc.property(anySize, fc.constantFrom(1, 0.01, 0.001, 0.0254), (size, metres) => {
       const skeleton = figure({ height: size });
-      const clip = takeOfRoots(skeleton, [[0, size / 2, 0]]);
+      const take = takeOfRoots(skeleton, [[0, size / 2, 0]]);
       const { space } = statedSpace(metres);
-      const choices = spaceChoices(skeleton, clip, space);
-      const { height, isPerson } = figureHeight(skeleton, clip, 'y', true);
+      const choices = spaceChoices(skeleton, take, space);
+      const { height, isPerson } = figureHeight(skeleton, take, 'y', true);
       const isCredible = (tall: number) => (isPerson ? tall >= 0.4 && tall <= 4 : tall >= 0.01 && tall <= 30);
       expect(choices === undefined).toBe(isCredible(height * metres));
       if (!choices) return;
@@ -29,10 +29,10 @@ it('a guessed unit is offered no other that leaves a figure at an unlikely heigh
   fc.assert(
     fc.property(anySize, (size) => {
       const skeleton = figure({ height: size });
-      const clip = takeOfRoots(skeleton, [[0, size / 2, 0]]);
-      const space = guessSpace(skeleton, clip);
-      const { height } = figureHeight(skeleton, clip, 'y');
-      for (const other of spaceChoices(skeleton, clip, space)?.others ?? []) {
+      const take = takeOfRoots(skeleton, [[0, size / 2, 0]]);
+      const space = guessSpace(skeleton, take);
+      const { height } = figureHeight(skeleton, take, 'y');
+      for (const other of spaceChoices(skeleton, take, space)?.others ?? []) {
         if (other.up !== space.up) continue;
         const tall = height * metresPerUnit(other);
         expect([tall >= 0.01, tall <= 30]).toEqual([true, true]);

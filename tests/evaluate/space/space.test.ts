@@ -12,8 +12,8 @@ function standing(options: FigureOptions, over = 0) {
   const skeleton = figure(options);
   const { height = 170, up = 'y' } = options;
   const hips = 0.5 * height + over;
-  const clip = takeOfRoots(skeleton, up === 'y' ? [[0, hips, 0]] : [[0, 0, hips]]);
-  return { skeleton, clip };
+  const take = takeOfRoots(skeleton, up === 'y' ? [[0, hips, 0]] : [[0, 0, hips]]);
+  return { skeleton, take };
 }
 
 describe('the unit of a figure that does not say', () => {
@@ -29,21 +29,21 @@ describe('the unit of a figure that does not say', () => {
     [29, 'cmu'],
     [16.6, 'decimetres'],
   ] satisfies [number, LengthUnit][])('%d high is in %s', (height, unit) => {
-    const { skeleton, clip } = standing({ height });
-    expect(guessSpace(skeleton, clip).unit).toBe(unit);
+    const { skeleton, take } = standing({ height });
+    expect(guessSpace(skeleton, take).unit).toBe(unit);
   });
 
   it('the unit of a figure that does not say is a person’s height where no unit comes near one', () => {
-    const { skeleton, clip } = standing({ height: 5 });
-    const space = guessSpace(skeleton, clip);
+    const { skeleton, take } = standing({ height: 5 });
+    const space = guessSpace(skeleton, take);
     expect(space.unit).toBe('own');
     expect(5 * metresPerUnit(space)).toBeCloseTo(1.7, 2);
-    expect(metresForPerson(skeleton, clip, 'y')).toBe(space.metres);
+    expect(metresForPerson(skeleton, take, 'y')).toBe(space.metres);
   });
 
   it.each([43, 44])('%d high is no unit’s: a person of 1.1 m in inches is unlikely', (height) => {
-    const { skeleton, clip } = standing({ height });
-    const space = guessSpace(skeleton, clip);
+    const { skeleton, take } = standing({ height });
+    const space = guessSpace(skeleton, take);
     expect(space.unit).toBe('own');
     expect(height * metresPerUnit(space)).toBeCloseTo(1.7, 2);
   });
@@ -56,16 +56,16 @@ describe('the unit of a figure that does not say', () => {
       [900, 'millimetres'],
       [16, 'decimetres'],
     ] as const) {
-      const { skeleton, clip } = animal(height, 'y');
-      expect(guessSpace(skeleton, clip).unit, String(height)).toBe(unit);
+      const { skeleton, take } = animal(height, 'y');
+      expect(guessSpace(skeleton, take).unit, String(height)).toBe(unit);
     }
   });
 
   it('leaves every figure between half a person’s height and twice of it', () => {
     fc.assert(
       fc.property(fc.double({ min: 0.01, max: 1e5, noNaN: true }), (height) => {
-        const { skeleton, clip } = standing({ height });
-        const metres = height * metresPerUnit(guessSpace(skeleton, clip));
+        const { skeleton, take } = standing({ height });
+        const metres = height * metresPerUnit(guessSpace(skeleton, take));
         expect(metres).toBeGreaterThan(0.8);
         expect(metres).toBeLessThan(3.5);
       }),
@@ -75,23 +75,23 @@ describe('the unit of a figure that does not say', () => {
   it('the unit of a figure is that of its standing height, though it sits most of the time', () => {
     const skeleton = figure({ height: 170 });
     // Folded: the head's channels are rotations, so the hips and head come down together.
-    const clip = takeOfRoots(
+    const take = takeOfRoots(
       skeleton,
       Array.from({ length: 20 }, () => [0, 85, 0] as const),
     );
-    expect(guessSpace(skeleton, clip).unit).toBe('centimetres');
+    expect(guessSpace(skeleton, take).unit).toBe('centimetres');
   });
 });
 
 describe('the up axis of a figure that does not say', () => {
   it.each(['y', 'z'] as const)('%s leads from the feet to the head, by their names', (up) => {
-    const { skeleton, clip } = standing({ up });
-    expect(guessSpace(skeleton, clip).up).toBe(up);
+    const { skeleton, take } = standing({ up });
+    expect(guessSpace(skeleton, take).up).toBe(up);
   });
 
   it.each(['y', 'z'] as const)('%s is along what is tall, where names say nothing', (up) => {
-    const { skeleton, clip } = standing({ up, named: false });
-    expect(guessSpace(skeleton, clip).up).toBe(up);
+    const { skeleton, take } = standing({ up, named: false });
+    expect(guessSpace(skeleton, take).up).toBe(up);
   });
 
   it.each(['y', 'z'] as const)('%s is seen in a rest pose alone', (up) => {
@@ -124,14 +124,14 @@ function animal(height: number, up: 'y' | 'z', isNamed = true, sunk = 0) {
       part('R_toe', 0, at(-0.1, -0.6, 0.1)),
     ],
   };
-  return { skeleton, clip: takeOfRoots(skeleton, [at(0, 0.6 - sunk, 0), at(0, 0.6 - sunk, 0.3)]) };
+  return { skeleton, take: takeOfRoots(skeleton, [at(0, 0.6 - sunk, 0), at(0, 0.6 - sunk, 0.3)]) };
 }
 
 describe('the up axis of an animal', () => {
   it.each(['y', 'z'] as const)('%s is where all is above its feet, wherever the head is', (up) => {
     for (const sunk of [0, 0.6]) {
-      const { skeleton, clip } = animal(40, up, true, sunk);
-      expect(guessSpace(skeleton, clip).up).toBe(up);
+      const { skeleton, take } = animal(40, up, true, sunk);
+      expect(guessSpace(skeleton, take).up).toBe(up);
       expect(guessSpace(skeleton, undefined).up).toBe(up);
     }
   });
@@ -142,14 +142,14 @@ describe('the ground under a figure', () => {
     ['y', 90],
     ['z', -40],
   ] as const)('the ground under a figure is where its soles are: %s up, %d above the file’s', (up, over) => {
-    const { skeleton, clip } = standing({ up }, over);
-    expect(guessSpace(skeleton, clip).lift).toBeCloseTo(-over / 100, 3);
+    const { skeleton, take } = standing({ up }, over);
+    expect(guessSpace(skeleton, take).lift).toBeCloseTo(-over / 100, 3);
   });
 
   it('the ground under a figure is believed where the file’s is as good', () => {
-    const { skeleton, clip } = standing({}, 0.5);
-    expect(guessSpace(skeleton, clip).lift).toBe(0);
-    expect(liftOntoGround(skeleton, clip, { up: 'y', unit: 'centimetres', lift: 0 })).toBeCloseTo(-0.005, 6);
+    const { skeleton, take } = standing({}, 0.5);
+    expect(guessSpace(skeleton, take).lift).toBe(0);
+    expect(liftOntoGround(skeleton, take, { up: 'y', unit: 'centimetres', lift: 0 })).toBeCloseTo(-0.005, 6);
   });
 
   it('the ground under a figure is not where a jump takes it, nor one toe that sank in', () => {

@@ -4,7 +4,7 @@ import type { Character } from '../../../src/model/document.ts';
 import { rootDofCount } from '../../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import { type Skeleton, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';
-import { EXTRAPOLATIONS, FIXED_TANGENT, type KeyedChannel } from '../../../src/model/takes/clip.ts';
+import { EXTRAPOLATIONS, FIXED_TANGENT, type KeyedChannel } from '../../../src/model/takes/take.ts';
 import { motion } from '../../formats/arbitraries.ts';
 import { character, joint, skin } from '../../helpers/builders.ts';
 import { glbOf, inThree } from '../../helpers/glb.ts';
@@ -112,8 +112,8 @@ const anyone = fc
       skeleton,
       ...(own && { skins: [own] }),
       morphs: morphs.map(({ positions }, m) => ({ name: `m${m}`, positions, normals: NOTHING })),
-      clips: [{ name: 'take', range: [-0.5, 2.75], channels: [...channels, ...morphs.map((each) => each.channel)] }],
-      shownClip: 0,
+      takes: [{ name: 'take', range: [-0.5, 2.75], channels: [...channels, ...morphs.map((each) => each.channel)] }],
+      shownTake: 0,
     });
   });
 

@@ -23,7 +23,7 @@ describe('the body of bones in a GLB file', () => {
       tangentsOut: { kinds: new Uint8Array(5).fill(2), slopes: new Float64Array(5) },
     }));
     const channels = rest.channels.map((each, i) => (i === 6 ? turn : i === 7 ? swing : each));
-    const hero = character({ skeleton: own, clips: [{ ...rest, channels }], shownClip: 0 });
+    const hero = character({ skeleton: own, takes: [{ ...rest, channels }], shownTake: 0 });
     const glb = glbOf(hero, { keys });
     const play = await inThree(glb);
     const dofs = new Float64Array(dofCountOf(hero));

@@ -8,13 +8,13 @@ import { rootDofCount } from '../../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import {
-  type ChannelClip,
   EXTRAPOLATIONS,
   FIXED_TANGENT,
   type KeyedChannel,
   restChannel,
   SMOOTH,
-} from '../../../src/model/takes/clip.ts';
+  type Take,
+} from '../../../src/model/takes/take.ts';
 import { skeleton as anySkeleton } from '../../formats/arbitraries.ts';
 import { character, skin } from '../../helpers/builders.ts';
 import { hasShared, sharedPath } from '../../helpers/shared.ts';
@@ -45,7 +45,7 @@ export interface TakeStyle {
 }
 
 /** A take with keys of every DOF. */
-export function randomTake(skeleton: Skeleton, seed: number, size: number, style: TakeStyle): ChannelClip {
+export function randomTake(skeleton: Skeleton, seed: number, size: number, style: TakeStyle): Take {
   const random = chance(seed);
   const between = (low: number, high: number) => low + (high - low) * random();
   const { angle, seconds, keysPerSecond, isWild = false } = style;
@@ -98,9 +98,9 @@ function moved(name: string, own: Character, seed: number, size: number, styles 
   const { skeleton, morphs } = own;
   if (!skeleton) return [];
   return styles.map(([style, of]) => {
-    const take = randomTake(skeleton, seed + STYLES.findIndex(([each]) => each === style), size, of);
-    const clip = { ...take, channels: [...take.channels, ...morphs.map(() => restChannel())] };
-    return { name: `${name} ${style}`, character: { ...own, clips: [clip], shownClip: 0 } };
+    const played = randomTake(skeleton, seed + STYLES.findIndex(([each]) => each === style), size, of);
+    const take = { ...played, channels: [...played.channels, ...morphs.map(() => restChannel())] };
+    return { name: `${name} ${style}`, character: { ...own, takes: [take], shownTake: 0 } };
   });
 }
 
@@ -148,7 +148,7 @@ export function realCharacters(): readonly Named[] {
   ].map((path) => [path]);
   return [...TOGETHER, ...single].flatMap((paths) =>
     opened(paths).flatMap((own) =>
-      own.clips.length ? [{ name: `${paths[0].slice(5)} ${own.name}`, character: { ...own, shownClip: 0 } }] : [],
+      own.takes.length ? [{ name: `${paths[0].slice(5)} ${own.name}`, character: { ...own, shownTake: 0 } }] : [],
     ),
   );
 }

@@ -17,7 +17,7 @@ it('the line to a step ends at a key just before it, so that it isn’t bent whe
     tangentsOut: { kinds: new Uint8Array(4).fill(1), slopes: new Float64Array(4) },
   };
   const channels = rest.channels.map((each, i) => (i === 6 ? step : each));
-  const made = glbOf(character({ skeleton: skeleton(2), clips: [{ ...rest, channels }], shownClip: 0 }));
+  const made = glbOf(character({ skeleton: skeleton(2), takes: [{ ...rest, channels }], shownTake: 0 }));
   const seconds = made.json.animations?.[0].samplers.map(({ input }) => [...numbersOf(made, input)]) ?? [];
   const stepped = seconds.filter((times) => times.some((time, k) => k > 0 && time - times[k - 1] < 5e-4));
   expect(stepped.length).toBe(1);

@@ -38,11 +38,11 @@ const MAX_SECONDS = 4;
 const WHOLE = 'data/bvh/cmu-01_01.bvh';
 
 function shortened(own: Character): Character {
-  const clips = own.clips.map((clip) => {
-    const [start, end] = clip.range;
-    return { ...clip, range: [start, Math.min(end, start + MAX_SECONDS)] as const };
+  const takes = own.takes.map((take) => {
+    const [start, end] = take.range;
+    return { ...take, range: [start, Math.min(end, start + MAX_SECONDS)] as const };
   });
-  return { ...own, clips };
+  return { ...own, takes };
 }
 
 describeShared('real files as GLB', () => {
@@ -58,7 +58,7 @@ describeShared('real files as GLB', () => {
         const { tolerance, takes } = made.report;
         const seconds = takes[0]?.seconds ?? 0;
         const times = Array.from({ length: seconds > 0 ? 25 : 1 }, (__, i) => ((i + 0.37) * seconds) / 25);
-        const off = offBy(own, made, await inThree(made), own.shownClip, times);
+        const off = offBy(own, made, await inThree(made), own.shownTake, times);
         expect(off.joints).toBeLessThanOrEqual(tolerance);
         expect(off.vertices).toBeLessThanOrEqual(tolerance);
       }
@@ -71,7 +71,7 @@ describe('the helper of this test', () => {
   it('a wrong animation is found to be wrong', async () => {
     const [own] = hasShared ? openedFrom(...FILES[0]) : [];
     if (!own) return;
-    const made = glbOf({ ...own, clips: own.clips.map((clip) => ({ ...clip, range: [1, 2] as const })) });
+    const made = glbOf({ ...own, takes: own.takes.map((take) => ({ ...take, range: [1, 2] as const })) });
     const off = offBy(own, made, await inThree(made), 0, [0.5]);
     expect(off.joints).toBeGreaterThan(made.report.tolerance);
   });

@@ -13,8 +13,8 @@ const SAMPLES = makeSamples();
 /** Seconds of a walk: fitting keys to more of the same steps takes longer, and shows nothing else. */
 const WALKED = 2;
 
-function shown({ id, clip }: Sample): Sample['clip'] {
-  return id === 'walker' || id === 'crawler' ? { ...clip, range: [clip.range[0], clip.range[0] + WALKED] } : clip;
+function shown({ id, take }: Sample): Sample['take'] {
+  return id === 'walker' || id === 'crawler' ? { ...take, range: [take.range[0], take.range[0] + WALKED] } : take;
 }
 
 function characterOf(sample: Sample): Character {
@@ -24,8 +24,8 @@ function characterOf(sample: Sample): Character {
     skeleton,
     skins: skin ? [skin] : [],
     morphs,
-    clips: [shown(sample)],
-    shownClip: 0,
+    takes: [shown(sample)],
+    shownTake: 0,
     pose: filePose(skeleton, morphs.length),
     textures: textures.map(({ name, bytes }) => ({ name, mime: 'image/png', bytes: Uint8Array.from(bytes) })),
   });

@@ -12,8 +12,8 @@ function named(wanted: string, seconds = 1): Named {
   const [found] = movedCharacters((name) => name === wanted);
   if (!found) throw new Error(`There is no character ${wanted}.`);
   // A part of the take: more of it takes longer, and shows nothing else.
-  const clips = found.character.clips.map((clip) => ({ ...clip, range: [0, seconds] as const }));
-  return { ...found, character: { ...found.character, clips } };
+  const takes = found.character.takes.map((take) => ({ ...take, range: [0, seconds] as const }));
+  return { ...found, character: { ...found.character, takes } };
 }
 
 describeShared('GLB files at unseen times', () => {
@@ -43,10 +43,10 @@ it('a step long after the start is a step, where floats are coarser than the tim
   );
   const own = character({
     skeleton,
-    clips: [
+    takes: [
       { ...take, range: [0, later + 2], channels: channels.map((c) => ({ ...c, extrapolateIn: 'constant' as const })) },
     ],
-    shownClip: 0,
+    shownTake: 0,
   });
   const made = glbOf(own);
   const times = Array.from({ length: 200 }, (_, i) => later + (i + 0.37) / 100);

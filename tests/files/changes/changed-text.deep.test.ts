@@ -99,7 +99,7 @@ describeShared('what the page changed in a real file', () => {
     const opened = new Opened(path, textOf(path));
     const store = new Store(opened.document);
     const [{ id }] = store.document.characters;
-    const channel = store.document.characters[0].clips[0].channels.findIndex(
+    const channel = store.document.characters[0].takes[0].channels.findIndex(
       (c) => c.kind === 'keys' && c.times.length > 2,
     );
     const move = (value: number, seconds = 0) =>
@@ -189,11 +189,11 @@ describeShared('what the page changed in a real file', () => {
     for (const opened of filesOf('bvh').filter(({ text }) => text.length < LONG)) {
       const { hunks } = opened.changed((character) => ({
         ...character,
-        clips: character.clips.map((clip) => {
-          if (!clip.samples) return clip;
-          const values = clip.samples.values.slice();
+        takes: character.takes.map((take) => {
+          if (!take.samples) return take;
+          const values = take.samples.values.slice();
           values[values.length - 1] += 0.25;
-          return { ...clip, samples: { ...clip.samples, values } };
+          return { ...take, samples: { ...take.samples, values } };
         }),
       }));
       const { name } = opened.file.source;

@@ -28,7 +28,7 @@ describe('files opened later', () => {
       gone,
       'c1',
     );
-    expect(document.characters.map((c) => [c.id, c.name, c.clips.length])).toEqual([
+    expect(document.characters.map((c) => [c.id, c.name, c.takes.length])).toEqual([
       ['c2', 'b', 0],
       ['c3', 'd', 0],
       ['c4', 's', 1],
@@ -62,8 +62,8 @@ describe('files opened later', () => {
       two,
       'c1',
     );
-    expect(document.characters.map((c) => c.clips.length)).toEqual([1, 0]);
-    expect(document.characters[0].shownClip).toBe(0);
+    expect(document.characters.map((c) => c.takes.length)).toEqual([1, 0]);
+    expect(document.characters[0].shownTake).toBe(0);
   });
 
   it('replace the part that came from a file of the same name, and nothing else', () => {
@@ -84,12 +84,12 @@ describe('files opened later', () => {
     expect(now.pose).toHaveLength(3 + 9);
   });
 
-  it('complete a skin or a clip that waits for a skeleton', () => {
+  it('complete a skin or a take that waits for a skeleton', () => {
     const waiting = open([animFile('hero_walk.anim', walk)]).document;
     expect(only(waiting).skeleton).toBeUndefined();
     const { document } = open([skelFile('hero.skel', skeleton())], waiting);
     const now = only(document);
-    expect(now.clips).toEqual([walk]);
+    expect(now.takes).toEqual([walk]);
     expect(now.skeleton?.joints).toHaveLength(2);
     expect(now.name).toBe('hero');
   });

@@ -21,8 +21,8 @@ describe('files opened together', () => {
       animFile('hero_walk.anim', walk),
     ]);
     const hero = only(document);
-    expect(hero).toMatchObject({ id: 'c1', name: 'hero', shownSkin: 0, shownClip: 0 });
-    expect(hero.clips[0]).toBe(walk);
+    expect(hero).toMatchObject({ id: 'c1', name: 'hero', shownSkin: 0, shownTake: 0 });
+    expect(hero.takes[0]).toBe(walk);
     expect(hero.sources.map((s) => s.name)).toEqual(['hero.skel', 'hero.skin', 'hero_walk.anim']);
     expect(opened).toEqual(['c1']);
     expect(diagnostics).toEqual([]);
@@ -56,12 +56,12 @@ describe('files opened together', () => {
       ),
       skelFile('b/other.skel', skeleton(2, 'other')),
     ]);
-    expect(document.characters.map((c) => c.clips.length)).toEqual([1, 0]);
+    expect(document.characters.map((c) => c.takes.length)).toEqual([1, 0]);
   });
 
   it('files opened together go to the only skeleton given where their own folder has none', () => {
     const { document } = open([skelFile('a/hero.skel', skeleton()), animFile('b/jump.anim', takeOfValues('jump', []))]);
-    expect(only(document).clips).toHaveLength(1);
+    expect(only(document).takes).toHaveLength(1);
   });
 
   it('need no skeleton: morphs go to the skin given with them', () => {

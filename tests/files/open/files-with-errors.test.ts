@@ -25,7 +25,7 @@ describe('a file that does not fit', () => {
       morphFile('hero_smile.morph', morph('hero_smile')),
       animFile('hero_walk.anim', walk),
     ]);
-    expect(only(document)).toMatchObject({ name: 'hero', skins: [], morphs: [], clips: [walk] });
+    expect(only(document)).toMatchObject({ name: 'hero', skins: [], morphs: [], takes: [walk] });
     expect(diagnostics).toMatchObject([
       { severity: 'error', code: 'joint-missing', file: 'hero.skin' },
       { severity: 'info', code: 'held-back', file: 'hero_smile.morph' },
@@ -62,12 +62,12 @@ describe('a file that does not fit', () => {
     expect(second.document.unused).toEqual([]);
   });
 
-  it('warns when a clip has more or fewer channels than the skeleton needs', () => {
+  it('warns when a take has more or fewer channels than the skeleton needs', () => {
     const { document, diagnostics } = open([
       skelFile('hero.skel', skeleton()),
       animFile('hero.anim', takeOfValues('hero', [0, 0, 0, 0])),
     ]);
-    expect(only(document).clips).toHaveLength(1);
+    expect(only(document).takes).toHaveLength(1);
     expect(diagnostics).toMatchObject([{ severity: 'warning', file: 'hero.anim' }]);
   });
 });
@@ -88,11 +88,11 @@ describe('a file with errors', () => {
       lost.map((name) => broken(parts[name].source.path, parts[name].kind)),
     );
   const held = ({ characters }: Document) =>
-    characters.map(({ skeleton: own, skins, morphs, clips }) => [
+    characters.map(({ skeleton: own, skins, morphs, takes }) => [
       own ? 1 : 0,
       skins.length,
       morphs.length,
-      clips.length,
+      takes.length,
     ]);
 
   it.each([
@@ -126,7 +126,7 @@ describe('a file with errors', () => {
             document,
             'c9',
           ).document;
-        expect(held(document).filter(([, skins, , clips]) => skins + clips > 0)).toEqual(whole);
+        expect(held(document).filter(([, skins, , takes]) => skins + takes > 0)).toEqual(whole);
         expect(document.unused).toEqual([]);
         expect(document.characters.every(({ unread }) => unread === undefined)).toBe(true);
       }),
@@ -153,6 +153,6 @@ describe('a file with errors', () => {
     const lacking = without('anim').document;
     const two = open([skelFile('other.skel', skeleton(3, 'other'))], lacking).document;
     const { document } = open([parts.anim], two, two.characters[1].id);
-    expect(document.characters.map(({ clips }) => clips.length)).toEqual([1, 0]);
+    expect(document.characters.map(({ takes }) => takes.length)).toEqual([1, 0]);
   });
 });

@@ -12,8 +12,8 @@ import { expectLinearTime } from '../../helpers/growth.ts';
 import { figure, takeOfRoots } from '../../helpers/mocap.ts';
 
 const SKELETON = figure();
-const CLIP = takeOfRoots(SKELETON, [[0, 85, 0]]);
-const ONE = capturedContent([{ skeleton: SKELETON, clip: CLIP }], 't.bvh').value;
+const TAKE = takeOfRoots(SKELETON, [[0, 85, 0]]);
+const ONE = capturedContent([{ skeleton: SKELETON, take: TAKE }], 't.bvh').value;
 
 /** Captures, each in a file of its own. */
 function captures(count: number): ParsedFile[] {
@@ -24,7 +24,7 @@ it('the time to open captures grows with their number, in files of their own and
   expectLinearTime((n) => openFiles(EMPTY_DOCUMENT, captures(n)), 250, 'files');
   expectLinearTime(
     (n) => {
-      const figures = Array.from({ length: n }, () => ({ skeleton: SKELETON, clip: CLIP }));
+      const figures = Array.from({ length: n }, () => ({ skeleton: SKELETON, take: TAKE }));
       openFiles(EMPTY_DOCUMENT, [file('crowd.bvh', capturedContent(figures, 'crowd.bvh').value)]);
     },
     1000,
@@ -33,22 +33,22 @@ it('the time to open captures grows with their number, in files of their own and
 });
 
 it('the time to open skeletons with their animations grows with their number, in a folder and named by rigs', () => {
-  const own = { kind: 'anim', clip: takeOfValues('walk', [0]) } as const;
+  const own = { kind: 'anim', take: takeOfValues('walk', [0]) } as const;
   expectLinearTime((n) => {
     const files = Array.from({ length: n }, (_, i) => [
       skelFile(`c${i}.skel`, skeleton(1)),
       file(`c${i}_walk.anim`, own),
     ]);
     const { document } = openFiles(EMPTY_DOCUMENT, files.flat());
-    expect(document.characters.every(({ clips }) => clips.length === 1)).toBe(true);
+    expect(document.characters.every(({ takes }) => takes.length === 1)).toBe(true);
   }, 250);
 });
 
 it('of several skeletons whose names begin a part the longest name has it, without regard to case', () => {
   const files = ['a.skel', 'AB.skel', 'abc.skel'].map((name) => skelFile(name, skeleton(1, name)));
-  const anim = file('Abc1.anim', { kind: 'anim', clip: takeOfValues('walk', [0]) });
+  const anim = file('Abc1.anim', { kind: 'anim', take: takeOfValues('walk', [0]) });
   const { characters } = openFiles(EMPTY_DOCUMENT, [...files, anim]).document;
-  expect(characters.map(({ clips }) => clips.length)).toEqual([0, 0, 1]);
+  expect(characters.map(({ takes }) => takes.length)).toEqual([0, 0, 1]);
 });
 
 it('characters placed one after the other are where each is placed beside all before it', () => {

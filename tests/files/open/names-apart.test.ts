@@ -13,12 +13,12 @@ describe('names of what was opened', () => {
           skeleton: skeleton(1, path.slice(path.lastIndexOf('/') + 1, path.lastIndexOf('.'))),
           skins: [],
           morphs: [],
-          clips: takes.map((name) => takeOfValues(name, [0, 0, 0, 0, 0, 0])),
+          takes: takes.map((name) => takeOfValues(name, [0, 0, 0, 0, 0, 0])),
           textures: [],
         },
       ],
     });
-  const takesOf = ({ characters }: Document) => characters.map(({ clips }) => clips.map(({ name }) => name));
+  const takesOf = ({ characters }: Document) => characters.map(({ takes }) => takes.map(({ name }) => name));
 
   it('characters of one name are named by their files, with as many folders as tell them apart', () => {
     const rigs = ['a', 'b'].flatMap((stem) => [

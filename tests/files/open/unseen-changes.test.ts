@@ -67,7 +67,7 @@ describe('opening files', () => {
   });
 
   it('names the take that a lone animation plays instead of', () => {
-    const before = documentOf({ ...hero, clips: [walk], shownClip: 0 });
+    const before = documentOf({ ...hero, takes: [walk], shownTake: 0 });
     expect(told([animFile('run.anim', { ...walk, name: 'run' })], before)).toBe(
       'hero now plays the take run; walk stays in Takes.',
     );
@@ -85,7 +85,7 @@ describe('opening files', () => {
   });
 
   it('counts what does not fit into two sentences', () => {
-    const before = documentOf({ ...hero, clips: [walk], shownClip: 0 });
+    const before = documentOf({ ...hero, takes: [walk], shownTake: 0 });
     const files = [
       skinFile('hero_red.skin', skin('hero_red')),
       morphFile('hero_smile.morph', morph('hero_smile')),

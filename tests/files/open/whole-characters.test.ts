@@ -1,8 +1,8 @@
 /** Characters that one file contains whole, as `.glb` and the like do. */
 import { describe, expect, it } from 'vitest';
 import { Unsaved } from '../../../src/app/unsaved.ts';
-import { renameClip } from '../../../src/edit/commands/clips.ts';
 import { setSpace } from '../../../src/edit/commands/spaces.ts';
+import { renameTake } from '../../../src/edit/commands/take.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { saveCharacter } from '../../../src/files/save/saving.ts';
@@ -16,7 +16,7 @@ const fox: WholeCharacter = {
   skeleton: skeleton(2, 'fox'),
   skins: [paintedSkin('fur', { name: 'fur', texture: 'fur.png' }), skin('winter')],
   morphs: [morph('smile')],
-  clips: [takeOfValues('run', new Array(10).fill(0)), takeOfValues('sit', new Array(10).fill(1))],
+  takes: [takeOfValues('run', new Array(10).fill(0)), takeOfValues('sit', new Array(10).fill(1))],
   textures: [texture],
 };
 const whole = (characters: readonly WholeCharacter[] = [fox], path = 'fox.glb') =>
@@ -29,7 +29,7 @@ describe('a file with whole characters', () => {
     expect(diagnostics).toEqual([]);
     const [character, ...others] = document.characters;
     expect(others).toEqual([]);
-    expect(character).toMatchObject({ ...fox, name: 'fox', shownSkin: 0, shownClip: 0 });
+    expect(character).toMatchObject({ ...fox, name: 'fox', shownSkin: 0, shownTake: 0 });
     expect(character.pose).toHaveLength(3 + 6 + 1);
     expect(character.sources.map(({ name }) => name)).toEqual(['fox.glb']);
   });
@@ -38,13 +38,13 @@ describe('a file with whole characters', () => {
     const first = open([whole()]).document;
     const again = {
       ...fox,
-      clips: [takeOfValues('run', new Array(10).fill(2)), takeOfValues('jump', new Array(10).fill(3))],
+      takes: [takeOfValues('run', new Array(10).fill(2)), takeOfValues('jump', new Array(10).fill(3))],
     };
     const { document } = open([whole([again])], first);
     const [character] = document.characters;
     expect(character.id).toBe(first.characters[0].id);
-    expect(character.clips.map(({ name }) => name)).toEqual(['run', 'sit', 'jump']);
-    expect(character).toMatchObject({ shownSkin: 0, shownClip: 0 });
+    expect(character.takes.map(({ name }) => name)).toEqual(['run', 'sit', 'jump']);
+    expect(character).toMatchObject({ shownSkin: 0, shownTake: 0 });
     expect(character.skins).toHaveLength(2);
     expect(character.textures).toEqual([texture]);
     expect(character.pose).toHaveLength(3 + 6 + 1);
@@ -67,7 +67,7 @@ describe('a file with whole characters', () => {
     store.replace('Open', openFiles(store.document, files).document);
     unsaved.opened(files);
     expect(unsaved.current()).toEqual([]);
-    store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'walk' });
+    store.apply(renameTake, { characterId: 'c1', take: 0, name: 'walk' });
     expect(unsaved.current().map(({ name }) => name)).toEqual(['walk.anim']);
     store.undo();
     expect(unsaved.current()).toEqual([]);

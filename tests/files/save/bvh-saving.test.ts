@@ -24,9 +24,9 @@ const TWO = writeBvh([
   bvhFigure({ name: 'b', joints: [bvhJoint(-1, ['tx', 'ty', 'tz'], { name: 'B' })] }, [[4, 5, 6]]),
 ]).text;
 
-/** Other samples in the shown clip, as trimming makes them. */
+/** Other samples in the shown take, as trimming makes them. */
 function withSamples(c: Character, change: (samples: Samples) => Samples): Character {
-  return { ...c, clips: c.clips.map((own) => (own.samples ? { ...own, samples: change(own.samples) } : own)) };
+  return { ...c, takes: c.takes.map((own) => (own.samples ? { ...own, samples: change(own.samples) } : own)) };
 }
 const trimmed = (c: Character): Character =>
   withSamples(c, (s) => ({ ...s, frameCount: 2, values: s.values.slice(0, 2 * s.scales.length) }));
@@ -36,7 +36,7 @@ describe('saving motion capture', () => {
     const page = await pageWith({ 'walk.bvh': BVH });
     expect(page.names()).toEqual([]);
     page.change((c) => withSamples(c, (s) => ({ ...s, interpolation: 'nearest' })));
-    page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 0.04] })) }));
+    page.change((c) => ({ ...c, takes: c.takes.map((own) => ({ ...own, range: [0, 0.04] })) }));
     expect(page.names()).toEqual([]);
   });
 
@@ -53,7 +53,7 @@ describe('saving motion capture', () => {
   it('samples keyed channels, and keeps the others unchanged', async () => {
     const page = await pageWith({ 'walk.bvh': BVH });
     const [keyed] = takeOfValues('', [Math.PI]).channels;
-    page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, channels: own.channels.with(6, keyed) })) }));
+    page.change((c) => ({ ...c, takes: c.takes.map((own) => ({ ...own, channels: own.channels.with(6, keyed) })) }));
     await page.saver.saveChanged();
     expect(page.text('walk.bvh')).toBe(
       writeBvh([
@@ -94,7 +94,7 @@ describe('saving motion capture', () => {
   });
 
   it('exports any other character as .bvh, keys at the rate asked for', () => {
-    const walking = character({ clips: [takeOfValues('hero_walk', new Array(9).fill(0.5), [0, 2])], shownClip: 0 });
+    const walking = character({ takes: [takeOfValues('hero_walk', new Array(9).fill(0.5), [0, 2])], shownTake: 0 });
     const [file] = saveCharacter(walking, 'bvh', { framesPerSecond: 4 });
     expect(file.name).toBe('hero_walk.bvh');
     expect(file.text).toContain('Frames: 9\nFrame Time: 0.25\n');
@@ -107,6 +107,6 @@ describe('saving motion capture', () => {
     const { files } = await parse({ files: [{ path: name, blob: new Blob([bytes]) }] }, () => undefined);
     expect(files.map(({ source }) => source.name)).toEqual(['walk.bvh']);
     const figures = files[0].kind === 'bvh' ? files[0].figures : [];
-    expect(figures).toEqual([{ skeleton: before.skeleton, clip: before.clips[0] }]);
+    expect(figures).toEqual([{ skeleton: before.skeleton, take: before.takes[0] }]);
   });
 });

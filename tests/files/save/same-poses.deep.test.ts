@@ -19,7 +19,7 @@ import type { Morph } from '../../../src/model/morph.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Skin } from '../../../src/model/skin.ts';
-import { type ChannelClip, restChannel } from '../../../src/model/takes/clip.ts';
+import { restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { anyCommand, argumentsFor, COMMANDS_HERE } from '../../edit/any-command.ts';
 import { Dice, thrown } from '../../edit/dice.ts';
 import { randomDocument, seeds } from '../../edit/rig/random-rig.ts';
@@ -56,7 +56,7 @@ function withChannels(seed: number): Document {
   const document = randomDocument(seed);
   const characters = document.characters.map((character) => ({
     ...character,
-    clips: character.clips.map((clip) => (clip.channels.length ? clip : { ...clip, channels: [restChannel()] })),
+    takes: character.takes.map((take) => (take.channels.length ? take : { ...take, channels: [restChannel()] })),
   }));
   return { ...document, characters };
 }
@@ -73,7 +73,7 @@ interface Saved {
   readonly skeleton?: Skeleton;
   readonly skins: readonly Skin[];
   readonly morphs: readonly Morph[];
-  readonly clips: readonly ChannelClip[];
+  readonly takes: readonly Take[];
 }
 
 /** A character as its own files have it. */
@@ -89,16 +89,16 @@ function savedAndRead(character: Character): Saved {
     ...(skeleton && { skeleton }),
     skins: saved.flatMap((content) => (content.kind === 'skin' ? [content.skin] : [])),
     morphs: saved.flatMap((content) => (content.kind === 'morph' ? [content.morph] : [])),
-    clips: [
-      ...figures.flatMap(({ clip }) => clip ?? []),
-      ...saved.flatMap((content) => (content.kind === 'anim' ? [content.clip] : [])),
+    takes: [
+      ...figures.flatMap(({ take }) => take ?? []),
+      ...saved.flatMap((content) => (content.kind === 'anim' ? [content.take] : [])),
     ],
   };
 }
 
 /** As saving sees it: in the pose as set. */
 function asSet(character: Character): WholeCharacter | undefined {
-  const { skeleton, skins, morphs, clips, textures } = character;
+  const { skeleton, skins, morphs, takes, textures } = character;
   if (!skeleton) return undefined;
   const pose = jointPose(character);
   let start = 0;
@@ -108,13 +108,13 @@ function asSet(character: Character): WholeCharacter | undefined {
     return { ...joint, pose: own };
   });
   // A .bvh has no weights of morphs.
-  return { skeleton: { ...skeleton, joints }, skins, morphs: isBvh(character) ? [] : morphs, clips, textures };
+  return { skeleton: { ...skeleton, joints }, skins, morphs: isBvh(character) ? [] : morphs, takes, textures };
 }
 
 /** The second of a take at the first frame of its .bvh. */
 function startOf(character: Character, take: number): number {
   const { driver: _, ...own } = character;
-  return framesFor({ ...own, shownClip: take }, 30).startSeconds;
+  return framesFor({ ...own, shownTake: take }, 30).startSeconds;
 }
 
 function expectSamePoses(character: Character): void {
@@ -124,35 +124,35 @@ function expectSamePoses(character: Character): void {
   if (!skeleton) throw new Error('The skeleton was not saved.');
   const found: WholeCharacter = { ...shown, ...parts, skeleton, ...(isBvh(character) && { morphs: [] }) };
   // A .bvh has no pose beside its take.
-  const takes = isBvh(character) && shown.clips.length > 0 ? [...shown.clips.keys()] : [-1, ...shown.clips.keys()];
+  const takes = isBvh(character) && shown.takes.length > 0 ? [...shown.takes.keys()] : [-1, ...shown.takes.keys()];
   const { clampsToLimits } = character;
   // Neither root translation nor weights are in a .skel; a .bvh has both in its frames, but for the weights.
   const whole = character.pose.slice(0, filePose(shown.skeleton, 0).length);
   const pose = isBvh(character) ? whole : filePose(shown.skeleton, shown.morphs.length);
-  for (const take of takes) {
-    const clip = shown.clips[take];
+  for (const index of takes) {
+    const take = shown.takes[index];
     // Keys of motion capture are sampled, and samples of a .skel are keyed: the same at the frames that were written.
-    const samples = isBvh(character) ? found.clips[take]?.samples : clip?.samples;
+    const samples = isBvh(character) ? found.takes[index]?.samples : take?.samples;
     const times = samples
       ? Array.from(
           { length: Math.min(6, samples.frameCount) },
           (_, f) => samples.startSeconds + f * samples.frameSeconds,
         )
-      : take < 0
+      : index < 0
         ? [0]
         : TIMES;
     for (const time of times) {
       // A .bvh starts at 0.
-      const from = isBvh(character) && samples && clip ? time - samples.startSeconds + startOf(character, take) : time;
+      const from = isBvh(character) && samples && take ? time - samples.startSeconds + startOf(character, index) : time;
       // A pose that a .bvh can hold only as a frame.
-      const takeFound = take < 0 && isBvh(character) ? found.clips.length - 1 : take;
+      const takeFound = index < 0 && isBvh(character) ? found.takes.length - 1 : index;
       const distance = farthest(
         posed(found, takeFound, time, { clampsToLimits }),
-        posed(shown, take, from, { clampsToLimits, pose }),
+        posed(shown, index, from, { clampsToLimits, pose }),
       );
       if (!(distance < CLOSE)) {
         throw new Error(
-          `${clip?.name ?? 'The pose'} differs by ${distance} at ${time} s after ${skeleton.joints.map(({ motion }) => motion.kind)}.`,
+          `${take?.name ?? 'The pose'} differs by ${distance} at ${time} s after ${skeleton.joints.map(({ motion }) => motion.kind)}.`,
         );
       }
     }
@@ -167,9 +167,9 @@ it('whatever is done to a character, its files read again move joints and vertic
   const commands = fc.array(fc.tuple(command, thrown), { maxLength: 4 });
   fc.assert(
     fc.property(seeds, commands, (seed, all) => {
-      for (const { clips, ...character } of edited(withChannels(seed), all).characters) {
+      for (const { takes, ...character } of edited(withChannels(seed), all).characters) {
         // A take that lost all its channels with the DOFs of a joint can't be written, which is said.
-        expectSamePoses({ ...character, clips: clips.filter(({ channels }) => channels.length > 0) });
+        expectSamePoses({ ...character, takes: takes.filter(({ channels }) => channels.length > 0) });
       }
     }),
     { numRuns: DOCUMENTS },

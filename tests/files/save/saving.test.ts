@@ -11,8 +11,8 @@ const FACE = { name: 'face', texture: 'face.png' };
 const hero = character({
   skins: [paintedSkin('hero', FACE, { name: 'coat', texture: 'coat.png', color: [0.5, 1, 0] }, FACE)],
   morphs: [morph('hero_smile')],
-  clips: [takeOfValues('hero_walk', new Array(10).fill(0.5), [0, 2])],
-  shownClip: 0,
+  takes: [takeOfValues('hero_walk', new Array(10).fill(0.5), [0, 2])],
+  shownTake: 0,
   textures: ['face.png', 'coat.png'].map((name, i) => ({ name, mime: 'image/png', bytes: Uint8Array.of(1, 2, i) })),
 });
 
@@ -53,7 +53,7 @@ describe('saving a character', () => {
     expect(again.skeleton).toEqual(hero.skeleton);
     expect(again.skins).toEqual(hero.skins);
     expect(again.morphs).toEqual(hero.morphs);
-    expect(again.clips).toEqual(hero.clips);
+    expect(again.takes).toEqual(hero.takes);
     expect(again.textures).toEqual(hero.textures);
   });
 });

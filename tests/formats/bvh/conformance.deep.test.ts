@@ -43,13 +43,13 @@ const CHANNELS: Readonly<Record<string, BvhChannel>> = {
 
 /** Where joints and End Sites are, joint by joint, at a frame or at rest. */
 function positionsOf(
-  { skeleton, clip }: CapturedFigure,
+  { skeleton, take }: CapturedFigure,
   frame: number | 'rest',
 ): { joints: Point[]; endSites: Point[][] } {
-  const moving = clip && frame !== 'rest';
-  const figure = character({ skeleton, ...(moving && { clips: [clip], shownClip: 0 }) });
+  const moving = take && frame !== 'rest';
+  const figure = character({ skeleton, ...(moving && { takes: [take], shownTake: 0 }) });
   const dofs = new Float64Array(dofCountOf(figure));
-  poseAt(figure, moving ? frame * (clip.samples?.frameSeconds ?? 0) : 0, dofs);
+  poseAt(figure, moving ? frame * (take.samples?.frameSeconds ?? 0) : 0, dofs);
   const world = new Float64Array(16 * skeleton.joints.length);
   worldMatrices(compileSkeleton(skeleton), dofs, world);
   const at = (j: number, [x, y, z]: Point) =>
@@ -127,7 +127,7 @@ describeShared('the motion capture files of the reference', () => {
         nodes.map(([, , channels]) => channels?.split(' ').flatMap((channel) => CHANNELS[channel] ?? [])),
       );
       expect(parents.filter((parent) => parent < 0)).toHaveLength(nodes.filter(([, parent]) => parent < 0).length);
-      const samples = figures.map(({ clip }) => clip?.samples);
+      const samples = figures.map(({ take }) => take?.samples);
       expect(samples.reduce((sum, own) => sum + (own?.scales.length ?? 0), 0)).toBe(file.channels);
       for (const own of samples) {
         expect(own?.frameCount).toBe(file.frames);
@@ -179,8 +179,8 @@ describeShared('the broken motion capture files of the reference', () => {
     if (outcome === 'refuse') expect(result.value).toBeUndefined();
     if (file === 'frames-1e9.bvh') {
       expect(told(result)).toEqual(['warning count-mismatch 22:1']);
-      expect(result.value?.[0].clip?.samples).toMatchObject({ frameCount: 4 });
-      expect(result.value?.[0].clip?.samples?.values.buffer.byteLength).toBeLessThan(8 * bytes.length);
+      expect(result.value?.[0].take?.samples).toMatchObject({ frameCount: 4 });
+      expect(result.value?.[0].take?.samples?.values.buffer.byteLength).toBeLessThan(8 * bytes.length);
     }
   });
 });

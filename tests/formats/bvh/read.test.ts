@@ -16,7 +16,7 @@ const rows = (text: string, frames = 2) => bvh(THREE + motion(text, frames));
 const ROW = 15;
 
 function valuesOf({ value }: { readonly value?: readonly CapturedFigure[] }): number[] | undefined {
-  const samples = value?.[0].clip?.samples;
+  const samples = value?.[0].take?.samples;
   return samples && Array.from(samples.values);
 }
 
@@ -150,8 +150,8 @@ describe('several roots in a .bvh', () => {
       `HIERARCHY\n${root('a', '2 Zrotation Xposition')}${root('b', '0')}${root('a', '1 Xrotation')}${motion('1 2 3\n4 5 6\n')}`,
     );
     expect(value?.map(({ skeleton }) => skeleton.name)).toEqual(['take a', 'take b', 'take a 2']);
-    expect(value?.map(({ clip }) => clip?.name)).toEqual(['take a', undefined, 'take a 2']);
-    expect(value?.map(({ clip }) => clip?.samples && Array.from(clip.samples.values))).toEqual([
+    expect(value?.map(({ take }) => take?.name)).toEqual(['take a', undefined, 'take a 2']);
+    expect(value?.map(({ take }) => take?.samples && Array.from(take.samples.values))).toEqual([
       [1, 2, 4, 5],
       undefined,
       [3, 6],
@@ -163,10 +163,10 @@ describe('the samples of a .bvh', () => {
   it('the samples of a .bvh are the rows in degrees and file units, under a channel for each DOF', () => {
     const channels = '6 Xposition Yposition Zposition Zrotation Xrotation Yrotation';
     const { value } = bvh(hierarchy(`OFFSET 0 0 0\nCHANNELS ${channels}\n`) + motion('1 2 3 90 0 0\n4 5 6 0 0 -90\n'));
-    const clip = value?.[0].clip;
-    expect(clip).toMatchObject({ name: 'take', range: [0, 0.1] });
-    expect(clip?.channels.map(({ kind }) => kind)).toEqual(new Array(6).fill('samples'));
-    expect(clip?.samples).toEqual({
+    const take = value?.[0].take;
+    expect(take).toMatchObject({ name: 'take', range: [0, 0.1] });
+    expect(take?.channels.map(({ kind }) => kind)).toEqual(new Array(6).fill('samples'));
+    expect(take?.samples).toEqual({
       ...{ frameCount: 2, frameSeconds: 0.1, startSeconds: 0, firstChannel: 0, interpolation: 'linear' },
       values: Float64Array.of(1, 2, 3, 90, 0, 0, 4, 5, 6, 0, 0, -90),
       scales: Float64Array.of(1, 1, 1, RADIANS_PER_DEGREE, RADIANS_PER_DEGREE, RADIANS_PER_DEGREE),
@@ -174,9 +174,9 @@ describe('the samples of a .bvh', () => {
   });
 
   it('the samples of a .bvh come behind the root translation of a root without positions', () => {
-    const clip = rows('1 2 3\n4 5 6\n').value?.[0].clip;
-    expect(clip?.samples?.firstChannel).toBe(3);
-    expect(clip?.channels).toHaveLength(6);
+    const take = rows('1 2 3\n4 5 6\n').value?.[0].take;
+    expect(take?.samples?.firstChannel).toBe(3);
+    expect(take?.channels).toHaveLength(6);
   });
 
   it.each(['Frames:2', 'Frames :2', 'frames: 2', 'Frames 2', 'FRAMES:\t2'])(
@@ -193,7 +193,7 @@ describe('the samples of a .bvh', () => {
     (time) => {
       const result = bvh(`${THREE}MOTION\nFrames: 1\n${time}\n1 2 3\n`);
       expect(result.diagnostics).toEqual([]);
-      expect(result.value?.[0].clip?.samples?.frameSeconds).toBe(0.5);
+      expect(result.value?.[0].take?.samples?.frameSeconds).toBe(0.5);
     },
   );
 
@@ -201,23 +201,23 @@ describe('the samples of a .bvh', () => {
     const result = bvh(THREE + motion('1 2 3\n4 5 6\n', 2, time));
     expect(told(result)).toEqual(['warning frame-time 13:13']);
     expect(result.diagnostics[0].assumed).toBe('used 1/30 s');
-    expect(result.value?.[0].clip?.samples?.frameSeconds).toBe(1 / 30);
+    expect(result.value?.[0].take?.samples?.frameSeconds).toBe(1 / 30);
   });
 
   it.each([
     ['no rows', '', 0],
     ['no rows where some are declared', '\n \n', 5],
     ['a part of a row', '1 2', 1],
-  ])('the samples of a .bvh are none for %s: a skeleton without a clip, and a warning', (_, text, frames) => {
+  ])('the samples of a .bvh are none for %s: a skeleton without a take, and a warning', (_, text, frames) => {
     const result = rows(text, frames);
     expect(result.diagnostics.map((d) => `${d.severity} ${d.code}`)).toContain('warning frames-none');
-    expect(result.value?.[0]).not.toHaveProperty('clip');
+    expect(result.value?.[0]).not.toHaveProperty('take');
     expect(result.value?.[0].skeleton.joints).toHaveLength(1);
   });
 
   it('the samples of a .bvh are none where there are no channels', () => {
     const result = bvh(hierarchy('OFFSET 0 0 0\nCHANNELS 0\n') + motion('1 2\n', 1));
-    expect(result.value?.[0]).not.toHaveProperty('clip');
+    expect(result.value?.[0]).not.toHaveProperty('take');
     expect(result.diagnostics.map((d) => d.code)).toEqual(['frames-none', 'rows-end']);
   });
 });
@@ -301,7 +301,7 @@ describe('rows of a .bvh', () => {
     for (const byteLength of [bytes.length, undefined, 1, 1e12]) {
       const reader = bvhReader('take.bvh', byteLength);
       for (let from = 0; from < bytes.length; from += 65536) reader.feed(bytes.subarray(from, from + 65536));
-      const values = reader.end().value?.[0].clip?.samples?.values;
+      const values = reader.end().value?.[0].take?.samples?.values;
       expect(values).toHaveLength(600000);
       expect(values?.buffer.byteLength).toBeLessThan(1.15 * 8 * 600000);
     }
@@ -384,13 +384,13 @@ describe('any hierarchy and any rows', () => {
       const { bytes, parents, width, values } = written(made);
       const { value, diagnostics } = readBvh(bytes, 'x.bvh');
       expect(diagnostics.map((d) => d.code)).toEqual(made.frames === 0 || width === 0 ? ['frames-none'] : []);
-      const { skeleton, clip } = value?.[0] ?? {};
+      const { skeleton, take } = value?.[0] ?? {};
       expect(skeleton?.joints.map((j) => j.parent)).toEqual(parents);
       expect(skeleton?.joints.map((j) => j.name)).toEqual(made.joints.map((j) => j.name));
       expect(skeleton?.joints.map((j) => j.offset)).toEqual(made.joints.map((j) => j.offset));
       expect(skeleton?.joints.map((j) => j.endSites ?? [])).toEqual(made.joints.map((j) => j.endSites));
       expect(skeleton?.joints.map((j) => j.pose.length)).toEqual(made.joints.map((j) => j.channels.length));
-      expect(clip?.samples && Array.from(clip.samples.values)).toEqual(values.length > 0 ? values : undefined);
+      expect(take?.samples && Array.from(take.samples.values)).toEqual(values.length > 0 ? values : undefined);
       const cuts = made.cuts.map((cut) => cut % (bytes.length + 1));
       expect(readInPieces('x.bvh', bytes, cuts)).toEqual(read('x.bvh', bytes));
     });

@@ -34,7 +34,7 @@ describe('six numbers after OFFSET', () => {
       { own: [10, 20, 30] },
       { own: [-1.5, 0.002, 0], ends: [[7, 8, 9]] },
     ]);
-    expect(figures[0].clip).toEqual(plain[0].clip);
+    expect(figures[0].take).toEqual(plain[0].take);
   });
 
   it('are kept when they are written, and only where they were', () => {

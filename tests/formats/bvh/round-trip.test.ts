@@ -8,19 +8,19 @@ import { describeShared } from '../../helpers/shared.ts';
 import { finite } from '../arbitraries.ts';
 
 /** Without channels there are no frames. */
-function hasChannels({ clip }: CapturedFigure): boolean {
-  return clip?.samples?.scales.length !== 0;
+function hasChannels({ take }: CapturedFigure): boolean {
+  return take?.samples?.scales.length !== 0;
 }
 
 /** What a file says, without what reading adds to it. */
 function content(figures: readonly CapturedFigure[]) {
-  return figures.map(({ skeleton, clip }) => ({
+  return figures.map(({ skeleton, take }) => ({
     joints: skeleton.joints.map(({ name, parent, offset, motion, endSites }) => {
       return { name, parent, offset, motion, endSites: endSites ?? [] };
     }),
-    frameSeconds: clip?.samples?.frameSeconds,
-    frameCount: clip?.samples?.frameCount,
-    values: Array.from(clip?.samples?.values ?? []),
+    frameSeconds: take?.samples?.frameSeconds,
+    frameCount: take?.samples?.frameCount,
+    values: Array.from(take?.samples?.values ?? []),
   }));
 }
 
@@ -45,9 +45,9 @@ describeShared('a real .bvh', () => {
     const again = readFigures(name, text);
     // Everything, and not only what the file says.
     expect(again.map(({ skeleton }) => skeleton)).toEqual(figures.map(({ skeleton }) => skeleton));
-    again.forEach(({ clip }, i) => {
-      const { samples, ...rest } = clip ?? {};
-      const { samples: before, ...restBefore } = figures[i].clip ?? {};
+    again.forEach(({ take }, i) => {
+      const { samples, ...rest } = take ?? {};
+      const { samples: before, ...restBefore } = figures[i].take ?? {};
       expect(rest).toEqual(restBefore);
       expect({ ...samples, values: [] }).toEqual({ ...before, values: [] });
       // Bit by bit, −0 too; `toEqual` takes seconds for a million numbers.

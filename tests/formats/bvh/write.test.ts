@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { fitOneBvh, writeBvh as writeBvhPieces } from '../../../src/formats/bvh/write.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { restChannel } from '../../../src/model/takes/clip.ts';
+import { restChannel } from '../../../src/model/takes/take.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 
@@ -53,7 +53,7 @@ Frame Time: 0.04
     });
   });
 
-  it('writes a figure without a clip as one without frames', () => {
+  it('writes a figure without a take as one without frames', () => {
     expect(writeBvh([{ skeleton: DANCER }]).text).toContain('\nFrames: 0\n');
   });
 
@@ -88,11 +88,11 @@ Frame Time: 0.04
   });
 
   it('writes a constant channel in every frame, in degrees', () => {
-    const { skeleton, clip } = bvhFigure(DANCER, [ROW, ROW]);
-    if (!clip) throw new Error('There is a clip.');
-    const { samples: _, ...still } = clip;
+    const { skeleton, take } = bvhFigure(DANCER, [ROW, ROW]);
+    if (!take) throw new Error('There is a take.');
+    const { samples: _, ...still } = take;
     const channels = still.channels.map((_, c) => restChannel(c === 6 ? Math.PI : 0));
-    expect(writeBvh([{ skeleton, clip: { ...still, channels } }]).text).toMatch(/\n0 0 0 0 0 0 180 0 0\n$/);
+    expect(writeBvh([{ skeleton, take: { ...still, channels } }]).text).toMatch(/\n0 0 0 0 0 0 180 0 0\n$/);
   });
 
   it('adds the offset to positions that are added to it, for in the file they replace it', () => {

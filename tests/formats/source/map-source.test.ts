@@ -10,7 +10,7 @@ import { mapSource, SourceMapper } from '../../../src/formats/source/map-source.
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import { isUnlimited } from '../../../src/model/skeleton/skeleton.ts';
 import { linesOf, type SourceMap, type SourceTarget, targetAt } from '../../../src/model/source-map.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { bytesOf } from '../read-in-pieces.ts';
 import { type RealFile, realFiles } from '../real-files.ts';
@@ -125,7 +125,7 @@ describeShared('the lines of parts in real files', () => {
       const figures = readBvh(text, name).value ?? [];
       const map = mapSource(bytesOf(text), name);
       const lines = linesIn(text);
-      const samples = figures[0]?.clip?.samples;
+      const samples = figures[0]?.take?.samples;
       const width = figures.length === 1 && samples ? samples.values.length / samples.frameCount : 0;
       for (const frame of samples && width ? some(samples.frameCount) : []) {
         const row = [...(samples?.values.subarray(frame * width, (frame + 1) * width) ?? [])];
@@ -248,8 +248,8 @@ describe('the lines of parts', () => {
           };
         });
         // Keys and resting channels have what their kind asks for.
-        const clip = { name: 'a', range: [0, 1], channels } as unknown as Parameters<typeof writeAnim>[0];
-        const text = writeAnim(clip).text;
+        const take = { name: 'a', range: [0, 1], channels } as unknown as Parameters<typeof writeAnim>[0];
+        const text = writeAnim(take).text;
         const found = mapSource(bytesOf(text), 'a.anim');
         counts.forEach((n, channel) => {
           for (let key = 0; key < n; key++) {

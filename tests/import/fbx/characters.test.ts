@@ -12,7 +12,7 @@ function worstOf(character: WholeCharacter, { nodes: names, takes }: Expected): 
   for (const stated of takes) {
     const size = takeSize(stated);
     // Names of takes become names of files.
-    const take = character.clips.findIndex(({ name }) => name === stated.name.replaceAll(/[| ]/g, '_'));
+    const take = character.takes.findIndex(({ name }) => name === stated.name.replaceAll(/[| ]/g, '_'));
     expect(take).toBeGreaterThanOrEqual(0);
     const frames = stated.at.map(({ t }) => posed(character, take, t));
     for (const [f, { nodes }] of stated.at.entries()) {

@@ -3,15 +3,15 @@
  * retargeted to and from like the capture itself.
  */
 import { expect, it } from 'vitest';
-import { walkerClip } from '../../../examples/characters/walker/clip.ts';
 import { WALKER_SKELETON } from '../../../examples/characters/walker/skeleton.ts';
+import { walkerTake } from '../../../examples/characters/walker/take.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { measureRetarget } from '../../../src/evaluate/retarget/measure.ts';
 import { rolesOf } from '../../../src/evaluate/retarget/roles.ts';
-import { type Character, shownClip } from '../../../src/model/document.ts';
+import { type Character, shownTake } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { captured, retargeted } from '../../evaluate/retarget/captures.ts';
 import { character } from '../../helpers/builders.ts';
 import { posed } from '../../helpers/posed.ts';
@@ -24,7 +24,7 @@ const FRAMES = 40;
 
 describeShared('a capture in an FBX file as Mixamo writes it', () => {
   const source = captured('mixamo-names.bvh');
-  const samples = shownClip(source)?.samples;
+  const samples = shownTake(source)?.samples;
   const times = Array.from(
     { length: FRAMES },
     (_, f) => (samples?.startSeconds ?? 0) + f * (samples?.frameSeconds ?? 1),
@@ -32,7 +32,7 @@ describeShared('a capture in an FBX file as Mixamo writes it', () => {
   const bytes = fbxBytes(mixamoFile(source, times));
   const whole = characterOf(bytes);
   const read: Character = {
-    ...character({ id: 'mixamo', skeleton: whole.skeleton, clips: whole.clips, shownClip: 0 }),
+    ...character({ id: 'mixamo', skeleton: whole.skeleton, takes: whole.takes, shownTake: 0 }),
     pose: filePose(whole.skeleton, 0),
     ...(source.space && { space: source.space }),
   };
@@ -54,7 +54,7 @@ describeShared('a capture in an FBX file as Mixamo writes it', () => {
   });
 
   it('its channels have about as many keys as the file, but for joints that only tremble by rounding', () => {
-    const counts = whole.clips[0].channels.map((channel) => keysOf(channel).times.length);
+    const counts = whole.takes[0].channels.map((channel) => keysOf(channel).times.length);
     const moving = counts.filter((count) => count > 0);
     // Without fingers, eyes and the ends of bones.
     expect(moving.length).toBeGreaterThan(60);
@@ -74,8 +74,8 @@ describeShared('a capture in an FBX file as Mixamo writes it', () => {
     const walker = character({
       id: 'walker',
       skeleton: WALKER_SKELETON,
-      clips: [walkerClip()],
-      shownClip: 0,
+      takes: [walkerTake()],
+      shownTake: 0,
       pose: filePose(WALKER_SKELETON, 0),
     });
     const onto = measureRetarget(retargeted(read, walker), 0);

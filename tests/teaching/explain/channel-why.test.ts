@@ -1,10 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { shownClip } from '../../../src/model/document.ts';
+import { shownTake } from '../../../src/model/document.ts';
 import {
-  type ChannelClip,
   type Extrapolation,
   FIXED_TANGENT,
   FLAT,
@@ -12,24 +11,25 @@ import {
   LINEAR,
   restChannel,
   SMOOTH,
-} from '../../../src/model/takes/clip.ts';
+  type Take,
+} from '../../../src/model/takes/take.ts';
 import { valueOfChain, whySegment, whyValue } from '../../../src/teaching/explain/channel-why.ts';
 import { tangentText, whyTangent } from '../../../src/teaching/explain/tangent-why.ts';
-import { clip as anyClip } from '../../formats/arbitraries.ts';
+import { take as anyTake } from '../../formats/arbitraries.ts';
 import { describeShared } from '../../helpers/shared.ts';
-import { clip, channel as keysAt } from '../../ui/builders.ts';
+import { channel as keysAt, take } from '../../ui/builders.ts';
 import { characterOf, OWN, SHARED } from '../lesson-files.ts';
 
 describe('why our examples have their values', () => {
   it.each(Object.entries(OWN))('ends at the very value that evaluation gives: %s', (_, files) => {
-    expectSame(shownClip(characterOf(...files)));
+    expectSame(shownTake(characterOf(...files)));
   });
 });
 
 describeShared('why the reference files have their values', () => {
   const moving = Object.entries(SHARED).filter(([, files]) => files.some((file) => /\.(anim|bvh)$/.test(file)));
   it.each(moving)('ends at the very value that evaluation gives: %s', (_, files) => {
-    expectSame(shownClip(characterOf(...files)));
+    expectSame(shownTake(characterOf(...files)));
   });
 });
 
@@ -37,7 +37,7 @@ describe('why a random channel has its value', () => {
   it('a random channel’s chain ends at the very value that evaluation gives', () => {
     const time = fc.oneof(fc.double({ min: -20, max: 20, noNaN: true }), fc.double());
     fc.assert(
-      fc.property(anyClip, fc.array(time, { minLength: 3, maxLength: 3 }), (of, times) => {
+      fc.property(anyTake, fc.array(time, { minLength: 3, maxLength: 3 }), (of, times) => {
         const own = of.channels.flatMap((each) => (each.kind === 'keys' ? [...each.times] : []));
         expectAt(of, [...times, ...own]);
       }),
@@ -63,7 +63,7 @@ describe('why a channel has its value', () => {
   });
 
   it('has the four inputs and the coefficients of the textbook, whose cubic is the one that is evaluated', () => {
-    const why = whyValue(clip([0, 2], channel([0, 2], [1, 3], FIXED_TANGENT, 0.5)), 0, 0.5);
+    const why = whyValue(take([0, 2], channel([0, 2], [1, 3], FIXED_TANGENT, 0.5)), 0, 0.5);
     if (why?.kind !== 'keys' || !why.segment) throw new Error('No segment.');
     const { inputs, inU, u, value, h, tau } = why.segment;
     expect({ inputs, inU, u, h, tau }).toEqual({ inputs: [1, 3, 1, 1], inU: [-2, 3, 1, 1], u: 0.25, h: 2, tau: 0.5 });
@@ -74,7 +74,7 @@ describe('why a channel has its value', () => {
   it('folds a time outside the keys, and says what is added', () => {
     const at = (out: Extrapolation, time: number) => {
       const why = whyValue(
-        clip([0, 2], { ...channel([1, 3], [0, 5], FLAT), extrapolateIn: out, extrapolateOut: out }),
+        take([0, 2], { ...channel([1, 3], [0, 5], FLAT), extrapolateIn: out, extrapolateOut: out }),
         0,
         time,
       );
@@ -100,7 +100,7 @@ describe('why a channel has its value', () => {
 
   it('of a lone key that repeats is the key itself', () => {
     const lone = { ...channel([1], [5], FLAT), extrapolateOut: 'cycle' as const };
-    expect(whyValue(clip([0, 2], lone), 0, 9)).toMatchObject({
+    expect(whyValue(take([0, 2], lone), 0, 9)).toMatchObject({
       outside: { kind: 'constant', key: 0 },
       at: 0,
       value: 5,
@@ -108,9 +108,9 @@ describe('why a channel has its value', () => {
   });
 
   it('of a resting channel is its value, and there is none of a channel that is not there', () => {
-    expect(whyValue(clip([0, 2], restChannel(0.5)), 0, 1)).toEqual({ kind: 'rest', value: 0.5 });
-    expect(whyValue(clip([0, 2]), 0, 1)).toBeUndefined();
-    expect(whySegment(clip([0, 2], wave), 0, 3)).toBeUndefined();
+    expect(whyValue(take([0, 2], restChannel(0.5)), 0, 1)).toEqual({ kind: 'rest', value: 0.5 });
+    expect(whyValue(take([0, 2]), 0, 1)).toBeUndefined();
+    expect(whySegment(take([0, 2], wave), 0, 3)).toBeUndefined();
   });
 });
 
@@ -128,7 +128,7 @@ function text(keys: KeyedChannel, key: number, side: 'in' | 'out'): string {
   return tangentText(keys, whyTangent(keys, key, side), (value) => String(Number(value.toFixed(3))));
 }
 
-function expectSame(of: ChannelClip | undefined): void {
+function expectSame(of: Take | undefined): void {
   if (!of) return;
   const [from, to] = of.range;
   const times = [from, to, from - 0.73, to + 3.1];
@@ -136,8 +136,8 @@ function expectSame(of: ChannelClip | undefined): void {
   expectAt(of, times);
 }
 
-function expectAt(of: ChannelClip, times: readonly number[]): void {
-  const compiled = compileClip(of);
+function expectAt(of: Take, times: readonly number[]): void {
+  const compiled = compileTake(of);
   of.channels.forEach((each, c) => {
     for (const time of times) {
       const why = whyValue(of, c, time);

@@ -3,7 +3,7 @@ import { ACTIONS } from '../../../src/ui/shell/actions.ts';
 import { findActions, searchActions } from '../../../src/ui/shell/help/command-search.ts';
 import { actionsOf, findAction, isEnabled, reasonNot, runAction } from '../../../src/ui/state/actions/action.ts';
 import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
-import { capture, channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+import { capture, channel, character, documentOf, skeleton, take, workbench } from '../builders.ts';
 
 describe('the list of actions', () => {
   it('the list of actions has no id twice', () => {
@@ -46,7 +46,7 @@ describe('the list of actions', () => {
     const inMenu = () => actionsOf(wb).find((a) => a.id === 'session.restore');
     expect(inMenu()).toBeUndefined();
     const asked: string[] = [];
-    const works = [{ id: 's1', savedAtMs: 0, characters: [{ name: 'wasp', joints: 31, clips: 1 }] }];
+    const works = [{ id: 's1', savedAtMs: 0, characters: [{ name: 'wasp', joints: 31, takes: 1 }] }];
     const no = () => {};
     const answers = {
       restore: no,
@@ -78,7 +78,7 @@ describe('runAction', () => {
       documentOf(
         character({
           skeleton: skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]),
-          clips: [clip([0, 2], channel(0, 0.5, 1))],
+          takes: [take([0, 2], channel(0, 0.5, 1))],
         }),
       ),
       { range: [0, 2] },
@@ -132,7 +132,7 @@ describe('runAction', () => {
 
   it('pauses on a frame of a capture, whether or not times snap to frames', () => {
     const { wb } = workbench(
-      documentOf(character({ skeleton: skeleton(['hips', -1]), clips: [capture(6, 0.1, 101)] })),
+      documentOf(character({ skeleton: skeleton(['hips', -1]), takes: [capture(6, 0.1, 101)] })),
     );
     wb.timeline.change({ snapsToFrames: false });
     wb.transport.update((p) => ({ ...p, framesPerSecond: 10, timeSeconds: 0.71, range: [0, 10], playing: true }));

@@ -3,20 +3,20 @@ import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import type { Document } from '../../../src/model/document.ts';
-import { restChannel, SAMPLED } from '../../../src/model/takes/clip.ts';
+import { restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
 import { actionsOf, isChecked, isEnabled, tryAction } from '../../../src/ui/state/actions/action.ts';
 import { watchEffect } from '../../../src/ui/state/actions/effect.ts';
 import { DumpComparison } from '../../../src/ui/state/dump-comparison.ts';
 import type { Action, Workbench } from '../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../builders.ts';
 
 const bones = skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]);
 const DOFS = 3 + 3 * 4;
 const loop = { ...channel(0, 0.5, 1), extrapolateIn: 'cycle', extrapolateOut: 'cycle' } as const;
-const walking = character({ skeleton: bones, clips: [clip([0, 2], ...Array.from({ length: DOFS }, () => loop))] });
-const bare = character({ skeleton: bones, shownClip: -1 });
+const walking = character({ skeleton: bones, takes: [take([0, 2], ...Array.from({ length: DOFS }, () => loop))] });
+const bare = character({ skeleton: bones, shownTake: -1 });
 const capture = {
-  ...clip([0, 1], ...Array.from({ length: DOFS }, () => SAMPLED)),
+  ...take([0, 1], ...Array.from({ length: DOFS }, () => SAMPLED)),
   samples: {
     frameCount: 31,
     frameSeconds: 1 / 30,
@@ -27,7 +27,7 @@ const capture = {
     interpolation: 'linear',
   },
 } as const;
-const captured = character({ skeleton: bones, clips: [capture] });
+const captured = character({ skeleton: bones, takes: [capture] });
 
 interface Given {
   readonly document?: Document;
@@ -38,7 +38,7 @@ const joint = (wb: Workbench) => wb.store.select({ characterId: 'c1', joint: 1 }
 const joints = (wb: Workbench) => wb.store.select({ characterId: 'c1', joint: 1, others: [3] });
 const keys = (wb: Workbench) => {
   wb.store.select({ characterId: 'c1', joint: 1, keys: [{ channel: 6, indices: [1] }] });
-  wb.timeline.copied = copyKeys(walking.clips[0], [{ channel: 7, indices: [0, 1] }]);
+  wb.timeline.copied = copyKeys(walking.takes[0], [{ channel: 7, indices: [0, 1] }]);
 };
 const STATES: Readonly<Record<string, Given>> = {
   'an empty stage': {},
@@ -62,7 +62,7 @@ const STATES: Readonly<Record<string, Given>> = {
   'a joint without keys, and keys copied from another': {
     document: documentOf({
       ...walking,
-      clips: [clip([0, 2], ...Array.from({ length: DOFS }, (_, c) => (c < 9 ? loop : restChannel())))],
+      takes: [take([0, 2], ...Array.from({ length: DOFS }, (_, c) => (c < 9 ? loop : restChannel())))],
     }),
     prepare(wb) {
       keys(wb);
@@ -86,7 +86,7 @@ const STATES: Readonly<Record<string, Given>> = {
   },
   'a character without a take': { document: documentOf(bare), prepare: joint },
   'a capture': { document: documentOf(captured), prepare: joint },
-  'a lone skin': { document: documentOf(character({ shownClip: -1 })) },
+  'a lone skin': { document: documentOf(character({ shownTake: -1 })) },
   'IK mode': {
     document: documentOf(walking),
     prepare(wb) {

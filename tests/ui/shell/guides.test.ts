@@ -2,12 +2,12 @@ import { expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
 import { advanced, GUIDE_TEXTS, type GuideState } from '../../../src/ui/shell/help/guides/steps.ts';
 import { problemPage } from '../../../src/ui/state/manual-link.ts';
-import { character, clip, documentOf } from '../builders.ts';
+import { character, documentOf, take } from '../builders.ts';
 
 const start = character();
 const posed = { ...start, unkeyed: { timeSeconds: 0, dofs: [0], values: [1] } };
-const keyed = { ...start, clips: [...start.clips, clip([0, 1])] };
-const again = { ...start, clips: [...keyed.clips] };
+const keyed = { ...start, takes: [...start.takes, take([0, 1])] };
+const again = { ...start, takes: [...keyed.takes] };
 
 function at(of: typeof start, more: Partial<GuideState> = {}): GuideState {
   return {

@@ -3,12 +3,12 @@ import { pinPoint } from '../../../src/edit/commands/ik.ts';
 import { selectForMenu, subjectOf, viewportEntries } from '../../../src/ui/shell/viewport-menu.ts';
 import type { PosingMode } from '../../../src/ui/state/posing.ts';
 import type { MenuEntry, MenuItem } from '../../../src/ui/widgets/menu.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../builders.ts';
 
 const bones = skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]);
 const walking = character({
   skeleton: bones,
-  clips: [clip([0, 2], ...Array.from({ length: 15 }, () => channel(0, 1)))],
+  takes: [take([0, 2], ...Array.from({ length: 15 }, () => channel(0, 1)))],
 });
 
 function page(mode: PosingMode, joint?: number) {
@@ -69,7 +69,7 @@ describe('what the viewport’s menu is about', () => {
 });
 
 it('the viewport’s menu on one of several selected joints keeps them, and resets them all', async () => {
-  const { wb } = workbench(documentOf({ ...walking, shownClip: -1, pose: walking.pose.with(6, 1).with(9, 1) }));
+  const { wb } = workbench(documentOf({ ...walking, shownTake: -1, pose: walking.pose.with(6, 1).with(9, 1) }));
   wb.store.select({ characterId: 'c1', joint: 2, others: [1] });
   selectForMenu(wb, { characterId: 'c1', placement: 0, joint: 1 });
   expect(wb.store.selection).toMatchObject({ joint: 1, others: [2] });
@@ -113,7 +113,7 @@ describe('the viewport’s menu of a joint', () => {
   });
 
   it('the viewport’s menu resets one joint to its file pose, in a step that is named so', async () => {
-    const { wb } = workbench(documentOf({ ...walking, shownClip: -1, pose: walking.pose.with(6, 1).with(9, 1) }));
+    const { wb } = workbench(documentOf({ ...walking, shownTake: -1, pose: walking.pose.with(6, 1).with(9, 1) }));
     wb.store.select({ characterId: 'c1', joint: 1 });
     choose(viewportEntries(wb, 'joint'), 'Reset leg_l to file pose');
     await expect.poll(() => wb.store.document.characters[0].pose[6]).toBe(0);

@@ -3,15 +3,15 @@ import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { DEFAULT_DISPLAY } from '../../../src/model/session.ts';
 import { oneSurface } from '../../../src/model/skin.ts';
 import { whatIsMissing, withoutWeights } from '../../../src/ui/shell/viewport-pane.ts';
-import { character, clip, skeleton } from '../builders.ts';
+import { character, skeleton, take } from '../builders.ts';
 
 describe('the note over the viewport', () => {
   it('asks for the skeleton of an animation that stands alone', () => {
-    const alone = { ...EMPTY_DOCUMENT, characters: [character({ clips: [clip([0, 1])] })] };
+    const alone = { ...EMPTY_DOCUMENT, characters: [character({ takes: [take([0, 1])] })] };
     expect(whatIsMissing(alone, {}, DEFAULT_DISPLAY)).toBe('wasp has only an animation. Drop its .skel file.');
     const whole = {
       ...EMPTY_DOCUMENT,
-      characters: [character({ clips: [clip([0, 1])], skeleton: skeleton(['hips', -1]) })],
+      characters: [character({ takes: [take([0, 1])], skeleton: skeleton(['hips', -1]) })],
     };
     expect(whatIsMissing(whole, {}, DEFAULT_DISPLAY)).toBe('');
   });

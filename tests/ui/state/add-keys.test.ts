@@ -3,7 +3,7 @@ import { keyPose } from '../../../src/edit/commands/keying.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { copyKeys } from '../../../src/edit/keys/clipboard.ts';
 import { period } from '../../../src/edit/keys/cycle.ts';
-import { keysOf } from '../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../src/model/takes/take.ts';
 import { keyNow } from '../../../src/ui/editors/posing/pose-edits.ts';
 import { type CycleText, cycleText } from '../../../src/ui/editors/timeline/cycle-text.ts';
 import { insertAtPlayhead, paste } from '../../../src/ui/editors/timeline/key-edits.ts';
@@ -12,18 +12,18 @@ import { runAction } from '../../../src/ui/state/actions/action.ts';
 import { HandEdit } from '../../../src/ui/state/actions/hand-edit.ts';
 import { addKeyed } from '../../../src/ui/state/add-keys.ts';
 import type { Workbench } from '../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../builders.ts';
 
 const walk = { ...channel(0, 0.4, 0.8), extrapolateIn: 'cycle', extrapolateOut: 'cycle' } as const;
 const still = channel(0, 0.8);
 const dancer = character({
   skeleton: skeleton(['hips', -1]),
-  clips: [clip([0, 6.4], walk, walk, still, still, still, still)],
-  shownClip: 0,
+  takes: [take([0, 6.4], walk, walk, still, still, still, still)],
+  shownTake: 0,
   timeOffsetSeconds: 1,
 });
 let wb: Workbench;
-const channels = () => wb.store.document.characters[0].clips[0].channels;
+const channels = () => wb.store.document.characters[0].takes[0].channels;
 const asked = () => {
   const question = wb.timeline.cycleQuestion.get();
   if (!question) throw new Error('nothing is asked');
@@ -130,7 +130,7 @@ describe('keys outside a cycle', () => {
   it('keys outside the cycle raise one question for each command that adds some', () => {
     const ways: Readonly<Record<string, () => void>> = {
       'a key on the curves': () => insertAtPlayhead(wb, [0, 1]),
-      'pasted keys': () => paste(wb, 'merge', undefined, copyKeys(dancer.clips[0], [{ channel: 1, indices: [1] }])),
+      'pasted keys': () => paste(wb, 'merge', undefined, copyKeys(dancer.takes[0], [{ channel: 1, indices: [1] }])),
       'the whole pose': () => runAction(wb, 'key.pose'),
       'auto-key': () => {
         runAction(wb, 'key.auto');

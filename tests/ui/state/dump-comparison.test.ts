@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { removeCharacter, setTimeOffset, showClip } from '../../../src/edit/commands/characters.ts';
+import { removeCharacter, setTimeOffset, showTake } from '../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
@@ -124,7 +124,7 @@ describe('a comparison with dumps', () => {
     expect(timesOf(moving.inputs[0])).toEqual([0.4]);
     moving.at(0.9);
     expect(moving.comparing.shown.get()).toBeUndefined();
-    const resting = comparisonOf({ ...crawler, shownClip: -1 }, [dump('mine.txt', [undefined])], 0.4);
+    const resting = comparisonOf({ ...crawler, shownTake: -1 }, [dump('mine.txt', [undefined])], 0.4);
     await resting.settled();
     expect(timesOf(resting.inputs[0])).toEqual([undefined]);
     resting.at(0.9);
@@ -132,7 +132,7 @@ describe('a comparison with dumps', () => {
   });
 
   it('shows time 0 without a take as the file pose, at once and at any time; numbers without a time replace it', async () => {
-    const still = { ...crawler, shownClip: -1 };
+    const still = { ...crawler, shownTake: -1 };
     const { comparing, settled, at } = comparisonOf(still, [dump('mine.txt', [0], NO_PARENT)], 0.9);
     await settled();
     expect(comparing.shown.get()?.frame).toMatchObject({ time: 0, agrees: false });
@@ -146,7 +146,7 @@ describe('a comparison with dumps', () => {
   });
 
   it('shows the nearest of several times without a take, which are of the same pose', async () => {
-    const { comparing, settled, at } = comparisonOf({ ...crawler, shownClip: -1 }, [dump('mine.txt', [0, 1.5])]);
+    const { comparing, settled, at } = comparisonOf({ ...crawler, shownTake: -1 }, [dump('mine.txt', [0, 1.5])]);
     await settled();
     expect(comparing.shown.get()?.index).toBe(0);
     comparing.goTo(1);
@@ -157,7 +157,7 @@ describe('a comparison with dumps', () => {
     expect(comparing.shown.get()?.index).toBe(0);
   });
 
-  it('goes by the time of the clip, wherever it starts on the timeline', async () => {
+  it('goes by the time of the take, wherever it starts on the timeline', async () => {
     const { comparing, settled, store, transport } = comparisonOf(crawler, [dump('mine.txt', [0.5])], 0.5);
     await settled();
     store.apply(setTimeOffset, { characterId: crawler.id, seconds: 0.2 });
@@ -264,7 +264,7 @@ describe('a comparison with dumps', () => {
   });
 
   it('an edit compares again after the last of several, and keeps the result meanwhile', async () => {
-    const { comparing, settled, store, inputs, waiting, quiet } = comparisonOf({ ...crawler, shownClip: -1 }, [
+    const { comparing, settled, store, inputs, waiting, quiet } = comparisonOf({ ...crawler, shownTake: -1 }, [
       dump('mine.txt', [undefined]),
     ]);
     await settled();
@@ -333,7 +333,7 @@ describe('a comparison with dumps', () => {
   it('drops a result whose arrays no longer fit', async () => {
     const { comparing, settled, store } = comparisonOf(crawler, [dump('mine.txt', [0])]);
     await settled();
-    store.apply(showClip, { characterId: crawler.id, clip: -1 });
+    store.apply(showTake, { characterId: crawler.id, take: -1 });
     expect(comparing.state.get().result).toBeUndefined();
     expect(comparing.shown.get()).toBeUndefined();
   });

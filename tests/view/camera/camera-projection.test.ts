@@ -40,9 +40,9 @@ describe.each(cameras)('a %s camera', (_kind, made) => {
     for (const point of points) {
       const out = new Float64Array(3);
       expect(projection.project(point, out, 1)).toBe(true);
-      const clip = new Vector3(...point).project(camera);
-      expect(Math.abs(out[1] - ((clip.x + 1) / 2) * WIDTH)).toBeLessThan(NEAR * WIDTH);
-      expect(Math.abs(out[2] - ((1 - clip.y) / 2) * HEIGHT)).toBeLessThan(NEAR * WIDTH);
+      const take = new Vector3(...point).project(camera);
+      expect(Math.abs(out[1] - ((take.x + 1) / 2) * WIDTH)).toBeLessThan(NEAR * WIDTH);
+      expect(Math.abs(out[2] - ((1 - take.y) / 2) * HEIGHT)).toBeLessThan(NEAR * WIDTH);
     }
   });
 

@@ -19,9 +19,9 @@ function roots(ghosts: Ghosts, nodes: number): number[][] {
 }
 
 describe('how far apart ghosts are', () => {
-  it('ghosts are seconds apart, or frames of the clip, or of the transport if the clip has none', () => {
+  it('ghosts are seconds apart, or frames of the take, or of the transport if the take has none', () => {
     const mocap = captured(figure(), takeOfRoots(figure(), [[0, 85, 0]]));
-    const keyed = character({ clips: [takeOfValues('walk', [0])], shownClip: 0 });
+    const keyed = character({ takes: [takeOfValues('walk', [0])], shownTake: 0 });
     const frames: Display = { ...ON, ghostStepIn: 'frames', ghostStep: 3 };
     expect(ghostStepSeconds(mocap, ON, 24)).toBe(0.1);
     expect(ghostStepSeconds(mocap, frames, 24)).toBeCloseTo(0.3, 12);

@@ -2,14 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import {
-  type Channel,
-  type ChannelClip,
-  type KeyedChannel,
-  restChannel,
-  SAMPLED,
-} from '../../../src/model/takes/clip.ts';
 import type { Interpolation } from '../../../src/model/takes/samples.ts';
+import { type Channel, type KeyedChannel, restChannel, SAMPLED, type Take } from '../../../src/model/takes/take.ts';
 import { PosePlayer } from '../../../src/view/motion/pose-track.ts';
 import { character, joint, skeleton, takeOfValues } from '../../helpers/builders.ts';
 
@@ -27,14 +21,14 @@ function channel(times: number[], values: number[], more: Partial<KeyedChannel> 
   };
 }
 
-const playing = (channels: readonly Channel[], range: readonly [number, number] = [0, 1]): ChannelClip => ({
+const playing = (channels: readonly Channel[], range: readonly [number, number] = [0, 1]): Take => ({
   name: 'go',
   range,
   channels,
 });
 
-function player(shown: ChannelClip, more: Partial<Parameters<typeof character>[0]> = {}) {
-  return new PosePlayer(character({ clips: [shown], shownClip: 0, ...more }));
+function player(shown: Take, more: Partial<Parameters<typeof character>[0]> = {}) {
+  return new PosePlayer(character({ takes: [shown], shownTake: 0, ...more }));
 }
 
 describe('the track of a character', () => {
@@ -53,7 +47,7 @@ describe('the track of a character', () => {
     }
   });
 
-  it('the track of a character does not depend on the clip having a range from 0, or one at all', () => {
+  it('the track of a character does not depend on the take having a range from 0, or one at all', () => {
     for (const range of [
       [0, 1],
       [-7, -3],
@@ -61,7 +55,7 @@ describe('the track of a character', () => {
       [9, 2],
     ] as const) {
       const played = player(playing([channel([-6, -4], [1, 3])], range));
-      expect(played.clip.duration).toBeGreaterThan(0);
+      expect(played.take.duration).toBeGreaterThan(0);
       played.seek(-5);
       expect(played.dofs[0]).toBe(2);
       played.seek(-8);
@@ -105,7 +99,7 @@ describe('the track of a character', () => {
     );
     fc.assert(
       fc.property(channels, fc.array(fc.double({ min: -1e3, max: 1e3, noNaN: true })), (all, times) => {
-        const model = character({ skeleton: skeleton(2), clips: [playing(all)], shownClip: 0 });
+        const model = character({ skeleton: skeleton(2), takes: [playing(all)], shownTake: 0 });
         const played = new PosePlayer(model);
         const expected = new Float64Array(9);
         for (const time of times) {
@@ -125,7 +119,7 @@ describe('the track of a character', () => {
     const six = motion.channels.map(() => 0);
     const root = joint(-1, { motion, pose: six, limits: six.map(() => ({ min: -1e5, max: 1e5 })) });
     const values = Float64Array.from({ length: 6 * 40 }, (_, i) => 170 * Math.sin(i * i));
-    const take = (interpolation: Interpolation): ChannelClip => ({
+    const take = (interpolation: Interpolation): Take => ({
       ...playing(six.map(() => SAMPLED)),
       range: [0, 39 / 30],
       samples: {
@@ -138,9 +132,9 @@ describe('the track of a character', () => {
         interpolation,
       },
     });
-    const sampled = character({ skeleton: { name: 'taken', joints: [root] }, clips: [take('linear')], shownClip: 0 });
+    const sampled = character({ skeleton: { name: 'taken', joints: [root] }, takes: [take('linear')], shownTake: 0 });
     const played = new PosePlayer(sampled);
-    expect(played.clip.duration).toBeCloseTo(1.3, 12);
+    expect(played.take.duration).toBeCloseTo(1.3, 12);
     const expected = new Float64Array(6);
     for (const time of [-1, 0, 1 / 30, 0.51, 0.512, 1.2999, 1.3, 8]) {
       played.seek(time);
@@ -148,7 +142,7 @@ describe('the track of a character', () => {
       expect([...played.dofs]).toEqual([...expected]);
     }
     expect(played.fits({ ...sampled, pose: [1] })).toBe(true);
-    expect(played.fits({ ...sampled, clips: [take('cubic')] })).toBe(false);
+    expect(played.fits({ ...sampled, takes: [take('cubic')] })).toBe(false);
   });
 
   it('leaves to the pose what no channel drives, and clamps to the limits', () => {
@@ -170,8 +164,8 @@ describe('the track of a character', () => {
 
   it('shows a value set by hand at its moment only', () => {
     const model = character({
-      clips: [takeOfValues('go', [1, 2])],
-      shownClip: 0,
+      takes: [takeOfValues('go', [1, 2])],
+      shownTake: 0,
       unkeyed: { timeSeconds: 0.5, dofs: [1], values: [9] },
     });
     const played = new PosePlayer({ ...model, pose: model.pose.map(() => 7), clampsToLimits: false });

@@ -7,7 +7,7 @@ import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 const path = (...of: Parameters<typeof samplePath>) => runToEnd(samplePath(...of));
 
 describe('the trail of a joint', () => {
-  const still = character({ skeleton: skeleton(2), clips: [], shownClip: -1 });
+  const still = character({ skeleton: skeleton(2), takes: [], shownTake: -1 });
   const pose = still.pose.map((value, dof) => (dof === 0 ? 3 : value));
 
   it('the motion path is where the joint is at each time', () => {
@@ -22,7 +22,7 @@ describe('the trail of a joint', () => {
   });
 
   it('covers the range, both ends included', () => {
-    const moving = { ...still, clips: [takeOfValues('walk', [0, 8])], shownClip: 0 };
+    const moving = { ...still, takes: [takeOfValues('walk', [0, 8])], shownTake: 0 };
     const one = path(moving, 0, [0, 1], 5, false);
     const ends = path(moving, 0, [0, 1], 2, false);
     expect(Array.from(one.subarray(0, 3))).toEqual(Array.from(ends.subarray(0, 3)));
@@ -31,7 +31,7 @@ describe('the trail of a joint', () => {
 
   it('a path over all of time to where no 32-bit float reaches is drawn without complaint', () => {
     const away = takeOfValues('away', [1e308, -1e308]);
-    const moving = character({ skeleton: skeleton(2), clips: [away], shownClip: 0 });
+    const moving = character({ skeleton: skeleton(2), takes: [away], shownTake: 0 });
     expect(path(moving, 0, [-1e308, 1e308], 5, false).every((value) => !Number.isNaN(value))).toBe(true);
     const trail = new Trail();
     trail.show(moving, 0, [0, 1], false);
@@ -40,7 +40,7 @@ describe('the trail of a joint', () => {
   });
 
   it('shows through what covers it, dimmed, at the same places', () => {
-    const moving = character({ skeleton: skeleton(2), clips: [takeOfValues('walk', [0, 8])], shownClip: 0 });
+    const moving = character({ skeleton: skeleton(2), takes: [takeOfValues('walk', [0, 8])], shownTake: 0 });
     const trail = new Trail();
     trail.show(moving, 1, [0, 1], false);
     const { object, covered } = trail;
@@ -61,8 +61,8 @@ describe('the trail of a joint', () => {
     const large = character({
       id: 'large',
       skeleton: skeleton(3000),
-      clips: [takeOfValues('walk', [1])],
-      shownClip: 0,
+      takes: [takeOfValues('walk', [1])],
+      shownTake: 0,
     });
     const range = [0, 2] as const;
 
@@ -87,7 +87,7 @@ describe('the trail of a joint', () => {
       trail.show(large, 7, range, false);
       trail.show(large, undefined, range, false);
       trail.show(
-        character({ skeleton: skeleton(2), clips: [takeOfValues('walk', [1])], shownClip: 0 }),
+        character({ skeleton: skeleton(2), takes: [takeOfValues('walk', [1])], shownTake: 0 }),
         1,
         range,
         false,

@@ -6,7 +6,7 @@ import { joint } from '../../helpers/builders.ts';
 
 /** Ten world units are a viewport of 1000 × 1000 pixels, with the origin at its centre. */
 const camera = new OrthographicCamera(-5, 5, 5, -5, -100, 100);
-const toClip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+const toTake = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
 function place(points: readonly (readonly [number, number])[]): number[] | undefined {
   const joints = points.map((_, j) => joint(j - 1, { offset: [0, 1, 0] }));
@@ -22,7 +22,7 @@ function place(points: readonly (readonly [number, number])[]): number[] | undef
   ]);
   const positions = Float64Array.from(points.flatMap(([x, y]) => [x, y, 0]));
   const out = new Float64Array(4);
-  return placeName(drawn, positions, toClip, 1000, 1000, out) ? [...out] : undefined;
+  return placeName(drawn, positions, toTake, 1000, 1000, out) ? [...out] : undefined;
 }
 
 describe('the name of a character', () => {

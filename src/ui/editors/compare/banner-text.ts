@@ -21,7 +21,7 @@ export interface BannerText {
   readonly text: string;
   /** From 0 to 1 while it is compared. */
   readonly share?: number;
-  /** A time of the clip that is told of and isn't shown; seconds. */
+  /** A time of the take that is told of and isn't shown; seconds. */
   readonly goTo?: number;
   /** The problem told, of a dump that doesn't fit. */
   readonly problem?: Diagnostic;
@@ -35,7 +35,7 @@ export interface BannerSubject {
   readonly character: Character | undefined;
   /** The frame shown; −1 if none of those compared is. */
   readonly frame: number;
-  /** Time of the clip; undefined: the file pose. */
+  /** Time of the take; undefined: the file pose. */
   readonly time: number | undefined;
   /** Whether the character is one of several, and is named. */
   readonly isNamed?: boolean;

@@ -1,7 +1,7 @@
 /** The banner over the viewport: what a comparison found, in sentences, and where to look at it. */
 
 import type { DumpComparison } from '../../state/dump-comparison.ts';
-import { clipTimeShown } from '../../state/dump-times.ts';
+import { takeTimeShown } from '../../state/dump-times.ts';
 import { isPanelOpen, openPanel } from '../../state/panels/panels.ts';
 import { showInSource } from '../../state/panels/show-in-source.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
@@ -50,7 +50,7 @@ export function fillBanner(wb: Parts, banner: HTMLElement): void {
       state: comparing.state.get(),
       character,
       frame: comparing.shown.get()?.index ?? -1,
-      time: clipTimeShown(wb, character),
+      time: takeTimeShown(wb, character),
       isNamed: wb.store.document.characters.length > 1,
     });
     write(banner.dataset, 'tone', now.tone);

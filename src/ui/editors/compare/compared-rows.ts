@@ -20,7 +20,7 @@ export interface ComparedRow {
   readonly mark: JointMark;
   /** The largest, as `FirstWrong.error`. */
   readonly error: number;
-  /** First time at which a channel is wrong, in seconds of the clip; absent if it agrees. */
+  /** First time at which a channel is wrong, in seconds of the take; absent if it agrees. */
   readonly firstTime?: number;
 }
 

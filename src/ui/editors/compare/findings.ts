@@ -3,7 +3,7 @@ import type { Comparison } from '../../../teaching/compare/compare.ts';
 import { comparedText } from '../../../teaching/compare/compared-text.ts';
 import type { NamedDump } from '../../../teaching/dump/fit-dump.ts';
 import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
-import { clipTimeShown, statesTime } from '../../state/dump-times.ts';
+import { statesTime, takeTimeShown } from '../../state/dump-times.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { button, element, setAttribute, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -57,7 +57,7 @@ export class Findings {
     const state = comparing.state.get();
     this.of = comparing;
     if (state.result !== this.state?.result) this.showResult(state);
-    const isMoved = clipTimeShown(this.wb, comparing.character) !== undefined;
+    const isMoved = takeTimeShown(this.wb, comparing.character) !== undefined;
     const isOther = state.dumps !== this.state?.dumps || state.result !== this.state?.result;
     if (isOther || isMoved !== this.isMoved) this.showDumps(state, isMoved);
     this.isMoved = isMoved;
@@ -141,7 +141,7 @@ export class Findings {
     return [
       element('span', { class: 'faint' }, 'at'),
       field.element,
-      act('Now', 'Compare at the current time', () => setTime(clipTimeShown(this.wb, this.of?.character))),
+      act('Now', 'Compare at the current time', () => setTime(takeTimeShown(this.wb, this.of?.character))),
       act('File pose', 'Compare with the file pose, without the take', () => setTime(undefined)),
     ];
   }

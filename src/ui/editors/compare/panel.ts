@@ -5,7 +5,7 @@
 import type { FirstWrong, FrameComparison } from '../../../teaching/compare/compare.ts';
 import { firstWrongOf } from '../../../teaching/compare/first-wrong.ts';
 import type { ComparedResult, CompareState, DumpComparison } from '../../state/dump-comparison.ts';
-import { clipTimeShown } from '../../state/dump-times.ts';
+import { takeTimeShown } from '../../state/dump-times.ts';
 import { endComparison } from '../../state/shown-comparison.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -285,7 +285,7 @@ class ComparePanel implements TimelineTab {
     const frame = result ? toldFrame(comparing, result, this.kind) : -1;
     if (result && comparing.shown.get()?.index !== frame) comparing.goTo(frame);
     const time = result?.comparison.frames[frame]?.time;
-    wb.timeline.stepsOfFile.set(time === undefined && clipTimeShown(wb, character) !== undefined);
+    wb.timeline.stepsOfFile.set(time === undefined && takeTimeShown(wb, character) !== undefined);
     const isJoint = this.kind === 'joints';
     wb.store.select({ characterId, ...(isJoint ? { joint: row.index } : { vertex: row.index }) });
     wb.timeline.change({ tab: 'steps' });

@@ -169,7 +169,7 @@ export class ChannelList {
     const listed = this.channels[index];
     const { channel } = listed;
     const line = this.source.line(channel);
-    const held = currentTake(this.wb)?.clip.channels[channel];
+    const held = currentTake(this.wb)?.take.channels[channel];
     const name = channelName(listed);
     const keyed = isAnimated(listed);
     const hidden = state.hidden.has(channel);
@@ -270,7 +270,7 @@ export class ChannelList {
     const at = this.indexAt(event);
     const current = currentTake(this.wb);
     if (at?.cell !== 'name' || !current) return;
-    const keys = allKeys(current.clip, [this.channels[at.index].channel]);
+    const keys = allKeys(current.take, [this.channels[at.index].channel]);
     selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(selectedKeys(this.wb), keys) : keys);
   }
 

@@ -4,7 +4,7 @@
  */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
-import { EXTRAPOLATIONS } from '../../../model/takes/clip.ts';
+import { EXTRAPOLATIONS } from '../../../model/takes/take.ts';
 import { actionsOf } from '../../state/actions/action.ts';
 import { itemOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -71,7 +71,7 @@ export function openChannelMenu(
   const current = currentTake(wb);
   if (!current) return;
   const label = channelName(namedChannel(current.character, channel));
-  const kind = current.clip.channels[channel]?.kind;
+  const kind = current.take.channels[channel]?.kind;
   if (kind === 'samples') {
     openMenu(where, sampledEntries(wb, channel), { label });
   } else if (kind === 'keys') {
@@ -86,7 +86,7 @@ export function openChannelMenu(
 function selectCurve(wb: Uses<'store' | 'timeline'>, channel: number): void {
   const current = currentTake(wb);
   if (!current || selectedKeysInView(wb).some((k) => k.channel === channel)) return;
-  selectKeys(wb, allKeys(current.clip, [channel]));
+  selectKeys(wb, allKeys(current.take, [channel]));
 }
 
 function keyEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
@@ -113,7 +113,7 @@ function keyEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
 }
 
 function isSampledHere(wb: Uses<'store'>, channel: number): boolean {
-  return currentTake(wb)?.clip.channels[channel]?.kind === 'samples';
+  return currentTake(wb)?.take.channels[channel]?.kind === 'samples';
 }
 
 /** The menu of a sampled curve, which has no keys. */
@@ -177,7 +177,7 @@ function pinEntry(wb: Uses<'timeline'>, channel: number): MenuEntry {
 
 /** Extrapolation of one channel on one side. */
 export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: number, side: 'in' | 'out'): MenuEntry[] {
-  const held = currentTake(wb)?.clip.channels[channel];
+  const held = currentTake(wb)?.take.channels[channel];
   const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
   return EXTRAPOLATIONS.map((extrapolation) => ({
     kind: 'item',

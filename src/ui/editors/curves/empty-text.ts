@@ -1,5 +1,5 @@
 /** Text of an empty plot: how to get curves. */
-import { spanOfChannel } from '../../../model/takes/clip.ts';
+import { spanOfChannel } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
@@ -18,12 +18,12 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
   }
   const current = currentTake(wb);
   const at = `${shown(wb.transport.get().timeSeconds)} s`;
-  const keyed = current?.clip.channels.some((_, c) => spanOfChannel(current.clip, c)) ?? false;
+  const keyed = current?.take.channels.some((_, c) => spanOfChannel(current.take, c)) ?? false;
   if (!keyed && !character.skeleton && character.morphs.length === 0) {
     return `${character.name} has no skeleton, so there is nothing to animate. Drop its .skel file here.`;
   }
   if (!keyed) {
-    const what = current ? `The take ${current.clip.name} has no keys` : `${character.name} has no animation`;
+    const what = current ? `The take ${current.take.name} has no keys` : `${character.name} has no animation`;
     return `${what}. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
   }
   const { list, hidden, filter } = wb.timeline.view.get();

@@ -5,18 +5,18 @@ import { addKeys } from '../../state/add-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, keyPlacing } from '../timeline/current-take.ts';
 
-/** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the clip */
+/** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the take */
 export function insertOnCurve(
   wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>,
   channel: number,
-  clipSeconds: number,
+  takeSeconds: number,
 ): void {
   const current = currentTake(wb);
   if (!current) return;
   const { framesPerSecond } = wb.transport.get();
   const offset = current.character.timeOffsetSeconds;
-  const snapped = Math.round((clipSeconds - offset) * framesPerSecond) / framesPerSecond + offset;
-  const timeSeconds = wb.timeline.view.get().snapsToFrames ? snapped : clipSeconds;
+  const snapped = Math.round((takeSeconds - offset) * framesPerSecond) / framesPerSecond + offset;
+  const timeSeconds = wb.timeline.view.get().snapsToFrames ? snapped : takeSeconds;
   const inserted = { characterId: current.character.id, channels: [channel], timeSeconds };
   const placing = keyPlacing(wb, current.character);
   attempt(wb.messages, () => addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle })));

@@ -8,7 +8,7 @@ import { keySlope } from '../../../evaluate/slopes.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { unitOfChannel } from '../../../model/skeleton/dofs.ts';
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -20,7 +20,7 @@ import { dofsFor } from '../timeline/channels.ts';
 import { aboutKeysInHand, type CurrentTake, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
 import { frameNumber } from '../timeline/snapping.ts';
 
-/** Numbers shared by all selected keys; undefined if they differ. Seconds of the clip, model units. */
+/** Numbers shared by all selected keys; undefined if they differ. Seconds of the take, model units. */
 export interface SharedNumbers {
   readonly time: number | undefined;
   readonly value: number | undefined;
@@ -35,11 +35,11 @@ const MAX_CHARACTERS = 8;
 const brief = (value: number) => shown(value, decimalsWithin(value, MAX_CHARACTERS));
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
-function sharedNumbers({ clip }: Pick<CurrentTake, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
+function sharedNumbers({ take }: Pick<CurrentTake, 'take'>, keys: readonly ChannelKeys[]): SharedNumbers {
   if (!keys.length || countKeys(keys) > MAX_KEYS) return MIXED;
   let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
   for (const { channel: c, indices } of keys) {
-    const channel = keysOf(clip.channels[c]);
+    const channel = keysOf(take.channels[c]);
     for (const index of indices) {
       const own = {
         time: channel.times[index],

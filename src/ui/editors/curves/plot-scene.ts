@@ -3,9 +3,9 @@
  * knows what to redraw.
  */
 
-import { compileClip } from '../../../evaluate/compiled-clip.ts';
+import { compileTake } from '../../../evaluate/compiled-take.ts';
 import type { Character } from '../../../model/document.ts';
-import type { ChannelClip } from '../../../model/takes/clip.ts';
+import type { Take } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -22,7 +22,7 @@ import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 import { type TheirChannel, type TheirChannels, theirChannels } from './scene/their-channels.ts';
 
 /** Without a take there is still a ruler to scrub in. */
-const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
+const NO_TAKE: Take = { name: '', range: [0, 0], channels: [] };
 /** With more lines, those of the selection are in front of the others. */
 const MAX_LINES_ALIKE = 12;
 const NO_LINES: readonly CurveLine[] = [];
@@ -75,7 +75,7 @@ export class PlotScene {
     this.listed = character ? listedChannels(character, wb.store.selection, view) : [];
     const drawn = current ? drawnChannels(this.listed, view) : NO_CHANNELS;
     if (!sameNumbers(drawn, this.drawn)) this.drawn = drawn;
-    if (current) this.updateLines(current.character, current.clip, view.normalised);
+    if (current) this.updateLines(current.character, current.take, view.normalised);
     else {
       this.lines = NO_LINES;
       this.linesOf = NO_LINES;
@@ -84,12 +84,12 @@ export class PlotScene {
     this.updateEmphasis(current?.character, view);
     const { framesPerSecond } = wb.transport.get();
     const settings = wb.settings.get();
-    const clip = current?.clip ?? NO_CLIP;
+    const take = current?.take ?? NO_TAKE;
     const offsetSeconds = current?.character.timeOffsetSeconds ?? 0;
     const theirs = current && this.theirsOf(current.character);
     const made: CurveScene = {
-      clip,
-      curves: compileClip(clip),
+      take,
+      curves: compileTake(take),
       offsetSeconds,
       lines: this.lines,
       ...(theirs && { theirs }),
@@ -126,11 +126,11 @@ export class PlotScene {
     this.emphasised = drawn.length ? new Set(drawn) : undefined;
   }
 
-  private updateLines(character: Character, clip: ChannelClip, normalised: boolean): void {
+  private updateLines(character: Character, take: Take, normalised: boolean): void {
     // Only normalised lines depend on keys and samples.
-    const keys = normalised ? (this.frozen ? this.linesOf[4] : clip.channels) : undefined;
-    const samples = normalised ? (this.frozen ? this.linesOf[5] : clip.samples) : undefined;
-    const count = clip.channels.length;
+    const keys = normalised ? (this.frozen ? this.linesOf[4] : take.channels) : undefined;
+    const samples = normalised ? (this.frozen ? this.linesOf[5] : take.samples) : undefined;
+    const count = take.channels.length;
     const from = [
       character.id,
       character.skeleton,
@@ -151,7 +151,7 @@ export class PlotScene {
     this.lines = this.drawn.flatMap((c) => this.byChannel.get(c) ?? []);
   }
 
-  /** The line of a listed channel of the clip, drawn or not. */
+  /** The line of a listed channel of the take, drawn or not. */
   line(channel: number): CurveLine | undefined {
     this.update();
     return this.byChannel.get(channel);

@@ -1,6 +1,6 @@
 /** The plot: the picture of the curves with its overlays, kept up to date with document, settings and time. */
 
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 import { onResult } from '../../state/shown-comparison.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setText, uniqueId, write } from '../../widgets/dom.ts';
@@ -139,7 +139,7 @@ export class CurvePlot implements PlotHost {
   /** What is pointed at and selected, for explanations. */
   whyPlace(): WhyPlace {
     const { wb, plotScene, input } = this;
-    const { clip, lines, space, selected, offsetSeconds } = plotScene.scene;
+    const { take, lines, space, selected, offsetSeconds } = plotScene.scene;
     const { pointer } = input;
     return {
       hover: input.shownHover(),
@@ -147,7 +147,7 @@ export class CurvePlot implements PlotHost {
       playhead: wb.transport.get().timeSeconds + offsetSeconds,
       selected,
       drawn: lines.map(({ channel }) => channel),
-      timesOf: (channel) => keysOf(clip.channels[channel]).times,
+      timesOf: (channel) => keysOf(take.channels[channel]).times,
     };
   }
 
@@ -235,7 +235,7 @@ export class CurvePlot implements PlotHost {
     if (this.dragging) return;
     const current = currentTake(wb);
     const view = wb.timeline.view.get();
-    const name = current ? `${current.character.id} ${current.character.shownClip}` : '';
+    const name = current ? `${current.character.id} ${current.character.shownTake}` : '';
     const { lines, theirs } = plotScene.scene;
     // Hiding a curve doesn't refit the others.
     const channels = [

@@ -1,6 +1,6 @@
 /** The corner readout: values under the pointer, and the result of a drag. */
 
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setText, write } from '../../widgets/dom.ts';
 import { pixelsPerSecond, timeAt } from '../../widgets/time/time-window.ts';
@@ -39,7 +39,7 @@ export class CurveReadout {
   /** Seconds of the transport, a channel's name, a value. */
   private under(scene: CurveScene, pointer: PointerAt, hover: CurveHit): readonly [number, string, string] {
     const { wb } = this;
-    const { space, clip, offsetSeconds } = scene;
+    const { space, take, offsetSeconds } = scene;
     const at = timeAt(space, pointer.x);
     const line = hover.kind === 'empty' ? undefined : lineOf(scene, hover.channel);
     if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
@@ -49,7 +49,7 @@ export class CurveReadout {
       const own = curveValueText(wb, line.unit, hover.value);
       return [hover.timeSeconds - offsetSeconds, name, own + this.theirsAt(scene, line, hover.timeSeconds)];
     }
-    const { times, values } = keysOf(clip.channels[hover.channel]);
+    const { times, values } = keysOf(take.channels[hover.channel]);
     // The key was deleted by a drag.
     if (!(hover.index < times.length)) return [at, name, ''];
     const own = curveValueText(wb, line.unit, values[hover.index]);
@@ -57,7 +57,7 @@ export class CurveReadout {
     return [times[hover.index] - offsetSeconds, name, value];
   }
 
-  /** What another program printed for a time of the clip, if anything. */
+  /** What another program printed for a time of the take, if anything. */
   private theirsAt({ theirs, space }: CurveScene, line: CurveLine, time: number): string {
     const channel = theirs?.get(line.channel);
     const sample = channel ? sampleNear(channel, time, THEIRS_REACH / pixelsPerSecond(space)) : -1;

@@ -3,7 +3,7 @@
  * the centre.
  */
 
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 import { button, element, setStyle, write } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
 import { waitOutDrag } from '../../widgets/focus/keyboard.ts';
@@ -128,7 +128,7 @@ export class ScaleFrame {
 
 /** Bounds of the selected keys in view; undefined if there is nothing to scale. */
 function edgesOf(scene: CurveScene): Edges | undefined {
-  const { space, clip, offsetSeconds } = scene;
+  const { space, take, offsetSeconds } = scene;
   let left = Number.POSITIVE_INFINITY;
   let right = Number.NEGATIVE_INFINITY;
   let top = Number.POSITIVE_INFINITY;
@@ -137,7 +137,7 @@ function edgesOf(scene: CurveScene): Edges | undefined {
   const lines = new Map(scene.lines.map((l) => [l.channel, l]));
   for (const { channel, indices } of scene.selected) {
     const line = lines.get(channel);
-    const keys = keysOf(clip.channels[channel]);
+    const keys = keysOf(take.channels[channel]);
     if (!line || !indices.length) continue;
     count += indices.length;
     left = Math.min(left, timeX(space, keys.times[indices[0]] - offsetSeconds));

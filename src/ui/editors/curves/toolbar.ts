@@ -1,6 +1,6 @@
 /** The curve editor's buttons, in the row of tabs. All of them run actions. */
 
-import type { TangentKind } from '../../../model/takes/clip.ts';
+import type { TangentKind } from '../../../model/takes/take.ts';
 import { findAction, isChecked, isEnabled, tryAction } from '../../state/actions/action.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';

@@ -60,7 +60,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     refuses: needsTake,
     run(wb) {
       const current = currentTake(wb);
-      if (current) wb.timeline.change({ unfolded: allFolds(current.character, current.clip) });
+      if (current) wb.timeline.change({ unfolded: allFolds(current.character, current.take) });
     },
   },
   {

@@ -1,6 +1,6 @@
 /** Text of an empty dope sheet: how to get keys. */
 
-import { spanOfChannel } from '../../../model/takes/clip.ts';
+import { spanOfChannel } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { touchWords } from '../../widgets/touch-words.ts';
@@ -12,7 +12,7 @@ export function emptyText(wb: Uses<'store' | 'timeline'>, current: CurrentTake |
   const driven = current?.character.driver ?? currentCharacter(wb)?.driver;
   if (driven)
     return `Retargeted from ${driven.source.name}, so its own keys are hidden. Bake the retargeting to edit it here.`;
-  const keyed = current?.clip.channels.some((_, c) => spanOfChannel(current.clip, c)) ?? false;
+  const keyed = current?.take.channels.some((_, c) => spanOfChannel(current.take, c)) ?? false;
   const { filter } = wb.timeline.view.get();
   if (current && filter.trim() && keyed) return `No row with keys matches “${filter.trim()}”.`;
   return touchWords(

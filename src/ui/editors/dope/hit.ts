@@ -1,8 +1,8 @@
-/** Hit testing in the sheet, for points and boxes. Pure: the sheet's geometry and the clip's keys, no canvas. */
+/** Hit testing in the sheet, for points and boxes. Pure: the sheet's geometry and the take's keys, no canvas. */
 
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Channel } from '../../../model/takes/clip.ts';
+import type { Channel } from '../../../model/takes/take.ts';
 import { secondsPerPixel, timeAt, timeX } from '../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
@@ -11,9 +11,9 @@ import { HEAD, rowAt, rowTop, type Sheet } from './sheet.ts';
 /** What the sheet shows. */
 export interface SheetKeys {
   readonly rows: readonly DopeRow[];
-  /** Channels of the clip. */
+  /** Channels of the take. */
   readonly channels: readonly Channel[];
-  /** Clip time = transport time + this. */
+  /** Take time = transport time + this. */
   readonly offsetSeconds: number;
   /** First and last time of the selected keys, of the transport; absent if none is selected. */
   readonly selectedSpan?: readonly [number, number];

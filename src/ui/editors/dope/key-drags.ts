@@ -101,7 +101,7 @@ export class MoveKeys extends KeyDrag {
     super(host, from);
     this.moving = aboutKeysInHand(host.wb, moveKeys);
     this.rippling = aboutKeysInHand(host.wb, rippleKeys);
-    this.copied = way === 'copy' && this.take ? copyKeys(this.take.clip, this.keys) : undefined;
+    this.copied = way === 'copy' && this.take ? copyKeys(this.take.take, this.keys) : undefined;
   }
 
   protected preview(at: Pointer, { character }: CurrentTake, edit: HandEdit): string {

@@ -55,8 +55,8 @@ function keysMenu(
       item('Select all keys at this time', () => {
         const current = currentTake(wb);
         if (!current) return;
-        const clipSeconds = timeSeconds + current.character.timeOffsetSeconds;
-        selectKeys(wb, keysAtTime(current.clip, rows[0].channels, clipSeconds));
+        const takeSeconds = timeSeconds + current.character.timeOffsetSeconds;
+        selectKeys(wb, keysAtTime(current.take, rows[0].channels, takeSeconds));
       }),
     );
   }
@@ -71,7 +71,7 @@ export function rowMenu(
 ): void {
   const current = currentTake(wb);
   if (!current) return;
-  const keys = allKeys(current.clip, row.channels);
+  const keys = allKeys(current.take, row.channels);
   const count = countKeys(keys);
   const name = rowName(row);
   const own: MenuEntry[] = [

@@ -7,7 +7,7 @@
 import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts';
 import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
-import { compileChannels, compileClip } from '../../../evaluate/compiled-clip.ts';
+import { compileChannels, compileTake } from '../../../evaluate/compiled-take.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -162,7 +162,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   shown(): SheetKeys {
     const { take: current, rows } = this;
     const offsetSeconds = current?.character.timeOffsetSeconds ?? 0;
-    const channels = current?.clip.channels ?? [];
+    const channels = current?.take.channels ?? [];
     const span = spanOf(channels, this.selected());
     const selectedSpan = span && ([span[0] - offsetSeconds, span[1] - offsetSeconds] as const);
     return { rows, channels, offsetSeconds, selectedSpan };
@@ -191,7 +191,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   }
 
   private count(row: DopeRow): { keys: number; selected: number } {
-    const channels = this.take?.clip.channels ?? [];
+    const channels = this.take?.take.channels ?? [];
     return { keys: keyCount(channels, row.channels), selected: selectedCount(row.channels, this.selected()) };
   }
 
@@ -202,7 +202,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const { take: current } = this;
     if (force || !sameTake(before, current)) {
       const { unfolded, allRows, filter } = this.wb.timeline.view.get();
-      this.rows = current ? dopeRows(current.character, current.clip, { unfolded, all: allRows, filter }) : [];
+      this.rows = current ? dopeRows(current.character, current.take, { unfolded, all: allRows, filter }) : [];
       this.rowNames.show(this.rows);
       const text = this.rows.length ? '' : emptyText(this.wb, current);
       setText(this.empty, text);
@@ -218,11 +218,11 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     return selection.characterId === this.take?.character.id ? jointsIn(selection) : [];
   }
 
-  /** All keys and the clip's range, seconds of the transport. */
+  /** All keys and the take's range, seconds of the transport. */
   private wholeSpan(): readonly [number, number] | undefined {
     const { take: current } = this;
     if (!current) return undefined;
-    const { channels, range } = current.clip;
+    const { channels, range } = current.take;
     const offset = current.character.timeOffsetSeconds;
     let [from, to] = range;
     for (const channel of channels) {
@@ -240,7 +240,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     if (!current || joints.length === 0) return undefined;
     const rows = this.rows.filter((r) => r.kind === 'joint' && r.joint !== undefined && joints.includes(r.joint));
     const channels = rows.flatMap((row) => row.channels);
-    const span = channels.length ? spanOf(current.clip.channels, allKeys(current.clip, channels)) : undefined;
+    const span = channels.length ? spanOf(current.take.channels, allKeys(current.take, channels)) : undefined;
     const offset = current.character.timeOffsetSeconds;
     return span && [span[0] - offset, span[1] - offset];
   }
@@ -250,7 +250,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     if (fold === undefined || !current) return;
     const { unfolded } = this.wb.timeline.view.get();
     const others = unfolded.filter((f) => f !== fold);
-    if (every) this.wb.timeline.change({ unfolded: open ? allFolds(current.character, current.clip) : [] });
+    if (every) this.wb.timeline.change({ unfolded: open ? allFolds(current.character, current.take) : [] });
     else this.wb.timeline.change({ unfolded: open ? [...others, fold] : others });
   }
 
@@ -265,7 +265,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   private selectRow(row: DopeRow, adds: boolean): void {
     const { take: current } = this;
     if (!current) return;
-    const keys = allKeys(current.clip, row.channels);
+    const keys = allKeys(current.take, row.channels);
     selectKeys(this.wb, adds ? unionKeys(selectedKeys(this.wb), keys) : keys);
   }
 
@@ -300,7 +300,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     return {
       ...this.shown(),
       sheet: this.sheet(),
-      curves: current ? compileClip(current.clip) : NO_CURVES,
+      curves: current ? compileTake(current.take) : NO_CURVES,
       selected: this.selected(),
       selectedJoints: this.currentJoints(),
       range,
@@ -324,6 +324,6 @@ function sameTake(a: CurrentTake | undefined, b: CurrentTake | undefined): boole
     a.character.skeleton === b.character.skeleton &&
     a.character.morphs === b.character.morphs &&
     a.character.driver?.source.name === b.character.driver?.source.name &&
-    sameRows(a.clip, b.clip)
+    sameRows(a.take, b.take)
   );
 }

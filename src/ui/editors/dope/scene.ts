@@ -1,5 +1,5 @@
 /** What the dope sheet shows: everything that drawing needs, read-only. */
-import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
+import type { CompiledTake } from '../../../evaluate/compiled-take.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
@@ -7,7 +7,7 @@ import type { Sheet } from './sheet.ts';
 
 export interface DopeScene extends SheetKeys {
   readonly sheet: Sheet;
-  readonly curves: CompiledClip;
+  readonly curves: CompiledTake;
   readonly selected: readonly ChannelKeys[];
   /** Its rows are emphasised. */
   readonly selectedJoints: readonly number[];

@@ -2,10 +2,10 @@
 import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
 import type { HeldTake } from '../../../edit/hold/hold.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
-import { type Character, shownClip } from '../../../model/document.ts';
+import { type Character, shownTake } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
-import { keysOf, repeats } from '../../../model/takes/clip.ts';
+import { keysOf, repeats } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
@@ -31,7 +31,7 @@ export function holdDialog(
   const character = currentCharacter(wb);
   const pins = character ? ikOf(character).pins : [];
   if (!character || pins.length === 0) return nothing('No point of the character is pinned. Pin one in IK mode first.');
-  if (!shownClip(character))
+  if (!shownTake(character))
     return nothing(`${character.name} has no current take, so there is no motion to hold pins in.`);
   const { range: played, timeSeconds, framesPerSecond } = wb.transport.get();
   const range = firstRange(played, timeSeconds);
@@ -92,12 +92,12 @@ export function firstRange([start, end]: readonly [number, number], now: number)
 }
 
 /** Curves that repeated: their single period is written out as keys over the playback range only. */
-export function writtenOutText(before: Character, { clip, channels }: Pick<HeldTake, 'clip' | 'channels'>): string {
-  const own = shownClip(before);
+export function writtenOutText(before: Character, { take, channels }: Pick<HeldTake, 'take' | 'channels'>): string {
+  const own = shownTake(before);
   const dofs = characterDofs(before.skeleton, before.morphs);
   const names = channels
     .filter((channel) => {
-      const [was, now] = [own?.channels[channel], clip.channels[channel]];
+      const [was, now] = [own?.channels[channel], take.channels[channel]];
       if (!was || keysOf(was).times.length < 2) return false;
       const isLost = (side: 'extrapolateIn' | 'extrapolateOut') => repeats(was[side]) && !repeats(now[side]);
       return isLost('extrapolateIn') || isLost('extrapolateOut');

@@ -7,7 +7,7 @@ import {
   DEFAULT_PLACEMENT,
   findCharacter,
   type Placement,
-  shownClip,
+  shownTake,
   startSeconds,
 } from '../../../model/document.ts';
 import { lengthStep } from '../../../model/skeleton/reach.ts';
@@ -111,7 +111,7 @@ export class CharacterSection {
       this.addMoved();
       return;
     }
-    const take = shownClip(character);
+    const take = shownTake(character);
     if (!take) return;
     const { line, update } = addTakeRows(this.wb, this.section, character, take);
     this.lines.push(line);

@@ -3,7 +3,7 @@
  * character, joint, unit or other limits, and only updated while a character plays or a slider is dragged.
  */
 import { GUI } from 'lil-gui';
-import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
@@ -149,8 +149,8 @@ function whatIsShown(wb: Uses<'store' | 'settings'>): Shown {
     morphs: character?.morphs,
     clamps: character?.clampsToLimits ?? true,
     copies: character?.placements.length ?? 0,
-    hasTake: character !== undefined && shownClip(character) !== undefined,
-    hasSamples: character !== undefined && shownClip(character)?.samples !== undefined,
+    hasTake: character !== undefined && shownTake(character) !== undefined,
+    hasSamples: character !== undefined && shownTake(character)?.samples !== undefined,
     isMoved: character?.driver !== undefined,
     angles: wb.settings.get().angles,
   };

@@ -8,7 +8,7 @@ import type { GUI } from 'lil-gui';
 import { alike, setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';
 import { liftOntoGround } from '../../../evaluate/space/space.ts';
 import { guessSpace, metresForPerson } from '../../../evaluate/space/space-guess.ts';
-import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import { type Positions, positionsTaken } from '../../../model/skeleton/position-channels.ts';
 import { DEFAULT_SPACE, type LengthUnit, type Space } from '../../../model/space.ts';
 import { attempt } from '../../state/actions/attempt.ts';
@@ -62,9 +62,9 @@ export function addSpaceRows(
     const character = now();
     const { up } = spaceNow();
     if (chosen === 'automatic') {
-      put(character?.skeleton ? guessSpace(character.skeleton, shownClip(character)) : DEFAULT_SPACE);
+      put(character?.skeleton ? guessSpace(character.skeleton, shownTake(character)) : DEFAULT_SPACE);
     } else if (chosen === 'own') {
-      const metres = character?.skeleton ? metresForPerson(character.skeleton, shownClip(character), up) : 1;
+      const metres = character?.skeleton ? metresForPerson(character.skeleton, shownTake(character), up) : 1;
       put(grounded(character, { up, unit: 'own', metres, lift: 0 }));
     } else put(grounded(character, { up, unit: chosen, lift: 0 }));
   });
@@ -116,5 +116,5 @@ function grounded(character: Character | undefined, space: Space): Space {
 
 function onGround(character: Character | undefined, space: Space): Space {
   if (!character?.skeleton) return { ...space, lift: 0 };
-  return { ...space, lift: liftOntoGround(character.skeleton, shownClip(character), space) };
+  return { ...space, lift: liftOntoGround(character.skeleton, shownTake(character), space) };
 }

@@ -1,9 +1,9 @@
 /** The shown take, in the character's section: its name and playback range. */
 import type { GUI } from 'lil-gui';
-import { renameClip, setClipRange, setInterpolation } from '../../../edit/commands/clips.ts';
-import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
-import type { ChannelClip } from '../../../model/takes/clip.ts';
+import { renameTake, setInterpolation, setTakeRange } from '../../../edit/commands/take.ts';
+import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import type { Interpolation } from '../../../model/takes/samples.ts';
+import type { Take } from '../../../model/takes/take.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { withoutNoise } from '../../state/joints/angles.ts';
 import { openPanel } from '../../state/panels/panels.ts';
@@ -24,19 +24,19 @@ export function addTakeRows(
   wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
   section: GUI,
   character: Character,
-  first: ChannelClip,
+  first: Take,
 ): { readonly update: () => void; readonly line: HTMLElement } {
   const { id } = character;
   const now = () => {
     const found = findCharacter(wb.store.document, id);
-    return found && shownClip(found);
+    return found && shownTake(found);
   };
   const binding = { name: first.name };
   const name = section.add(binding, 'name').name('Take');
   name.domElement.classList.add('take-name');
   name.onFinishChange((typed: string) => {
     if (!typed.trim()) wb.messages.note('A take needs a name. Its file is named after it.', 'warning');
-    else if (now()) attempt(wb.messages, () => wb.store.apply(renameClip, { characterId: id, name: typed }));
+    else if (now()) attempt(wb.messages, () => wb.store.apply(renameTake, { characterId: id, name: typed }));
     update();
   });
 
@@ -46,8 +46,8 @@ export function addTakeRows(
       label,
       text: (value) => shown(value),
       commit(value) {
-        const clip = now();
-        if (clip) wb.store.apply(setClipRange, { characterId: id, range: make(value / perUnit(), clip.range) });
+        const take = now();
+        if (take) wb.store.apply(setTakeRange, { characterId: id, range: make(value / perUnit(), take.range) });
         // Shows the result in the field at once.
         update();
       },
@@ -75,15 +75,15 @@ export function addTakeRows(
   });
 
   const update = () => {
-    const clip = now();
-    if (!clip) return;
-    if (interpolation && clip.samples) showIn(interpolation, clip.samples.interpolation);
-    if (binding.name !== clip.name && !name.domElement.contains(document.activeElement)) {
-      binding.name = clip.name;
+    const take = now();
+    if (!take) return;
+    if (interpolation && take.samples) showIn(interpolation, take.samples.interpolation);
+    if (binding.name !== take.name && !name.domElement.contains(document.activeElement)) {
+      binding.name = take.name;
       name.updateDisplay();
     }
-    from.show(withoutNoise(clip.range[0] * perUnit()));
-    to.show(withoutNoise(clip.range[1] * perUnit()));
+    from.show(withoutNoise(take.range[0] * perUnit()));
+    to.show(withoutNoise(take.range[1] * perUnit()));
     const text = wb.settings.get().timeDisplay === 'frames' ? 'fr' : 's';
     setText(unit, text);
   };

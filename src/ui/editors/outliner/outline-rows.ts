@@ -9,7 +9,7 @@ import { vertexCount } from '../../../model/skin.ts';
 import { duration, plural } from '../../widgets/numbers/number-text.ts';
 import { followsText } from '../retarget/moved-text.ts';
 
-export type RowKind = 'character' | 'group' | 'joint' | 'skin' | 'clip' | 'morph';
+export type RowKind = 'character' | 'group' | 'joint' | 'skin' | 'take' | 'morph';
 
 export interface OutlineRow {
   /** Stable across documents. */
@@ -22,7 +22,7 @@ export interface OutlineRow {
   readonly name?: string;
   readonly detail: string;
   readonly characterId: string;
-  /** Into the character's joints, skins, clips or morphs; -1 for the character and groups. */
+  /** Into the character's joints, skins, takes or morphs; -1 for the character and groups. */
   readonly index: number;
   readonly expandable: boolean;
   readonly expanded: boolean;
@@ -61,7 +61,7 @@ export function outlineRows(document: Document, isOpen: IsOpen, query = ''): Out
     if (open) {
       addJoints(inside, character, isOpen, needle);
       addAlternatives(inside, character, 'skin', 'Skins', isOpen, needle);
-      addAlternatives(inside, character, 'clip', 'Takes', isOpen, needle);
+      addAlternatives(inside, character, 'take', 'Takes', isOpen, needle);
       addAlternatives(inside, character, 'morph', 'Morphs', isOpen, needle);
     }
     const isMatch = character.name.toLowerCase().includes(needle);
@@ -150,7 +150,7 @@ function withAncestors(joints: readonly Joint[], needle: string) {
 function addAlternatives(
   rows: OutlineRow[],
   character: Character,
-  kind: 'skin' | 'clip' | 'morph',
+  kind: 'skin' | 'take' | 'morph',
   title: string,
   isOpen: IsOpen,
   needle: string,
@@ -176,7 +176,7 @@ interface Alternative {
   readonly shown?: boolean;
 }
 
-function alternatives(character: Character, kind: 'skin' | 'clip' | 'morph'): Alternative[] {
+function alternatives(character: Character, kind: 'skin' | 'take' | 'morph'): Alternative[] {
   switch (kind) {
     case 'skin':
       return character.skins.map((skin, index) => ({
@@ -186,13 +186,13 @@ function alternatives(character: Character, kind: 'skin' | 'clip' | 'morph'): Al
         index,
         shown: index === character.shownSkin,
       }));
-    case 'clip':
-      return character.clips.map((clip, index) => ({
-        label: clip.name,
-        detail: duration(clip.range[1] - clip.range[0]),
+    case 'take':
+      return character.takes.map((take, index) => ({
+        label: take.name,
+        detail: duration(take.range[1] - take.range[0]),
         index,
         // No take is shown while another character's moves it.
-        shown: !character.driver && index === character.shownClip,
+        shown: !character.driver && index === character.shownTake,
       }));
     case 'morph':
       return character.morphs.map((morph, index) => ({ label: morph.name, detail: '', index }));
@@ -237,8 +237,8 @@ export function sameOutline(a: Document, b: Document): boolean {
         before.skeleton === after.skeleton &&
         before.skins === after.skins &&
         before.shownSkin === after.shownSkin &&
-        before.clips === after.clips &&
-        before.shownClip === after.shownClip &&
+        before.takes === after.takes &&
+        before.shownTake === after.shownTake &&
         before.morphs === after.morphs &&
         before.placements.length === after.placements.length)
     );

@@ -1,6 +1,6 @@
 /** What is done to rows of the outliner: selecting, activating, renaming. */
-import { renameCharacter, showClip, showSkin } from '../../../edit/commands/characters.ts';
-import { renameClip } from '../../../edit/commands/clips.ts';
+import { renameCharacter, showSkin, showTake } from '../../../edit/commands/characters.ts';
+import { renameTake } from '../../../edit/commands/take.ts';
 import { withJoints, withJointToggled } from '../../../model/skeleton/selected-joints.ts';
 import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -36,13 +36,13 @@ export function selectRange(wb: Uses<'store'>, rows: readonly OutlineRow[]): voi
 export function activate(wb: Uses<'store' | 'viewport'>, row: OutlineRow): void {
   const { kind, characterId, index } = row;
   if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
-  else if (kind === 'clip') wb.store.apply(showClip, { characterId, clip: index });
+  else if (kind === 'take') wb.store.apply(showTake, { characterId, take: index });
   else if (kind === 'character') wb.viewport.frameSelection({ characterId });
   else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
 }
 
 export function canRename({ kind }: OutlineRow): boolean {
-  return kind === 'character' || kind === 'clip' || kind === 'joint';
+  return kind === 'character' || kind === 'take' || kind === 'joint';
 }
 
 export function rename(
@@ -51,6 +51,6 @@ export function rename(
   name: string,
 ): void {
   if (kind === 'joint') void import('../rig/rig-edits.ts').then((m) => m.renameIt(wb, characterId, index, name));
-  else if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
+  else if (kind === 'take') wb.store.apply(renameTake, { characterId, take: index, name });
   else wb.store.apply(renameCharacter, { characterId, name });
 }

@@ -14,7 +14,7 @@ const ICONS = {
   character: 'character',
   joint: 'joint',
   skin: 'skin',
-  clip: 'clip',
+  take: 'take',
   morph: 'morph',
 } as const;
 
@@ -81,13 +81,13 @@ function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: Outlin
 /** Whether a row's part is unsaved; the joints represent the skeleton's file. */
 function isUnsaved(wb: Uses<'files'>, { kind, key, characterId, index }: OutlineRow): boolean {
   const isSkeleton = key === groupKey(characterId, 'joint');
-  if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'clip') return false;
+  if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'take') return false;
   return wb.files.unsaved.get().some((part) => {
     if (part.characterId !== characterId) return false;
-    // Motion capture has skeleton and clip in one file.
-    if (part.kind === 'bvh') return kind === 'clip' && part.index === index;
+    // Motion capture has skeleton and take in one file.
+    if (part.kind === 'bvh') return kind === 'take' && part.index === index;
     return isSkeleton ? part.kind === 'skel' : part.kind === PART_KINDS[kind] && part.index === index;
   });
 }
 
-const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin', morph: 'morph', clip: 'anim' };
+const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin', morph: 'morph', take: 'anim' };

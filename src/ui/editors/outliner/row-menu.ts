@@ -1,6 +1,6 @@
 /** The menus of rows of the outliner. */
-import { removeCopy, showClip, showSkin } from '../../../edit/commands/characters.ts';
-import { duplicateClip, removeClip } from '../../../edit/commands/clips.ts';
+import { removeCopy, showSkin, showTake } from '../../../edit/commands/characters.ts';
+import { duplicateTake, removeTake } from '../../../edit/commands/take.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { actionsOf, currentCharacter, tryAction } from '../../state/actions/action.ts';
 import { itemOf, sectionsOf } from '../../state/actions/menu-entries.ts';
@@ -31,7 +31,7 @@ const JOINT_ACTIONS = [
 
 export function rowMenu(wb: Workbench, row: OutlineRow, at: MenuPlace, rename: (row: OutlineRow) => void): void {
   const character = findCharacter(wb.store.document, row.characterId);
-  if (character && row.kind === 'clip') return void openMenu(at, takeEntries(wb, row, rename), { label: row.label });
+  if (character && row.kind === 'take') return void openMenu(at, takeEntries(wb, row, rename), { label: row.label });
   if (character && row.kind === 'skin') return void openMenu(at, skinEntries(wb, row), { label: row.label });
   if (!character || (row.kind !== 'character' && row.kind !== 'joint')) return;
   const ids = row.kind === 'joint' ? JOINT_ACTIONS : CHARACTER_ACTIONS;
@@ -90,17 +90,17 @@ export function takeEntries(
   rename: (row: OutlineRow) => void,
 ): MenuEntry[] {
   const { characterId, index } = row;
-  const ref = { characterId, clip: index };
+  const ref = { characterId, take: index };
   const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
   return [
     row.shown
-      ? item('Show no take', () => wb.store.apply(showClip, { characterId, clip: -1 }))
-      : item('Show', () => wb.store.apply(showClip, ref)),
+      ? item('Show no take', () => wb.store.apply(showTake, { characterId, take: -1 }))
+      : item('Show', () => wb.store.apply(showTake, ref)),
     { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
-    item('Duplicate', () => wb.store.apply(duplicateClip, ref)),
+    item('Duplicate', () => wb.store.apply(duplicateTake, ref)),
     // They edit the take that the current character shows.
     ...(row.shown && currentCharacter(wb)?.id === characterId ? sectionsOf(wb, [['Edit/Edit takes']]) : []),
     { kind: 'line' },
-    item(`Remove ${row.label}`, () => wb.store.apply(removeClip, ref)),
+    item(`Remove ${row.label}`, () => wb.store.apply(removeTake, ref)),
   ];
 }

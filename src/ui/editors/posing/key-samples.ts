@@ -13,7 +13,7 @@ import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { type Converted, usualTolerance } from '../../../edit/samples/convert.ts';
 import { unkeyedAt } from '../../../edit/unkeyed.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
@@ -64,14 +64,14 @@ export function offerToConvert(wb: Parts, characterId: string, dofs: readonly nu
 
 function wantedOf(document: Document, characterId: string, dofs: readonly number[]): Wanted | undefined {
   const character = findCharacter(document, characterId);
-  const clip = character && shownClip(character);
-  if (!character || !clip) return undefined;
+  const take = character && shownTake(character);
+  if (!character || !take) return undefined;
   const all = characterDofs(character.skeleton, character.morphs);
   const joints = new Set(dofs.map((dof) => all[dof]?.joint ?? -1));
   const given = new Set(dofs);
   const ranges = [...joints].map((joint) => channelsOfJoint(character, joint));
   const isMeant = (dof: number) => given.has(dof) || ranges.some(([first, end]) => dof >= first && dof < end);
-  const channels = [...clip.channels.keys()].filter((dof) => clip.channels[dof].kind === 'samples' && isMeant(dof));
+  const channels = [...take.channels.keys()].filter((dof) => take.channels[dof].kind === 'samples' && isMeant(dof));
   return channels.length > 0 ? { character, channels } : undefined;
 }
 

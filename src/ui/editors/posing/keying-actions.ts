@@ -1,12 +1,12 @@
 /** Actions that key the pose, and that create and remove takes. */
 
-import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
+import { createTake, duplicateTake, removeTake, setTakeRange } from '../../../edit/commands/take.ts';
 import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { unkeyedAt } from '../../../edit/unkeyed.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { type Character, shownClip } from '../../../model/document.ts';
+import { type Character, shownTake } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { NO_JOINT, needs, needsSkeleton } from '../../state/actions/needs.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
@@ -26,7 +26,7 @@ const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>
 
 const takeInView = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
-  return character && shownClip(character);
+  return character && shownTake(character);
 };
 
 export const KEYING_ACTIONS: readonly Action[] = [
@@ -139,7 +139,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     refuses: needsSkeleton,
     run: (wb) =>
       withCharacter(wb, (character) =>
-        wb.store.apply(createClip, { characterId: character.id, range: playedRange(wb, character) }),
+        wb.store.apply(createTake, { characterId: character.id, range: playedRange(wb, character) }),
       ),
   },
   {
@@ -149,7 +149,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys/Take',
     section: 3,
     refuses: needsTake,
-    run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateClip, { characterId: id })),
+    run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateTake, { characterId: id })),
   },
   {
     id: 'take.rename',
@@ -168,7 +168,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys/Take',
     section: 3,
     refuses: needsTake,
-    run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeClip, { characterId: id })),
+    run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeTake, { characterId: id })),
   },
   {
     id: 'take.rangeFromPlayed',
@@ -181,7 +181,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     refuses: needsTake,
     run: (wb) =>
       withCharacter(wb, (character) =>
-        wb.store.apply(setClipRange, { characterId: character.id, range: playedRange(wb, character) }),
+        wb.store.apply(setTakeRange, { characterId: character.id, range: playedRange(wb, character) }),
       ),
   },
   {
@@ -197,9 +197,9 @@ export const KEYING_ACTIONS: readonly Action[] = [
     }),
     run: (wb) =>
       withCharacter(wb, (character) => {
-        const clip = shownClip(character);
-        const range = clip && rangeOfKeys(clip);
-        if (range) wb.store.apply(setClipRange, { characterId: character.id, range });
+        const take = shownTake(character);
+        const range = take && rangeOfKeys(take);
+        if (range) wb.store.apply(setTakeRange, { characterId: character.id, range });
       }),
   },
 ];
@@ -242,7 +242,7 @@ function keyChanged(
     keyAndTell(wb, character);
     return;
   }
-  const isCaptured = shownClip(character)?.channels.every(({ kind }) => kind === 'samples');
+  const isCaptured = shownTake(character)?.channels.every(({ kind }) => kind === 'samples');
   const whole = isCaptured ? undefined : keyNameOf(wb, 'key.pose');
   wb.messages.note(
     `Nothing to key: no value was changed and no joint is selected. Rotate a joint, or select one${whole ? `; ${whole} keys the whole pose` : ''}.`,
@@ -276,7 +276,7 @@ function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {
   return character !== undefined && keysNow(wb, character).length > 0;
 }
 
-/** In seconds of the character's clips. */
+/** In seconds of the character's takes. */
 function playedRange(wb: Uses<'transport'>, { timeOffsetSeconds }: Character): readonly [number, number] {
   const [from, to] = wb.transport.get().range;
   return [from + timeOffsetSeconds, to + timeOffsetSeconds];

@@ -26,8 +26,8 @@ export function followOpened({ store, posing }: Uses<'store' | 'posing'>): () =>
 
 /** Takes that were read later; those made here begin in the pose. */
 function withTakesFromFiles(opened: Character, now: Character): Character {
-  if (now.clips.length <= opened.clips.length) return opened;
-  const isNew = (name: string) => !opened.clips.some((clip) => clip.name === name);
-  const read = now.clips.filter(({ name }, i) => now.parts?.clips[i]?.file && isNew(name));
-  return read.length ? { ...opened, clips: [...opened.clips, ...read] } : opened;
+  if (now.takes.length <= opened.takes.length) return opened;
+  const isNew = (name: string) => !opened.takes.some((take) => take.name === name);
+  const read = now.takes.filter(({ name }, i) => now.parts?.takes[i]?.file && isNew(name));
+  return read.length ? { ...opened, takes: [...opened.takes, ...read] } : opened;
 }

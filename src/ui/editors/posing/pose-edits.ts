@@ -10,16 +10,16 @@ import { findKey } from '../../../edit/keys/same-time.ts';
 import { keysAtTime } from '../../../edit/keys/selection.ts';
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/skeleton/dofs.ts';
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
-import { clipTime } from '../timeline/current-take.ts';
+import { takeTime } from '../timeline/current-take.ts';
 
 /** Options for new keys. */
 function keyOptions(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions {
@@ -83,10 +83,10 @@ function sampledDofs(
   character: Character | undefined,
   dofs: readonly number[] | undefined,
 ): { readonly dofs: readonly number[]; readonly keyable: boolean } | undefined {
-  const clip = character && shownClip(character);
+  const take = character && shownTake(character);
   // Retargeted joints are refused, whatever their own take has.
-  if (!character || !clip || silentChannels(character) > 0) return undefined;
-  const given = dofs ?? [...clip.channels.keys()];
+  if (!character || !take || silentChannels(character) > 0) return undefined;
+  const given = dofs ?? [...take.channels.keys()];
   const sampled = given.filter((dof) => isSampled(character, dof));
   return sampled.length > 0 ? { dofs: sampled, keyable: sampled.length < given.length } : undefined;
 }
@@ -98,9 +98,9 @@ export function isSampled(character: Character, dof: number): boolean {
 
 /** A character's keys at the current time; of these DOFs, or of all. */
 export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
-  const clip = character.skeleton && shownClip(character);
+  const take = character.skeleton && shownTake(character);
   const silent = silentChannels(character);
-  const keys = clip ? keysAtTime(clip, dofs, clipTime(wb, character)) : [];
+  const keys = take ? keysAtTime(take, dofs, takeTime(wb, character)) : [];
   return silent ? keys.filter(({ channel }) => channel >= silent) : keys;
 }
 
@@ -108,7 +108,7 @@ export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: read
 export function deleteKeysNow(wb: Uses<'store' | 'transport'>, character: Character, dofs?: readonly number[]): void {
   const keys = keysNow(wb, character, dofs);
   if (keys.length)
-    wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
+    wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: takeTime(wb, character) });
 }
 
 /** Deletes every key of these DOFs, which keep their values. */
@@ -119,13 +119,13 @@ export function deleteAllKeys(wb: Uses<'store' | 'transport'>, character: Charac
     return indices.length ? [{ channel, indices }] : [];
   });
   if (!keys.length) return;
-  wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
+  wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: takeTime(wb, character) });
 }
 
 /** Whether a DOF has a key at the current time. Cheap enough for every row in every frame. */
 export function isKeyedNow(wb: Uses<'transport'>, character: Character, dof: number): boolean {
   const channel = channelOf(character, dof);
-  return channel?.kind === 'keys' && findKey(channel, clipTime(wb, character)) >= 0;
+  return channel?.kind === 'keys' && findKey(channel, takeTime(wb, character)) >= 0;
 }
 
 /** The DOFs of several joints, ascending. */

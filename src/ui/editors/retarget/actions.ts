@@ -24,7 +24,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
   {
     id: 'retarget.bake',
     name: 'Bake retargeting',
-    label: (wb) => `Bake ${currentCharacter(wb)?.driver?.source.clip.name ?? 'retargeting'}`,
+    label: (wb) => `Bake ${currentCharacter(wb)?.driver?.source.take.name ?? 'retargeting'}`,
     detail: 'As the character’s own take',
     group: 'Edit',
     menu: 'Edit',
@@ -39,7 +39,7 @@ export const RETARGET_ACTIONS: readonly Action[] = [
   {
     id: 'retarget.clear',
     name: 'Stop retargeting',
-    label: (wb) => `Stop retargeting ${currentCharacter(wb)?.driver?.source.clip.name ?? ''}`.trim(),
+    label: (wb) => `Stop retargeting ${currentCharacter(wb)?.driver?.source.take.name ?? ''}`.trim(),
     detail: 'Returns to its own take and pose',
     group: 'Edit',
     menu: 'Edit',

@@ -12,7 +12,7 @@ import { intoRange, pause, play } from '../../../edit/playback.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
 import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';
 import { measureRetarget } from '../../../evaluate/retarget/measure.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../../../model/document.ts';
 import type { JointPair, RetargetOptions } from '../../../model/takes/retarget.ts';
 import type { Offer } from '../../state/messages.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
@@ -121,7 +121,7 @@ export function retargetDialog(
     });
   const sourceTake = () => {
     const from = findCharacter(base, sources.value);
-    return (from && shownClip(from)?.name) || 'a take';
+    return (from && shownTake(from)?.name) || 'a take';
   };
   const attempt = (work: () => void) => {
     if (preview.over) return;
@@ -169,7 +169,7 @@ export function retargetDialog(
     );
     const options = held && target.driver ? target.driver.options : undefined;
     scale.value = options?.scale === undefined ? '' : String(options.scale);
-    moment = typeof options?.reference === 'number' ? options.reference : clipSecondsNow(wb, meant);
+    moment = typeof options?.reference === 'number' ? options.reference : takeSecondsNow(wb, meant);
     reference.value = typeof options?.reference === 'number' ? 'now' : (options?.reference ?? 'automatic');
     feet.checked = options?.plantsFeet ?? true;
     write(takeOff, 'hidden', !target.driver);
@@ -206,12 +206,12 @@ export function retargetDialog(
     soon();
   });
   sources.addEventListener('change', () => {
-    moment = clipSecondsNow(wb, findCharacter(base, sources.value));
+    moment = takeSecondsNow(wb, findCharacter(base, sources.value));
     match();
     soon();
   });
   reference.addEventListener('change', () => {
-    if (reference.value === 'now') moment = clipSecondsNow(wb, findCharacter(base, sources.value));
+    if (reference.value === 'now') moment = takeSecondsNow(wb, findCharacter(base, sources.value));
     soon();
   });
   scale.addEventListener('input', soon);
@@ -244,8 +244,8 @@ export function retargetDialog(
   return { title: TITLE, body, kind };
 }
 
-/** The transport's time in seconds of a character's clip. */
-function clipSecondsNow(wb: Uses<'transport'>, character: Character | undefined): number {
+/** The transport's time in seconds of a character's take. */
+function takeSecondsNow(wb: Uses<'transport'>, character: Character | undefined): number {
   return wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
 }
 
@@ -259,6 +259,6 @@ function field(label: string, content: HTMLElement): HTMLElement {
 
 /** A motion capture take has its character's name: don't repeat it. */
 function sourceName(character: Character): string {
-  const take = shownClip(character)?.name ?? '';
+  const take = shownTake(character)?.name ?? '';
   return take === character.name ? take : `${character.name} · ${take}`;
 }

@@ -3,7 +3,7 @@ import type { Character, Document } from '../../../model/document.ts';
 
 /** `follows rokoko-dance`; empty if its own take moves it. */
 export function followsText({ driver }: Character): string {
-  return driver ? `follows ${driver.source.clip.name || driver.source.name}` : '';
+  return driver ? `follows ${driver.source.take.name || driver.source.name}` : '';
 }
 
 /** `moves walker`; empty if its take moves no other character. */

@@ -87,7 +87,7 @@ export function movedNotice(wb: Uses<'store' | 'timeline' | 'messages' | 'dialog
     write(notice, 'hidden', !by || wb.timeline.view.get().tab === 'takes');
     if (!character || !by) return;
     const isGone = findCharacter(wb.store.document, by.sourceId) === undefined;
-    const take = by.source.clip.name || by.source.name;
+    const take = by.source.take.name || by.source.name;
     const how = isGone ? 'the source take was removed' : 'retargeted';
     setText(text, `${character.name} is retargeted from ${take} (${how}). Bake to edit it here.`);
     setTooltip(text, text.textContent ?? '');

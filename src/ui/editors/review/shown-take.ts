@@ -1,7 +1,7 @@
 /** The take with the focus plays in the viewport, in place of the document's characters, without being opened. */
 import { countedAt, DEFAULT_PLAYBACK, pause, play } from '../../../edit/playback.ts';
 import { frameRateOf } from '../../../evaluate/samples/frame-rate.ts';
-import { rangeOfClips, shownClip } from '../../../model/document.ts';
+import { rangeOfTakes, shownTake } from '../../../model/document.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
 export class ShownTake {
@@ -30,19 +30,19 @@ export class ShownTake {
     if (!found) {
       if (!before) return;
       shown.set(undefined);
-      const range = rangeOfClips(store.document) ?? DEFAULT_PLAYBACK.range;
+      const range = rangeOfTakes(store.document) ?? DEFAULT_PLAYBACK.range;
       transport.update((now) => pause({ ...now, range, timeSeconds: range[0] }, false));
       if (store.document.characters.length > 0) viewport.frameAll();
       return;
     }
     shown.set(found);
     viewport.frameAll();
-    const clip = shownClip(found);
-    if (!clip) return;
+    const take = shownTake(found);
+    if (!take) return;
     const isStill = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    const fps = frameRateOf(clip);
+    const fps = frameRateOf(take);
     transport.update((now) => {
-      const next = { ...countedAt(now, fps), range: clip.range, timeSeconds: clip.range[0] };
+      const next = { ...countedAt(now, fps), range: take.range, timeSeconds: take.range[0] };
       return (before ? now.playing : !isStill) ? play(next) : pause(next, false);
     });
   }

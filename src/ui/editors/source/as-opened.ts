@@ -7,7 +7,7 @@
  * index as long as the mesh has the same size.
  */
 
-import { type Character, type Document, shownClip, shownSkin } from '../../../model/document.ts';
+import { type Character, type Document, shownSkin, shownTake } from '../../../model/document.ts';
 import type { SourceFile } from '../../../model/files.ts';
 import type { PartMark } from '../../../model/part.ts';
 import type { ChannelKeys, Selection } from '../../../model/session.ts';
@@ -15,7 +15,7 @@ import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointsIn, withJoints } from '../../../model/skeleton/selected-joints.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { SourceTarget } from '../../../model/source-map.ts';
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 import type { AsOpened } from '../../state/source.ts';
 import { type ChosenDof, type FileParts, frameAt, type Picked, partsFrom, pickOf, targetsOf } from './places.ts';
 
@@ -79,7 +79,7 @@ export function targetsThen(origin: Origin, selection: Selection, chosen: Chosen
   const isWithoutKeys = selection.keys !== undefined && translated.keys === undefined;
   const dof = chosen?.characterId === now.character.id ? dofsThen(origin)[chosen.dof] : undefined;
   const dofThen = chosen && dof !== undefined && dof >= 0 ? { ...chosen, dof } : undefined;
-  return targetsOf(isWithoutKeys ? { ...file, hasClip: false } : file, translated, dofThen);
+  return targetsOf(isWithoutKeys ? { ...file, hasTake: false } : file, translated, dofThen);
 }
 
 /** What a click on a part of the file selects now; of a part that has gone, only what it was. */
@@ -100,8 +100,8 @@ export function pickNow(
 
 /** The frame at a time; undefined without samples or with others than in the file. */
 export function frameThen({ now, file }: Origin, timeSeconds: number): SourceTarget | undefined {
-  const [a, b] = [shownClip(now.character)?.samples, shownClip(file.character)?.samples];
-  if (!a || !b || !file.hasClip) return undefined;
+  const [a, b] = [shownTake(now.character)?.samples, shownTake(file.character)?.samples];
+  if (!a || !b || !file.hasTake) return undefined;
   const isSame =
     a.frameCount === b.frameCount && a.frameSeconds === b.frameSeconds && a.startSeconds === b.startSeconds;
   return isSame ? frameAt(now, timeSeconds) : undefined;
@@ -119,7 +119,7 @@ export function contentKey({ characters }: Document, path: string): string {
 }
 
 function marksFrom({ parts }: Character, path: string): readonly PartMark[] {
-  const all = parts ? [parts.skeleton, ...parts.skins, ...parts.morphs, ...parts.clips, parts.poses] : [];
+  const all = parts ? [parts.skeleton, ...parts.skins, ...parts.morphs, ...parts.takes, parts.poses] : [];
   return all.flatMap((mark) => (mark?.file?.source.path === path ? [mark] : []));
 }
 
@@ -142,8 +142,8 @@ function partsThen(now: FileParts, { character, root }: FileParts, path: string)
   const at = (marks: readonly PartMark[] | undefined, own: PartMark | undefined) =>
     marks?.findIndex((mark) => mark.id === own?.id) ?? -1;
   const shownSkin = at(character.parts?.skins, parts?.skins[shown.shownSkin]);
-  const shownClip = at(character.parts?.clips, parts?.clips[shown.shownClip]);
-  const [then] = partsFrom({ characters: [{ ...character, shownSkin, shownClip, timeOffsetSeconds }] }, path);
+  const shownTake = at(character.parts?.takes, parts?.takes[shown.shownTake]);
+  const [then] = partsFrom({ characters: [{ ...character, shownSkin, shownTake, timeOffsetSeconds }] }, path);
   if (!then) return undefined;
   // Alone it is the first of its file.
   const { root: _first, ...rest } = then;
@@ -152,7 +152,7 @@ function partsThen(now: FileParts, { character, root }: FileParts, path: string)
     ...(now.root !== undefined && root !== undefined && { root }),
     hasSkin: then.hasSkin && now.hasSkin,
     hasMorph: then.hasMorph && now.hasMorph,
-    hasClip: then.hasClip && now.hasClip,
+    hasTake: then.hasTake && now.hasTake,
   };
 }
 
@@ -216,7 +216,7 @@ function dofsThen(origin: Origin): readonly number[] {
 }
 
 function keysThen(origin: Origin, keys: readonly ChannelKeys[]): readonly ChannelKeys[] {
-  const [now, then] = [shownClip(origin.now.character), shownClip(origin.file.character)];
+  const [now, then] = [shownTake(origin.now.character), shownTake(origin.file.character)];
   if (!now || !then) return [];
   const dofs = dofsThen(origin);
   return keys.flatMap((of) => {

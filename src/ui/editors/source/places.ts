@@ -3,7 +3,7 @@
  * those of the file as it was opened.
  */
 
-import { type Character, type Document, findCharacter, shownClip, shownSkin } from '../../../model/document.ts';
+import { type Character, type Document, findCharacter, shownSkin, shownTake } from '../../../model/document.ts';
 import type { SourceFile } from '../../../model/files.ts';
 import type { PartMark, PartMarks } from '../../../model/part.ts';
 import type { Selection } from '../../../model/session.ts';
@@ -12,7 +12,7 @@ import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { Skin } from '../../../model/skin.ts';
 import type { SourceTarget } from '../../../model/source-map.ts';
-import { keysOf } from '../../../model/takes/clip.ts';
+import { keysOf } from '../../../model/takes/take.ts';
 
 /** What a character has from a file. */
 export interface FileParts {
@@ -23,7 +23,7 @@ export interface FileParts {
   readonly hasSkin: boolean;
   readonly hasMorph: boolean;
   /** The take that is shown is in the file. */
-  readonly hasClip: boolean;
+  readonly hasTake: boolean;
 }
 
 /** A DOF that was chosen by hand. */
@@ -53,9 +53,9 @@ export function partsFrom({ characters }: Pick<Document, 'characters'>, path: st
     const root = isFrom(parts?.skeleton) ? rootOf(parts?.skeleton, roots++) : undefined;
     const hasSkin = isFrom(parts?.skins[character.shownSkin]);
     const hasMorph = parts?.morphs.some(isFrom) ?? false;
-    const hasClip = isFrom(parts?.clips[character.shownClip]);
+    const hasTake = isFrom(parts?.takes[character.shownTake]);
     if (root === undefined && !hasMorph && !hasPartFrom(parts, path)) continue;
-    found.push({ character, ...(root !== undefined && { root }), hasSkin, hasMorph, hasClip });
+    found.push({ character, ...(root !== undefined && { root }), hasSkin, hasMorph, hasTake });
   }
   return found;
 }
@@ -68,7 +68,7 @@ export function hasPartOfSelected(document: Document, { characterId }: Selection
 
 /** Also what isn't shown, or has no lines that can be selected. */
 function hasPartFrom(parts: PartMarks | undefined, path: string): boolean {
-  const marks = parts ? [...parts.skins, ...parts.clips, parts.poses] : [];
+  const marks = parts ? [...parts.skins, ...parts.takes, parts.poses] : [];
   return marks.some((mark) => mark?.file?.source.path === path);
 }
 
@@ -83,7 +83,7 @@ function rootOf(mark: PartMark | undefined, order: number): number {
 
 /** The parts of the selection that may be in a file, the one to be shown first. */
 export function targetsOf(parts: FileParts, selection: Selection, chosen: ChosenDof | undefined): SourceTarget[] {
-  const { character, root, hasSkin, hasMorph, hasClip } = parts;
+  const { character, root, hasSkin, hasMorph, hasTake } = parts;
   if (selection.characterId !== character.id) return [];
   const { vertex, keys } = selection;
   const joints = [...jointsIn(selection)].reverse();
@@ -93,7 +93,7 @@ export function targetsOf(parts: FileParts, selection: Selection, chosen: Chosen
   if (vertex !== undefined && (hasSkin || hasMorph)) found.push({ kind: 'vertex', vertex });
   const skin = shownSkin(character);
   if (vertex !== undefined && hasSkin && skin) found.push(...trianglesOf(skin, vertex));
-  if (keys?.length && hasClip) {
+  if (keys?.length && hasTake) {
     for (const { channel, indices } of keys) for (const key of indices) found.push({ kind: 'key', channel, key });
   }
   for (const joint of joints) {
@@ -102,7 +102,7 @@ export function targetsOf(parts: FileParts, selection: Selection, chosen: Chosen
       found.push({ kind: 'joint', root, joint, ...(name !== undefined && { dof: name }) });
     }
     if (hasSkin) found.push({ kind: 'binding', joint });
-    if (!hasClip || keys?.length) continue;
+    if (!hasTake || keys?.length) continue;
     dofs.forEach((own, channel) => {
       const isMeant = dof === undefined || joint !== joints[0] || channel === dof;
       if (own.joint === joint && isMeant) found.push({ kind: 'channel', channel });
@@ -124,7 +124,7 @@ function trianglesOf({ triangles }: Skin, vertex: number): SourceTarget[] {
 
 /** The frame at a time; undefined without samples. */
 export function frameAt({ character }: FileParts, timeSeconds: number): SourceTarget | undefined {
-  const samples = shownClip(character)?.samples;
+  const samples = shownTake(character)?.samples;
   if (!samples) return undefined;
   const own = timeSeconds + character.timeOffsetSeconds - samples.startSeconds;
   const frame = Math.round(own / samples.frameSeconds);
@@ -169,10 +169,10 @@ function pickIn(parts: FileParts, target: SourceTarget): Picked | undefined {
     }
     case 'channel':
     case 'key':
-      return parts.hasClip ? pickInChannel(character, target) : undefined;
+      return parts.hasTake ? pickInChannel(character, target) : undefined;
     case 'frame': {
-      const samples = shownClip(character)?.samples;
-      if (!parts.hasClip || !samples || target.frame >= samples.frameCount) return undefined;
+      const samples = shownTake(character)?.samples;
+      if (!parts.hasTake || !samples || target.frame >= samples.frameCount) return undefined;
       const at = samples.startSeconds + target.frame * samples.frameSeconds - character.timeOffsetSeconds;
       return { selection: { characterId }, timeSeconds: at, text: `Frame ${target.frame}` };
     }
@@ -191,7 +191,7 @@ function pickInChannel(
 ): Picked | undefined {
   const { channel } = target;
   const characterId = character.id;
-  const driven = shownClip(character)?.channels[channel];
+  const driven = shownTake(character)?.channels[channel];
   if (!driven) return undefined;
   const dof = characterDofs(character.skeleton, character.morphs)[channel];
   const joint = dof && dof.joint >= 0 ? dof.joint : undefined;

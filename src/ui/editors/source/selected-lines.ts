@@ -61,7 +61,7 @@ export class SelectedLines {
   get frameLine(): number | undefined {
     const map = this.text.shown?.map;
     if (!map?.rows.some(({ of }) => of === 'frame')) return undefined;
-    const origin = this.here.origins.find(({ file }) => file.hasClip);
+    const origin = this.here.origins.find(({ file }) => file.hasTake);
     const frame = origin && frameThen(origin, this.wb.transport.get().timeSeconds);
     return frame && linesOf(map, frame)[0]?.from;
   }

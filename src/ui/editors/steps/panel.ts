@@ -10,7 +10,7 @@ import { inFilePose } from '../../../teaching/program/file-pose.ts';
 import { stepsOfPose } from '../../../teaching/steps/dof-steps.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
-import { clipTimeShown } from '../../state/dump-times.ts';
+import { takeTimeShown } from '../../state/dump-times.ts';
 import { followWithNumbers } from '../../state/follow-time.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -102,7 +102,7 @@ class StepsPanel implements TimelineTab {
     if (!view || !character) return;
     const { transport, timeline } = wb;
     // Without a take it is shown anyway.
-    const isMoved = clipTimeShown(wb, character) !== undefined;
+    const isMoved = takeTimeShown(wb, character) !== undefined;
     const isOfFile = isMoved && timeline.stepsOfFile.get();
     write(this.filePose, 'hidden', !isMoved);
     setAttribute(this.filePose, 'aria-pressed', String(isOfFile));

@@ -1,5 +1,5 @@
 /** *Check take*: what looks wrong in what the current character plays, a retargeted take too; each leads to its moment. */
-import { playedClip } from '../../../evaluate/bake.ts';
+import { playedTake } from '../../../evaluate/bake.ts';
 import { checkDisplayed } from '../../../review/check-take.ts';
 import type { Flag } from '../../../review/flags.ts';
 import { runInSlices } from '../../../view/slices.ts';
@@ -16,7 +16,7 @@ type Page = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'dialog'>;
 
 export function checkDialog(wb: Page, close: () => void): DialogContent {
   const character = currentCharacter(wb);
-  const clip = character && playedClip(character);
+  const take = character && playedTake(character);
   const result = element('p', { class: 'tool-result', role: 'status' }, 'Checking …');
   const list = element('ul', { class: 'review-flag-list check-flags', 'aria-label': 'Flags' });
   const measure = element('button', { type: 'button', class: 'plain' }, 'Measure feet and speeds');
@@ -24,7 +24,7 @@ export function checkDialog(wb: Page, close: () => void): DialogContent {
   const body = element(
     'div',
     { class: 'tool-form' },
-    element('p', { class: 'faint' }, aboutText(character?.name, clip?.name, character?.driver !== undefined)),
+    element('p', { class: 'faint' }, aboutText(character?.name, take?.name, character?.driver !== undefined)),
     result,
     list,
     element('div', { class: 'tool-buttons' }, measure, done),
@@ -35,7 +35,7 @@ export function checkDialog(wb: Page, close: () => void): DialogContent {
     stop.abort();
     stopDialog();
   });
-  // Times of flags are those of the clip.
+  // Times of flags are those of the take.
   const offset = character ? character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0) : 0;
   const seek = ({ from }: Flag) =>
     wb.transport.update((now) => ({ ...now, playing: false, timeSeconds: from - offset }));
@@ -43,7 +43,7 @@ export function checkDialog(wb: Page, close: () => void): DialogContent {
     setText(result, flags.length > 0 ? `${plural(flags.length, 'flag')}: ${flagsText(flags)}.` : 'No flags.');
     list.replaceChildren(...flags.map((flag) => flagItem(flag, seek)));
   };
-  if (character && clip) void runInSlices(checkDisplayed(character), stop.signal).then((flags) => flags && show(flags));
+  if (character && take) void runInSlices(checkDisplayed(character), stop.signal).then((flags) => flags && show(flags));
   else setText(result, 'There is no take to check.');
   measure.addEventListener('click', () => {
     close();

@@ -4,7 +4,7 @@
  * is the last one, else by a step of its own (*Stop comparing*), which keeps later changes.
  */
 import { endOverlay } from '../../../edit/commands/takes.ts';
-import { type Document, findCharacter, rangeOfClips } from '../../../model/document.ts';
+import { type Document, findCharacter, rangeOfTakes } from '../../../model/document.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import type { Comparison, ComparisonOverlay } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -79,25 +79,25 @@ export function followMovedTake(wb: Uses<'store' | 'transport' | 'timeline'>, co
  */
 function withMovedTake(comparison: Comparison, before: Document, now: Document): Comparison {
   const { first, second } = comparison;
-  if (first.characterId !== second.characterId || second.clip < 0) return comparison;
-  const clipsIn = (document: Document) => findCharacter(document, second.characterId)?.clips;
-  const [was, is] = [clipsIn(before)?.[second.clip], clipsIn(now)];
-  if (!was || !is || is[second.clip] === was) return comparison;
-  const clip = is.indexOf(was);
-  return clip < 0 ? comparison : { first, second: { ...second, clip } };
+  if (first.characterId !== second.characterId || second.take < 0) return comparison;
+  const takesIn = (document: Document) => findCharacter(document, second.characterId)?.takes;
+  const [was, is] = [takesIn(before)?.[second.take], takesIn(now)];
+  if (!was || !is || is[second.take] === was) return comparison;
+  const take = is.indexOf(was);
+  return take < 0 ? comparison : { first, second: { ...second, take } };
 }
 
 /**
  * The previous playback range, unless another one was set meanwhile.
  *
- * @param compared the document that was left: if the range is that of its clips, it has changed with them already
+ * @param compared the document that was left: if the range is that of its takes, it has changed with them already
  */
 function playAsBefore(
   wb: Uses<'store' | 'transport'>,
   { played, playedBefore: range }: ComparisonOverlay,
   compared: Document,
 ): void {
-  const followed = isSame(rangeOfClips(compared), played) ? rangeOfClips(wb.store.document) : undefined;
+  const followed = isSame(rangeOfTakes(compared), played) ? rangeOfTakes(wb.store.document) : undefined;
   wb.transport.update((p) => {
     if (!isSame(p.range, played) && !isSame(followed, p.range)) return p;
     return { ...p, range, timeSeconds: Math.min(range[1], Math.max(range[0], p.timeSeconds)) };

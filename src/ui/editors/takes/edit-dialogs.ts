@@ -18,12 +18,12 @@ import {
   joinTakes,
 } from '../../../edit/commands/take-joins.ts';
 import type { JoinAlignment } from '../../../edit/samples/join.ts';
-import { type Document, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Document, findCharacter, shownTake } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { clipTime, currentTake } from '../timeline/current-take.ts';
+import { currentTake, takeTime } from '../timeline/current-take.ts';
 import { type Answers, type Asked, type ToolDialog, toolDialog } from '../timeline/tool-dialog.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from './edited.ts';
 import { followRangeOfTakes } from './played-range.ts';
@@ -94,14 +94,14 @@ export function joinDialog(wb: Page, close: () => void): DialogContent {
 
 export function insertDialog(wb: Page, close: () => void): DialogContent {
   const current = currentTake(wb);
-  if (!current?.clip.samples) return empty('Insert', 'The current take has no samples.');
-  const { character, clip } = current;
+  if (!current?.take.samples) return empty('Insert', 'The current take has no samples.');
+  const { character, take } = current;
   const others = takesToInsert(wb);
-  const at = clipTime(wb, character);
+  const at = takeTime(wb, character);
   return timeDialog<InsertInto>(wb, close, {
     name: 'insertTake',
     title: 'Insert at current time',
-    about: `Everything in ${clip.name} after ${shown(at)} s moves later and continues from what is inserted.`,
+    about: `Everything in ${take.name} after ${shown(at)} s moves later and continues from what is inserted.`,
     asked: [
       {
         kind: 'choice',
@@ -116,24 +116,24 @@ export function insertDialog(wb: Page, close: () => void): DialogContent {
     command: insertIntoTake,
     args(answers) {
       const other = others.find(({ key }) => key === answers.choice('what'));
-      const into = { characterId: character.id, clip: character.shownClip };
+      const into = { characterId: character.id, take: character.shownTake };
       if (other) return { into, atSeconds: at, take: other, ...howJoined(answers) };
       return { into, atSeconds: at, holdSeconds: answers.number('seconds') };
     },
     *steps(document, args) {
       const change = yield* insertSteps(document, args);
-      return { change, text: `${clip.name} lasts ${lengthText(change, character.id)}.` };
+      return { change, text: `${take.name} lasts ${lengthText(change, character.id)}.` };
     },
   });
 }
 
 export function cutOutDialog(wb: Page, close: () => void): DialogContent {
   const current = currentTake(wb);
-  if (!current?.clip.samples) return empty('Cut out', 'The current take has no samples.');
+  if (!current?.take.samples) return empty('Cut out', 'The current take has no samples.');
   const { character } = current;
   const [from, to] = wb.transport.get().range;
   const takes = takesToEdit(wb);
-  const what = takes.length > 1 ? plural(takes.length, 'take') : current.clip.name;
+  const what = takes.length > 1 ? plural(takes.length, 'take') : current.take.name;
   return timeDialog<CutOut>(wb, close, {
     name: 'cutOut',
     title: 'Cut out',
@@ -233,10 +233,10 @@ export function lockFeetDialog(wb: Page, close: () => void): DialogContent {
 /** `3.2 s, 192 frames`: of a character's shown take. */
 function lengthText(document: Document, characterId: string): string {
   const character = findCharacter(document, characterId);
-  const clip = character && shownClip(character);
-  if (!clip) return '0 s';
-  const seconds = `${shown(clip.range[1] - clip.range[0])} s`;
-  return clip.samples ? `${seconds}, ${plural(clip.samples.frameCount, 'frame')}` : seconds;
+  const take = character && shownTake(character);
+  if (!take) return '0 s';
+  const seconds = `${shown(take.range[1] - take.range[0])} s`;
+  return take.samples ? `${seconds}, ${plural(take.samples.frameCount, 'frame')}` : seconds;
 }
 
 function empty(title: string, text: string): DialogContent {

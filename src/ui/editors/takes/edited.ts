@@ -1,6 +1,6 @@
 /** Which takes the editing of whole takes applies to. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
-import { playedClip } from '../../../evaluate/bake.ts';
+import { playedTake } from '../../../evaluate/bake.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { needs } from '../../state/actions/needs.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -14,26 +14,26 @@ import { takesToCompare } from './which-takes.ts';
  * is retargeted.
  */
 export function takesToEdit(wb: Uses<'store' | 'timeline'>): readonly TakeRef[] {
-  const chosen = chosenTakes(wb).filter(({ clip }) => clip >= 0);
+  const chosen = chosenTakes(wb).filter(({ take }) => take >= 0);
   const isListed = wb.timeline.view.get().tab === 'takes';
   if (chosen.length > 1 || (isListed && chosen.length === 1)) return chosen;
   const current = currentTake(wb);
-  if (current) return [{ characterId: current.character.id, clip: current.character.shownClip }];
+  if (current) return [{ characterId: current.character.id, take: current.character.shownTake }];
   return chosen;
 }
 
 /** The selected takes, or the only two, in the list's order. */
 export function takesToJoin(wb: Uses<'store' | 'timeline'>): readonly TakeRow[] {
-  const chosen = chosenTakes(wb).filter(({ clip }) => clip >= 0);
+  const chosen = chosenTakes(wb).filter(({ take }) => take >= 0);
   if (chosen.length > 1) return chosen;
-  return takesToCompare(wb)?.filter(({ clip }) => clip >= 0) ?? [];
+  return takesToCompare(wb)?.filter(({ take }) => take >= 0) ?? [];
 }
 
 /** Takes that can be inserted into the current one: all others. */
 export function takesToInsert(wb: Uses<'store'>): readonly TakeRow[] {
   const current = currentTake(wb)?.character;
   return takeRows(wb.store.document).filter(
-    ({ characterId, clip }) => clip >= 0 && !(characterId === current?.id && clip === current.shownClip),
+    ({ characterId, take }) => take >= 0 && !(characterId === current?.id && take === current.shownTake),
   );
 }
 
@@ -47,9 +47,9 @@ export const needsTakesToJoin = needs(
 );
 export const needsFrames = needs(
   'The current take has no samples.',
-  (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
+  (wb: Uses<'store'>) => currentTake(wb)?.take.samples !== undefined,
 );
 export const needsPlayedTake = needs('The current character plays no take.', (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
-  return character?.skeleton !== undefined && playedClip(character) !== undefined;
+  return character?.skeleton !== undefined && playedTake(character) !== undefined;
 });

@@ -7,7 +7,7 @@ import { rootTurn } from '../../../evaluate/compare/compared-roots.ts';
 import { commonFrames, type Distances, measureDistances } from '../../../evaluate/compare/distance.ts';
 import type { Alignment } from '../../../evaluate/compare/posed-joints.ts';
 import { warpTakes } from '../../../evaluate/compare/warped-takes.ts';
-import { type Character, shownClip } from '../../../model/document.ts';
+import { type Character, shownTake } from '../../../model/document.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import { type Compared, comparedIn } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -128,6 +128,6 @@ function movesAlike(a: Character, b: Character): boolean {
       a.space === b.space &&
       a.timeOffsetSeconds === b.timeOffsetSeconds &&
       a.placements[0] === b.placements[0] &&
-      shownClip(a) === shownClip(b))
+      shownTake(a) === shownTake(b))
   );
 }

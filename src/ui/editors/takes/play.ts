@@ -10,8 +10,8 @@ import {
   setTimeOffsets,
   showTakes,
 } from '../../../edit/commands/takes.ts';
-import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
-import { findCharacter, shownClip } from '../../../model/document.ts';
+import { takesRange } from '../../../evaluate/plot/shown-keys.ts';
+import { findCharacter, shownTake } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { needs } from '../../state/actions/needs.ts';
@@ -74,7 +74,7 @@ export function playTogether(
   attempt(wb.messages, () => {
     endComparison(wb);
     wb.store.apply(showTakes, { takes: rows, alone: true });
-    const range = clipsRange(wb.store.document);
+    const range = takesRange(wb.store.document);
     if (range) playRange(wb, range);
     wb.viewport.reveal(...rows.map((row) => row.characterId));
   });
@@ -179,5 +179,5 @@ export function selectCharacter(wb: Uses<'store'>, characterId: string): void {
 
 /** Whether any take plays. */
 export const needsTakes = needs('There are no takes. Open an .anim or .bvh file, or key a pose.', (wb: Uses<'store'>) =>
-  wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined),
+  wb.store.document.characters.some((c) => c.takes.length > 0 || shownTake(c) !== undefined),
 );

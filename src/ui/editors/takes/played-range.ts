@@ -1,7 +1,7 @@
 /** The playback range after takes were shown, hidden or moved in time. */
 import { sharedFrameRate } from '../../../edit/frame-rate.ts';
 import { countedAt } from '../../../edit/playback.ts';
-import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
+import { takesRange } from '../../../evaluate/plot/shown-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**
@@ -14,6 +14,6 @@ export function playRange(wb: Uses<'store' | 'transport'>, range: readonly [numb
 }
 
 export function followRangeOfTakes(wb: Uses<'store' | 'transport'>): void {
-  const range = clipsRange(wb.store.document);
+  const range = takesRange(wb.store.document);
   if (range) wb.transport.update((p) => ({ ...p, range }));
 }

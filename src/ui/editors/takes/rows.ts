@@ -2,10 +2,10 @@
 import type { TakeRef } from '../../../edit/commands/takes.ts';
 import { RETARGETED } from '../../../edit/drivers.ts';
 import { frameRateOf } from '../../../evaluate/samples/frame-rate.ts';
-import { framesOfClip } from '../../../evaluate/samples/key-frames.ts';
+import { framesOfTake } from '../../../evaluate/samples/key-frames.ts';
 import type { Character, Document, Driver } from '../../../model/document.ts';
 import { perObject } from '../../../model/per-object.ts';
-import type { ChannelClip } from '../../../model/takes/clip.ts';
+import type { Take } from '../../../model/takes/take.ts';
 import { playedTake, type TakeColumn, type TakeOrder } from '../../state/takes.ts';
 import { movesText } from '../retarget/moved-text.ts';
 
@@ -20,7 +20,7 @@ export interface TakeRow extends TakeRef {
   readonly isHidden: boolean;
   /** `retargeted` for another character's take that moves this one; `drives walker` for the source take. */
   readonly note: string;
-  /** First to last second played, of the clip. */
+  /** First to last second played, of the take. */
   readonly range: readonly [number, number];
   readonly durationSeconds: number;
   readonly isKeyed: boolean;
@@ -37,10 +37,10 @@ export interface TakeRow extends TakeRef {
   readonly file: string;
 }
 
-export const takeKey = ({ characterId, clip }: TakeRef) => `${characterId}/${clip}`;
+export const takeKey = ({ characterId, take }: TakeRef) => `${characterId}/${take}`;
 
 const rowsOf = perObject((character: Character): readonly TakeRow[] => {
-  const own = character.clips.map((_, clip) => rowOf(character, clip));
+  const own = character.takes.map((_, take) => rowOf(character, take));
   const { driver } = character;
   return driver ? [...own, retargetedRow(character, driver)] : own;
 });
@@ -52,44 +52,44 @@ export function takeRows(document: Document): TakeRow[] {
     const rows = rowsOf(character);
     if (!movers.has(character.id)) return rows;
     const note = movesText(document, character);
-    return rows.map((row) => (row.clip === character.shownClip ? { ...row, note } : row));
+    return rows.map((row) => (row.take === character.shownTake ? { ...row, note } : row));
   });
 }
 
 function rowOf(character: Character, index: number): TakeRow {
-  const clip = character.clips[index];
+  const take = character.takes[index];
   const { position } = character.placements[0];
-  const { range } = clip;
+  const { range } = take;
   const isHidden = character.isHidden ?? false;
-  const key = takeKey({ characterId: character.id, clip: index });
+  const key = takeKey({ characterId: character.id, take: index });
   return {
     key,
     characterId: character.id,
-    clip: index,
-    name: clip.name,
-    character: clip.name === character.name ? '' : character.name,
+    take: index,
+    name: take.name,
+    character: take.name === character.name ? '' : character.name,
     // No take is shown while another character's moves it.
-    isShown: !isHidden && !character.driver && character.shownClip === index,
+    isShown: !isHidden && !character.driver && character.shownTake === index,
     isHidden,
     note: '',
     range,
     durationSeconds: range[1] - range[0],
-    ...framesIn(clip),
+    ...framesIn(take),
     offsetSeconds: character.timeOffsetSeconds,
     startSeconds: range[0] - character.timeOffsetSeconds,
     x: position[0],
     z: position[2],
     // Under its earlier name too, since it came from that file.
-    file: character.parts?.clips[index]?.file?.source.path ?? '',
+    file: character.parts?.takes[index]?.file?.source.path ?? '',
   };
 }
 
 /** The take of another character, as it moves this one. */
 function retargetedRow(character: Character, { source }: Driver): TakeRow {
-  const { range, name } = source.clip;
+  const { range, name } = source.take;
   const { position } = character.placements[0];
   const offsetSeconds = character.timeOffsetSeconds + source.timeOffsetSeconds;
-  const ref = { characterId: character.id, clip: RETARGETED };
+  const ref = { characterId: character.id, take: RETARGETED };
   return {
     ...ref,
     key: takeKey(ref),
@@ -100,7 +100,7 @@ function retargetedRow(character: Character, { source }: Driver): TakeRow {
     note: `retargeted to ${character.name}`,
     range,
     durationSeconds: range[1] - range[0],
-    ...framesIn(source.clip),
+    ...framesIn(source.take),
     offsetSeconds,
     startSeconds: range[0] - offsetSeconds,
     x: position[0],
@@ -109,11 +109,11 @@ function retargetedRow(character: Character, { source }: Driver): TakeRow {
   };
 }
 
-function framesIn(clip: ChannelClip): Pick<TakeRow, 'isKeyed' | 'frameCount' | 'framesPerSecond'> {
-  const isKeyed = clip.samples === undefined;
-  const framesPerSecond = frameRateOf(clip);
+function framesIn(take: Take): Pick<TakeRow, 'isKeyed' | 'frameCount' | 'framesPerSecond'> {
+  const isKeyed = take.samples === undefined;
+  const framesPerSecond = frameRateOf(take);
   if (framesPerSecond === undefined) return { isKeyed };
-  return { isKeyed, framesPerSecond, frameCount: framesOfClip(clip, framesPerSecond).frameCount };
+  return { isKeyed, framesPerSecond, frameCount: framesOfTake(take, framesPerSecond).frameCount };
 }
 
 /** Filtered and sorted; equal ones keep the document's order. */

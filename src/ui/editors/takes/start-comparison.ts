@@ -20,7 +20,7 @@ export function compareTakes(
   other: TakeRow,
 ): void {
   // Of one character, its document shows the retargeted take: the viewer draws its own one over it.
-  const isTurned = other.clip === RETARGETED && one.characterId === other.characterId;
+  const isTurned = other.take === RETARGETED && one.characterId === other.characterId;
   const [first, second] = isTurned ? [other, one] : [one, other];
   const [a, b] = [first, second].map((row) => showing(wb.store.document, row));
   if (!a?.skeleton || !b?.skeleton) {
@@ -40,8 +40,8 @@ export function compareTakes(
     const after = wb.store.document;
     wb.timeline.takes.distances.update((now) => ({ ...now, picked: [] }));
     const comparison = {
-      first: { characterId: first.characterId, clip: first.clip },
-      second: { characterId: second.characterId, clip: second.clip },
+      first: { characterId: first.characterId, take: first.take },
+      second: { characterId: second.characterId, take: second.take },
     };
     wb.timeline.takes.comparison.set(comparison);
     followMovedTake(wb, comparison);

@@ -22,7 +22,7 @@ export function takeCell(
     element(
       'button',
       { type: 'button', class: 'take-cell', 'data-panel': 'transport' },
-      icon('clip'),
+      icon('take'),
       name.element,
       icon('fold'),
     ),
@@ -43,7 +43,7 @@ export function takeCell(
     return others.length ? [...others, { kind: 'line' }, ...edits] : edits;
   });
   const show = () => {
-    const take = currentTake(wb)?.clip.name;
+    const take = currentTake(wb)?.take.name;
     name.show(take ?? 'No take');
     made.classList.toggle('faint', take === undefined);
     setAttribute(made, 'aria-label', take === undefined ? 'No take' : `Take ${take}`);

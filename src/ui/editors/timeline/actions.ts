@@ -17,16 +17,16 @@ const needsChannels = needs(
 );
 const needsSamples = needs(
   'The take has no samples.',
-  (wb: Uses<'store'>) => currentTake(wb)?.clip.samples !== undefined,
+  (wb: Uses<'store'>) => currentTake(wb)?.take.samples !== undefined,
 );
 /** Tools for keyed curves don't apply to samples. */
 const needsKeyedCurve = needs('No curve with keys is shown.', (wb: Uses<'store' | 'timeline'>) =>
-  channelsToEdit(wb).some((c) => currentTake(wb)?.clip.channels[c]?.kind === 'keys'),
+  channelsToEdit(wb).some((c) => currentTake(wb)?.take.channels[c]?.kind === 'keys'),
 );
 /** … except those that don't depend on interpolation. */
 const needsCurve = needs('No curve is shown.', (wb: Uses<'store' | 'timeline'>) => {
-  const clip = currentTake(wb)?.clip;
-  return clip !== undefined && channelsToEdit(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
+  const take = currentTake(wb)?.take;
+  return take !== undefined && channelsToEdit(wb).some((c) => take.channels[c] && take.channels[c].kind !== 'rest');
 });
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {

@@ -2,7 +2,7 @@
  * Which channels the timeline lists, and which it draws. A pure function of document, selection and timeline settings.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { type Character, shownClip } from '../../../model/document.ts';
+import { type Character, shownTake } from '../../../model/document.ts';
 import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
@@ -12,7 +12,7 @@ import { shortJointName } from '../../../model/skeleton/joint-name.ts';
 import { dofsOf } from '../../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
-import { keysOf, spanOfChannel } from '../../../model/takes/clip.ts';
+import { keysOf, spanOfChannel } from '../../../model/takes/take.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 
 /** A DOF in the list, animated or not. */
@@ -80,9 +80,9 @@ export function selectedChannels(character: Character, selection: Selection): re
   const joints = selection.characterId === character.id ? jointsIn(selection) : [];
   if (joints.length > 0) return [...joints].sort((a, b) => a - b).flatMap((joint) => jointChannels(character, joint));
   const channels = jointChannels(character, 0);
-  const clip = shownClip(character);
+  const take = shownTake(character);
   const silent = silentChannels(character);
-  return channels.some((c) => c >= silent && clip && spanOfChannel(clip, c)) ? channels : undefined;
+  return channels.some((c) => c >= silent && take && spanOfChannel(take, c)) ? channels : undefined;
 }
 
 /** Whether the listed channels are the root's because no joint is selected. */
@@ -98,7 +98,7 @@ function jointChannels(character: Character, joint: number): number[] {
 
 /** Channels of all DOFs, and those of the take past them. */
 export function channelCount(character: Character): number {
-  return Math.max(dofsFor(character).length, shownClip(character)?.channels.length ?? 0);
+  return Math.max(dofsFor(character).length, shownTake(character)?.channels.length ?? 0);
 }
 
 /** A channel as it would be listed. */
@@ -106,7 +106,7 @@ export function namedChannel(character: Character, channel: number): ListedChann
   const dofs = dofsFor(character);
   const dof: CharacterDof | undefined = dofs[channel];
   const ofJoint = dof !== undefined && dof.joint >= 0;
-  const clip = shownClip(character);
+  const take = shownTake(character);
   const follows = followedName(character, channel);
   return {
     channel,
@@ -114,8 +114,8 @@ export function namedChannel(character: Character, channel: number): ListedChann
     joint: ofJoint ? shortJointName(character.skeleton, dof.joint) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
-    keyCount: keysOf(clip?.channels[channel]).times.length,
-    sampleCount: clip?.channels[channel]?.kind === 'samples' ? (clip.samples?.frameCount ?? 0) : 0,
+    keyCount: keysOf(take?.channels[channel]).times.length,
+    sampleCount: take?.channels[channel]?.kind === 'samples' ? (take.samples?.frameCount ?? 0) : 0,
   };
 }
 

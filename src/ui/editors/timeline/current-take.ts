@@ -12,9 +12,9 @@ import type { Command } from '../../../edit/command.ts';
 import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
-import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { ChannelClip } from '../../../model/takes/clip.ts';
+import type { Take } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { shownTabs } from '../../state/timeline.ts';
@@ -24,14 +24,14 @@ import { keyedChannels } from './dope-rows.ts';
 
 export interface CurrentTake {
   readonly character: Character;
-  readonly clip: ChannelClip;
+  readonly take: Take;
 }
 
 /** The take of the current character; undefined if it has none. */
 export function currentTake(wb: Uses<'store'>): CurrentTake | undefined {
   const character = currentCharacter(wb);
-  const clip = character && shownClip(character);
-  return character && clip && { character, clip };
+  const take = character && shownTake(character);
+  return character && take && { character, take };
 }
 
 /**
@@ -73,11 +73,11 @@ export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Comm
 /** A drag of keys of this take: ends if anything else changes the take or shows another. */
 export function editOfTake(
   { store, messages }: Uses<'store' | 'messages'>,
-  { character, clip }: CurrentTake,
+  { character, take }: CurrentTake,
 ): HandEdit {
   return new HandEdit(store, messages, () => {
     const now = findCharacter(store.document, character.id);
-    return now !== undefined && shownClip(now) === clip;
+    return now !== undefined && shownTake(now) === take;
   });
 }
 
@@ -115,7 +115,7 @@ export function channelsToEdit(wb: Uses<'store' | 'timeline'>): readonly number[
   return keys.length ? keys.map((k) => k.channel) : channelsInView(wb);
 }
 
-/** Where keys of a character's clip go that are added now. */
+/** Where keys of a character's take go that are added now. */
 export function keyPlacing(wb: Uses<'transport' | 'timeline'>, { timeOffsetSeconds }: Character): KeyPlacing {
   const [from, to] = wb.transport.get().range;
   const outsideCycle = wb.timeline.outsideCycle.get();
@@ -125,7 +125,7 @@ export function keyPlacing(wb: Uses<'transport' | 'timeline'>, { timeOffsetSecon
   };
 }
 
-/** Seconds of the clip at the transport's time. */
-export function clipTime(wb: Uses<'transport'>, character: Character): number {
+/** Seconds of the take at the transport's time. */
+export function takeTime(wb: Uses<'transport'>, character: Character): number {
   return wb.transport.get().timeSeconds + character.timeOffsetSeconds;
 }

@@ -12,10 +12,10 @@ import { aboutKeysInHand, channelsToEdit, currentTake } from './current-take.ts'
 export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 'euler' | 'loop'): void {
   const current = currentTake(wb);
   if (!current) return;
-  const { character, clip } = current;
-  const keyed = channelsToEdit(wb).filter((c) => clip.channels[c]?.kind === 'keys');
+  const { character, take } = current;
+  const keyed = channelsToEdit(wb).filter((c) => take.channels[c]?.kind === 'keys');
   if (tool === 'euler') {
-    const animated = channelsToEdit(wb).filter((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
+    const animated = channelsToEdit(wb).filter((c) => take.channels[c] && take.channels[c].kind !== 'rest');
     // A root's translation needs no message that it isn't an angle.
     const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
     const channels = angles.length > 0 ? angles : animated;
@@ -24,12 +24,12 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
   }
   if (keyed.length === 0) return;
   wb.store.apply(aboutKeysInHand(wb, makeLoop), { characterId: character.id, channels: keyed });
-  const after = currentTake(wb)?.clip.channels ?? [];
-  const count = after.filter((channel, i) => channel !== clip.channels[i]).length;
-  const pausePlayback = keyed.every((c) => period(clip.channels[c]) === 0);
+  const after = currentTake(wb)?.take.channels ?? [];
+  const count = after.filter((channel, i) => channel !== take.channels[i]).length;
+  const pausePlayback = keyed.every((c) => period(take.channels[c]) === 0);
   const nothing = pausePlayback ? 'A loop needs two keys at different times.' : 'These curves already loop.';
   const travelling = after.filter(
-    (channel, i) => channel !== clip.channels[i] && channel.extrapolateOut === 'cycle_offset',
+    (channel, i) => channel !== take.channels[i] && channel.extrapolateOut === 'cycle_offset',
   );
   const how =
     travelling.length > 0

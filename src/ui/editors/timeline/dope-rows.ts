@@ -6,18 +6,18 @@
  *     ▾ hips                      joints in the skeleton's order
  *         rx
  *     ▸ Morphs
- *     ▸ More channels             if the clip has more than the character has DOFs
+ *     ▸ More channels             if the take has more than the character has DOFs
  *
  * A row is a list of channels, which determines what is drawn, hit or selected in it. Joints are a flat list, not a
  * tree: this view is about timing, and in a tree a hand would be ten levels deep.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { type Character, shownClip } from '../../../model/document.ts';
+import { type Character, shownTake } from '../../../model/document.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts';
 import { type CharacterDof, rootDofCount } from '../../../model/skeleton/dofs.ts';
 import { shortJointName } from '../../../model/skeleton/joint-name.ts';
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
-import type { ChannelClip } from '../../../model/takes/clip.ts';
+import type { Take } from '../../../model/takes/take.ts';
 import { dofsFor, followedName } from './channels.ts';
 
 /** Keys of groups other than joints in `TimelineView.unfolded`. */
@@ -35,7 +35,7 @@ export interface DopeRow {
   readonly label: string;
   /** 1 for rows of an expanded group. */
   readonly depth: 0 | 1;
-  /** Channels of the clip, ascending, including those without keys. */
+  /** Channels of the take, ascending, including those without keys. */
   readonly channels: readonly number[];
   /** Its key in `TimelineView.unfolded`; absent if it can't be expanded. */
   readonly fold?: number;
@@ -69,16 +69,16 @@ interface Group {
   readonly count: number;
 }
 
-/** The rows, the summary first; empty if the clip has no channels to show. */
-export function dopeRows(character: Character, clip: ChannelClip, options: RowOptions): DopeRow[] {
-  const { channels } = clip;
+/** The rows, the summary first; empty if the take has no channels to show. */
+export function dopeRows(character: Character, take: Take, options: RowOptions): DopeRow[] {
+  const { channels } = take;
   const dofs = dofsFor(character);
   const words = options.filter.toLowerCase().split(/\s+/).filter(Boolean);
   const unfolded = new Set(options.unfolded);
   const rows: DopeRow[] = [];
   const listed: number[] = [];
   for (const group of groupsOf(character, dofs, channels.length)) {
-    const within = channelRows(group, character, dofs, clip, options.all);
+    const within = channelRows(group, character, dofs, take, options.all);
     const matching = words.length
       ? within.filter((row) => {
           const name = `${group.label} ${row.label}`.toLowerCase();
@@ -107,25 +107,25 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
 
 /** The channels with keys or samples that the rows would contain, ascending. */
 export function keyedChannels(character: Character, filter: string): number[] {
-  const clip = shownClip(character);
-  if (!clip) return [];
-  return [...(dopeRows(character, clip, { unfolded: [], all: false, filter })[0]?.channels ?? [])];
+  const take = shownTake(character);
+  if (!take) return [];
+  return [...(dopeRows(character, take, { unfolded: [], all: false, filter })[0]?.channels ?? [])];
 }
 
-/** Whether two clips of one character have the same rows: moved keys don't rebuild them. */
-export function sameRows(a: ChannelClip, b: ChannelClip): boolean {
+/** Whether two takes of one character have the same rows: moved keys don't rebuild them. */
+export function sameRows(a: Take, b: Take): boolean {
   if (a === b) return true;
   if (a.channels.length !== b.channels.length) return false;
   return a.channels.every((c, i) => c === b.channels[i] || isAnimated(a, i) === isAnimated(b, i));
 }
 
-/** All groups that can be expanded for a character with such a clip. */
-export function allFolds(character: Character, clip: ChannelClip): number[] {
+/** All groups that can be expanded for a character with such a take. */
+export function allFolds(character: Character, take: Take): number[] {
   const dofs = dofsFor(character);
-  return groupsOf(character, dofs, clip.channels.length).map((g) => g.fold);
+  return groupsOf(character, dofs, take.channels.length).map((g) => g.fold);
 }
 
-/** In channel order, which is DOF order; up to the clip's last. Without channels that have no effect. */
+/** In channel order, which is DOF order; up to the take's last. Without channels that have no effect. */
 function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCount: number): Group[] {
   const groups: Group[] = [];
   const silent = silentChannels(character);
@@ -163,12 +163,12 @@ function channelRows(
   { kind, first, count, joint }: Group,
   character: Character,
   dofs: readonly CharacterDof[],
-  clip: ChannelClip,
+  take: Take,
   all: boolean,
 ): DopeRow[] {
   const rows: DopeRow[] = [];
   for (let c = first; c < first + count; c++) {
-    if (!all && !isAnimated(clip, c)) continue;
+    if (!all && !isAnimated(take, c)) continue;
     const dof = kind === 'others' ? undefined : dofs[c];
     const label = dof ? dof.name : `channel ${c}`;
     const row: DopeRow = { key: `channel/${c}`, kind: 'channel', label, depth: 1, channels: [c], expanded: false };
@@ -185,6 +185,6 @@ function channelRows(
   return rows;
 }
 
-function isAnimated(clip: ChannelClip, channel: number): boolean {
-  return clip.channels[channel].kind !== 'rest';
+function isAnimated(take: Take, channel: number): boolean {
+  return take.channels[channel].kind !== 'rest';
 }

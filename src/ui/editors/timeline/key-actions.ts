@@ -10,17 +10,17 @@ import {
   type Extrapolation,
   TANGENT_KINDS,
   type TangentKind,
-} from '../../../model/takes/clip.ts';
+} from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { NO_CHARACTER, needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import {
   channelsInView,
   channelsToEdit,
-  clipTime,
   currentTake,
   selectedKeysInView,
   selectKeys,
+  takeTime,
 } from './current-take.ts';
 import {
   copyToTray,
@@ -213,8 +213,8 @@ function step(
     run(wb) {
       const current = currentTake(wb);
       if (!current) return;
-      const { character, clip } = current;
-      selectKeys(wb, next(clip.channels, selectedKeysInView(wb), channelsInView(wb), clipTime(wb, character)));
+      const { character, take } = current;
+      selectKeys(wb, next(take.channels, selectedKeysInView(wb), channelsInView(wb), takeTime(wb, character)));
     },
   });
 }
@@ -331,7 +331,7 @@ function allExtrapolate(
   return (
     channels.length > 0 &&
     channels.every((c) => {
-      const channel = current?.clip.channels[c];
+      const channel = current?.take.channels[c];
       const before = side === 'out' || channel?.extrapolateIn === extrapolation;
       return before && (side === 'in' || channel?.extrapolateOut === extrapolation);
     })

@@ -9,7 +9,7 @@ import { countKeys } from '../../../edit/keys/selection.ts';
 import type { TangentSide } from '../../../edit/keys/tangents.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { unitOfChannel } from '../../../model/skeleton/dofs.ts';
-import { type Extrapolation, keysOf, type TangentKind } from '../../../model/takes/clip.ts';
+import { type Extrapolation, keysOf, type TangentKind } from '../../../model/takes/take.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -19,11 +19,11 @@ import {
   aboutKeysInHand,
   channelsInView,
   channelsToEdit,
-  clipTime,
   currentTake,
   keyPlacing,
   selectedKeysInView,
   selectKeys,
+  takeTime,
 } from './current-take.ts';
 import { pastableChannels, pasteTargets } from './paste-targets.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
@@ -37,7 +37,7 @@ export function insertAtPlayhead(
   if (!current || !channels.length) return;
   pausePlayback(wb);
   const { character } = current;
-  const inserted = { characterId: character.id, channels, timeSeconds: clipTime(wb, character) };
+  const inserted = { characterId: character.id, channels, timeSeconds: takeTime(wb, character) };
   const placing = keyPlacing(wb, character);
   addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
 }
@@ -46,7 +46,7 @@ export function deleteKeys(wb: Uses<'store' | 'transport' | 'timeline'>): void {
   const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
-  const timeSeconds = clipTime(wb, current.character);
+  const timeSeconds = takeTime(wb, current.character);
   wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: current.character.id, keys, timeSeconds });
 }
 
@@ -54,7 +54,7 @@ export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean
   const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return false;
-  wb.timeline.copied = copyKeys(current.clip, keys);
+  wb.timeline.copied = copyKeys(current.take, keys);
   const count = countKeys(keys);
   wb.messages.note(`${plural(count, 'key')} copied from ${plural(keys.length, 'channel')}.`);
   return true;
@@ -88,7 +88,7 @@ export function paste(
   const pasted: ArgsOf<typeof pasteKeys> = {
     characterId: character.id,
     copied,
-    timeSeconds: clipTime(wb, character),
+    timeSeconds: takeTime(wb, character),
     mode,
     into: [...targets],
   };
@@ -102,7 +102,7 @@ export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
   const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
-  const copied: CopiedKeys = copyKeys(current.clip, keys);
+  const copied: CopiedKeys = copyKeys(current.take, keys);
   paste(wb, 'merge', undefined, copied);
 }
 
@@ -194,7 +194,7 @@ export function selectWhere(
   const { timeOffsetSeconds } = current.character;
   const keys: ChannelKeys[] = [];
   for (const channel of [...channels].sort((a, b) => a - b)) {
-    const { times } = keysOf(current.clip.channels[channel]);
+    const { times } = keysOf(current.take.channels[channel]);
     const indices: number[] = [];
     for (let i = 0; i < times.length; i++) if (test(times[i] - timeOffsetSeconds)) indices.push(i);
     if (indices.length) keys.push({ channel, indices });
@@ -209,7 +209,7 @@ export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
   const held = new Map(selectedKeysInView(wb).map((k) => [k.channel, new Set(k.indices)]));
   const keys: ChannelKeys[] = [];
   for (const channel of [...channelsInView(wb)].sort((a, b) => a - b)) {
-    const count = keysOf(current.clip.channels[channel]).times.length;
+    const count = keysOf(current.take.channels[channel]).times.length;
     const indices: number[] = [];
     for (let i = 0; i < count; i++) if (!held.get(channel)?.has(i)) indices.push(i);
     if (indices.length) keys.push({ channel, indices });
@@ -227,14 +227,14 @@ export function selectedText(
   const count = countKeys(keys);
   const inFrames = wb.settings.get().timeDisplay === 'frames';
   const { framesPerSecond } = wb.transport.get();
-  const text = (clipSeconds: number) => {
-    const at = clipSeconds - current.character.timeOffsetSeconds;
+  const text = (takeSeconds: number) => {
+    const at = takeSeconds - current.character.timeOffsetSeconds;
     return inFrames ? `frame ${frameNumber(at, framesPerSecond)}` : `${shown(at)} s`;
   };
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
   for (const { channel, indices } of keys) {
-    const { times } = keysOf(current.clip.channels[channel]);
+    const { times } = keysOf(current.take.channels[channel]);
     first = Math.min(first, times[indices[0]]);
     last = Math.max(last, times[indices[indices.length - 1]]);
   }

@@ -23,7 +23,7 @@ export class MarkerDrag {
   /** @param toSeconds of the transport */
   move(toSeconds: number): void {
     const { take: current, edit, index } = this;
-    const marker = current?.clip.markers?.[index];
+    const marker = current?.take.markers?.[index];
     if (!current || !edit || !marker) return;
     const at = toSeconds + current.character.timeOffsetSeconds;
     const { timeSeconds, endSeconds } = marker;

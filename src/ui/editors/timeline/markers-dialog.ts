@@ -21,7 +21,7 @@ export function markersDialog(wb: Page, close: () => void): DialogContent {
   const done = element('button', { type: 'button', class: 'plain primary' }, 'Done');
   let shown: readonly Marker[] | undefined;
   const show = (force = false) => {
-    const markers = currentTake(wb)?.clip.markers ?? [];
+    const markers = currentTake(wb)?.take.markers ?? [];
     if (markers === shown && !force) return;
     shown = markers;
     rows.replaceChildren(
@@ -49,7 +49,7 @@ export function markersDialog(wb: Page, close: () => void): DialogContent {
     element(
       'p',
       { class: 'faint' },
-      `For ${currentTake(wb)?.clip.name ?? 'no take'}. Saved next to it as .markers.json.`,
+      `For ${currentTake(wb)?.take.name ?? 'no take'}. Saved next to it as .markers.json.`,
     ),
     rows,
     element('div', { class: 'tool-buttons' }, add, span, done),

@@ -11,7 +11,7 @@ import { rangeOfSamples } from '../../../model/takes/samples.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
 import { count, plural, shown } from '../../widgets/numbers/number-text.ts';
-import { type CurrentTake, clipTime, currentTake } from './current-take.ts';
+import { type CurrentTake, currentTake, takeTime } from './current-take.ts';
 
 export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
 
@@ -25,7 +25,7 @@ export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool
     reverse(wb, characterId);
     return;
   }
-  const timeSeconds = clipTime(wb, character);
+  const timeSeconds = takeTime(wb, character);
   if (tool === 'crop') {
     const [from, to] = wb.transport.get().range;
     const offset = character.timeOffsetSeconds;
@@ -33,12 +33,12 @@ export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool
   } else if (tool === 'split') wb.store.apply(splitSamples, { characterId, timeSeconds });
   else wb.store.apply(trimSamples, { characterId, side: tool === 'trimStart' ? 'start' : 'end', timeSeconds });
   const now = currentTake(wb);
-  if (now) wb.messages.note(tool === 'split' ? splitText(now, character.shownClip) : cutText(tool, current, now));
+  if (now) wb.messages.note(tool === 'split' ? splitText(now, character.shownTake) : cutText(tool, current, now));
 }
 
 /** `Split: jump has 60 frames, jump_2 has 61.` */
-export function splitText({ character, clip }: CurrentTake, first: number): string {
-  const said = [character.clips[first], clip].map(
+export function splitText({ character, take }: CurrentTake, first: number): string {
+  const said = [character.takes[first], take].map(
     ({ name, samples }) => `${name} has ${plural(samples?.frameCount ?? 0, 'frame')}`,
   );
   return `Split: ${said.join(', ')}.`;
@@ -48,16 +48,16 @@ export function splitText({ character, clip }: CurrentTake, first: number): stri
 export function cutText(
   tool: 'crop' | 'trimStart' | 'trimEnd',
   before: CurrentTake,
-  { character, clip }: CurrentTake,
+  { character, take }: CurrentTake,
 ): string {
-  const { samples } = clip;
+  const { samples } = take;
   if (!samples) return '';
-  if (clip === before.clip) return `${clip.name} has no frames to cut there.`;
-  const had = before.clip.samples?.frameCount ?? 0;
+  if (take === before.take) return `${take.name} has no frames to cut there.`;
+  const had = before.take.samples?.frameCount ?? 0;
   const [from, to] = rangeOfSamples(samples).map((time) => shown(time - character.timeOffsetSeconds));
   const now =
     had === samples.frameCount ? plural(had, 'frame') : `${count(samples.frameCount)} of ${count(had)} frames`;
-  return `${tool === 'crop' ? 'Cropped' : 'Trimmed'} ${clip.name} to ${now}, ${from} – ${to} s.`;
+  return `${tool === 'crop' ? 'Cropped' : 'Trimmed'} ${take.name} to ${now}, ${from} – ${to} s.`;
 }
 
 /** Long takes are reversed in slices; if anything else changes meanwhile, the result is dropped. */
@@ -73,8 +73,8 @@ function reverse(wb: Uses<'store' | 'messages'>, characterId: string): void {
     done(document) {
       preview.show(document);
       preview.keep();
-      const clip = currentTake(wb)?.clip;
-      messages.note(`Reversed ${clip?.name ?? 'the take'}: ${plural(clip?.samples?.frameCount ?? 0, 'frame')}.`);
+      const take = currentTake(wb)?.take;
+      messages.note(`Reversed ${take?.name ?? 'the take'}: ${plural(take?.samples?.frameCount ?? 0, 'frame')}.`);
     },
     failed(error) {
       preview.putBack();

@@ -1,8 +1,8 @@
 /** The transport. */
 
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../../edit/playback.ts';
-import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
-import { playingCharacters, shownClip } from '../../../model/document.ts';
+import { nextKey, previousKey, shownKeys, takesRange } from '../../../evaluate/plot/shown-keys.ts';
+import { playingCharacters, shownTake } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { needs } from '../../state/actions/needs.ts';
 import { onDemand } from '../../state/on-demand.ts';
@@ -30,7 +30,7 @@ const needsKeys = needs(
 
 const needsTake = needs('Markers belong to a take. Show one first.', (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
-  return character !== undefined && shownClip(character) !== undefined;
+  return character !== undefined && shownTake(character) !== undefined;
 });
 
 /** As in Maya, the playback range belongs to the page. */
@@ -99,9 +99,9 @@ export const PLAY_ACTIONS: readonly Action[] = [
     menu: 'Play',
     section: 2,
     shortcuts: ['Shift+I'],
-    refuses: needs('There is no take to fit the range to.', (wb) => clipsRange(wb.store.document) !== undefined),
+    refuses: needs('There is no take to fit the range to.', (wb) => takesRange(wb.store.document) !== undefined),
     run(wb) {
-      const range = clipsRange(wb.store.document);
+      const range = takesRange(wb.store.document);
       if (!range) return;
       wb.transport.update((p) => ({ ...p, range }));
       sayRange(wb);

@@ -1,5 +1,5 @@
 /**
- * Draws the ruler: numbers and ticks, playback range, keys as diamonds, playhead. On a canvas, since a clip may have any
+ * Draws the ruler: numbers and ticks, playback range, keys as diamonds, playhead. On a canvas, since a take may have any
  * number of keys.
  *
  *     y = 0                ┌── numbers, the playhead's flag ──┐   all of it is the time's

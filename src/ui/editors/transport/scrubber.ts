@@ -5,7 +5,7 @@
  */
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
-import { type Document, rangeOfClips } from '../../../model/document.ts';
+import { type Document, rangeOfTakes } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setAttribute } from '../../widgets/dom.ts';
 import { followPointer } from '../../widgets/drag.ts';
@@ -130,8 +130,8 @@ export class Scrubber {
   /** The playback range and the takes: a shorter range is shown within them. */
   fit(): void {
     const { range } = this.wb.transport.get();
-    const clips = rangeOfClips(this.wb.store.document) ?? range;
-    this.whole = [Math.min(range[0], clips[0]), Math.max(range[1], clips[1])];
+    const takes = rangeOfTakes(this.wb.store.document) ?? range;
+    this.whole = [Math.min(range[0], takes[0]), Math.max(range[1], takes[1])];
     this.wb.timeline.fit(this.whole);
   }
 
@@ -386,7 +386,7 @@ export class Scrubber {
 
 /** Which takes are shown, of which characters. */
 function takesOf({ characters }: Document): string {
-  return characters.map(({ id, shownClip }) => `${id} ${shownClip}`).join();
+  return characters.map(({ id, shownTake }) => `${id} ${shownTake}`).join();
 }
 
 function readColours(target: Element): ScrubberColours {

@@ -80,17 +80,17 @@ export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, 
 
   const character = (): Character => findCharacter(wb.store.document, who.value) ?? first;
   const showAsked = () => {
-    const { clips, skins, driver } = character();
+    const { takes, skins, driver } = character();
     const skin = shownSkin(character());
     const most = skin ? skinFacts(skin).maxAttachments : 0;
-    fill(take, [['', `All ${clips.length}`], ...clips.map(({ name }) => [name, name] as const)]);
+    fill(take, [['', `All ${takes.length}`], ...takes.map(({ name }) => [name, name] as const)]);
     fill(influences, [
       ['', `All, up to ${most}`],
       ['4', 'The 4 strongest'],
     ]);
     write(rows.who, 'hidden', characters.length < 2);
-    write(rows.take, 'hidden', driver !== undefined || clips.length < 2);
-    write(rows.keys, 'hidden', clips.length === 0 && !driver);
+    write(rows.take, 'hidden', driver !== undefined || takes.length < 2);
+    write(rows.keys, 'hidden', takes.length === 0 && !driver);
     write(rows.tolerance, 'hidden', rows.keys.hidden || keys.value === 'frames');
     write(rows.rate, 'hidden', rows.keys.hidden || keys.value !== 'frames');
     write(rows.influences, 'hidden', most <= 4);

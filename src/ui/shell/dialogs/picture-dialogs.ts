@@ -3,7 +3,7 @@
 import { FRAME_RATES } from '../../../edit/playback.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { videoFrames } from '../../../edit/video-frames.ts';
-import { shownClip } from '../../../model/document.ts';
+import { shownTake } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { PictureOptions, Pictures, VideoFormat } from '../../state/pictures.ts';
@@ -259,7 +259,7 @@ function nameOf(wb: Needs): string {
 
 function videoName(wb: Needs): string {
   const character = currentCharacter(wb);
-  return fileName((character && shownClip(character)?.name) ?? character?.name ?? '');
+  return fileName((character && shownTake(character)?.name) ?? character?.name ?? '');
 }
 
 /** Without what file systems don't take. */

@@ -88,6 +88,6 @@ export function stepsDone(done: number, now: Seen, before: Seen, mode: StepsMode
     return was && was !== c ? [{ was, is: c }] : [];
   });
   if (changed.length === 0) return done;
-  if (changed.some(({ was, is }) => was.clips !== is.clips)) return LAST;
+  if (changed.some(({ was, is }) => was.takes !== is.takes)) return LAST;
   return mode === 'fk' ? Math.max(done, 2) : Math.min(done + 1, 2);
 }

@@ -13,7 +13,7 @@ export function whenText(atMs: number, now = new Date()): string {
   return `${at.toLocaleDateString('en-GB', { day: 'numeric', month: 'long' })}, ${time}`;
 }
 
-/** `wasp, 31 joints, 2 clips`; for several characters their names. */
+/** `wasp, 31 joints, 2 takes`; for several characters their names. */
 export function contentText(characters: KeptWork['characters']): string {
   const [first] = characters;
   if (!first) return 'files without a character';
@@ -24,6 +24,6 @@ export function contentText(characters: KeptWork['characters']): string {
   }
   const parts = [first.name || 'unnamed character'];
   if (first.joints > 0) parts.push(plural(first.joints, 'joint'));
-  if (first.clips > 0) parts.push(plural(first.clips, 'take'));
+  if (first.takes > 0) parts.push(plural(first.takes, 'take'));
   return parts.join(', ');
 }

@@ -27,7 +27,7 @@ export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
 /** Whether transport and timeline are on the page: without any take there is nothing to play, unless a tab is open. */
 export function isBarShown({ store, settings }: Uses<'store' | 'settings'>): boolean {
   return (
-    isPanelOpen(settings.get(), 'timeline') || store.document.characters.some((c) => c.clips.length > 0 || c.driver)
+    isPanelOpen(settings.get(), 'timeline') || store.document.characters.some((c) => c.takes.length > 0 || c.driver)
   );
 }
 

@@ -19,7 +19,7 @@ export const MANY_KEYS: Work = {
     await page.evaluate(async (edited) => {
       // Drawn in software, it would take seconds for each frame.
       await window.marrow.run('character.setHidden', { ids: [window.marrow.characters()[0].id], hidden: true });
-      await window.marrow.run('clip.create', { range: [0, 1] });
+      await window.marrow.run('take.create', { range: [0, 1] });
       await window.marrow.run('pose.setDofs', { dofs: edited.map((index) => ({ index, value: 0 })) });
       await window.marrow.run('pose.key');
     }, EDITED);

@@ -43,7 +43,7 @@ export function addTentacle(content: Group, vertices: number): AnimationMixer {
   mesh.bind(new Skeleton(bones));
   content.add(mesh);
   const mixer = new AnimationMixer(mesh);
-  mixer.clipAction(clip()).play();
+  mixer.clipAction(take()).play();
   return mixer;
 }
 
@@ -65,7 +65,7 @@ function geometryOf({ positions, normals, joints, weights, triangles, morphs }: 
   return geometry;
 }
 
-function clip(): AnimationClip {
+function take(): AnimationClip {
   const keys = Array.from({ length: KEYS }, (_, k) => k);
   const times = keys.map(timeOf);
   const turned = (joint: number, key: number) => {

@@ -21,7 +21,7 @@ export interface CaseDump {
   readonly time?: number;
 }
 
-/** @param files in `data/` @param time shown, of the clip; undefined: the file pose */
+/** @param files in `data/` @param time shown, of the take; undefined: the file pose */
 export function comparedCase(
   files: readonly string[],
   dumpName: string,

@@ -1,7 +1,7 @@
 /** Channels of every kind, and views of them, for properties about what is drawn. */
 import fc from 'fast-check';
 import type { TraceMap } from '../../../../src/evaluate/plot/trace-path.ts';
-import { type Channel, EXTRAPOLATIONS, restChannel } from '../../../../src/model/takes/clip.ts';
+import { type Channel, EXTRAPOLATIONS, restChannel } from '../../../../src/model/takes/take.ts';
 
 /** Times as clocks and files have them: nothing between 0 and the smallest double matters. */
 const toMicroseconds = (seconds: number) => Math.round(seconds * 1e6) / 1e6;

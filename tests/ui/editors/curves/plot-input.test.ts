@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { shownClip } from '../../../../src/model/document.ts';
-import { keysOf } from '../../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../../src/model/document.ts';
+import { keysOf } from '../../../../src/model/takes/take.ts';
 import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
 import { type CurveSpace, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
@@ -8,7 +8,7 @@ import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts'
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { timeX } from '../../../../src/ui/widgets/time/time-window.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 /** The part of a page that the input listens to: events on the plot pass the window first. */
 class FakeElement extends EventTarget {
@@ -37,7 +37,7 @@ let element: FakeElement;
 let input: PlotInput;
 let looks: CurveSpace[];
 
-const times = () => [...(keysOf(shownClip(wb.store.document.characters[0])?.channels[0]).times ?? [])];
+const times = () => [...(keysOf(shownTake(wb.store.document.characters[0])?.channels[0]).times ?? [])];
 
 function host(): PlotHost {
   return {
@@ -62,7 +62,7 @@ beforeEach(() => {
   vi.stubGlobal('HTMLInputElement', class {});
   vi.stubGlobal('HTMLButtonElement', class {});
   vi.stubGlobal('requestAnimationFrame', (work: () => void) => work());
-  const walker = character({ skeleton: skeleton(['hips', -1]), clips: [clip([0, 2], channel(0, 1, 2))] });
+  const walker = character({ skeleton: skeleton(['hips', -1]), takes: [take([0, 2], channel(0, 1, 2))] });
   ({ wb } = workbench(documentOf(walker), { range: [0, 2], framesPerSecond: 10 }));
   wb.timeline.change({ window: { from: 0, to: 2 }, snapsToFrames: false });
   scene = new PlotScene(wb);

@@ -1,12 +1,12 @@
 import { expect, it } from 'vitest';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
 import { isFaint } from '../../../../src/ui/editors/curves/scene/scene.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 /** Root translation and five joints of three DOFs: 18 channels, all keyed. */
 const crowd = character({
   skeleton: skeleton(['hips', -1], ['a', 0], ['b', 1], ['c', 2], ['d', 3]),
-  clips: [clip([0, 1], ...Array.from({ length: 18 }, () => channel(0, 1)))],
+  takes: [take([0, 1], ...Array.from({ length: 18 }, () => channel(0, 1)))],
 });
 
 function bright(joint: number | undefined, change = {}): readonly number[] {

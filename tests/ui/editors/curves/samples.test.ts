@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileClip } from '../../../../src/evaluate/compiled-clip.ts';
+import { compileTake } from '../../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../../src/evaluate/curves.ts';
 import { extremesOver, sampleExtremes } from '../../../../src/evaluate/plot/sample-extremes.ts';
 import { heightOf, type TraceMap } from '../../../../src/evaluate/plot/trace-path.ts';
-import { type ChannelClip, SAMPLED } from '../../../../src/model/takes/clip.ts';
 import { INTERPOLATIONS, type Samples } from '../../../../src/model/takes/samples.ts';
+import { SAMPLED, type Take } from '../../../../src/model/takes/take.ts';
 import { LineTrace, traceLine } from '../../../../src/ui/editors/curves/scene/trace.ts';
 
 const samplesOf = (frameCount: number, width: number, value: (i: number) => number): Samples => ({
@@ -62,7 +62,7 @@ const mapFrom = (left: number, seconds: number): TraceMap => ({
 });
 
 describe('a line of samples', () => {
-  const clipOf = (samples: Samples): ChannelClip => ({
+  const takeOf = (samples: Samples): Take => ({
     name: 'take',
     range: [1, 2],
     channels: Array.from(samples.scales, () => SAMPLED),
@@ -70,11 +70,11 @@ describe('a line of samples', () => {
   });
 
   it.each(INTERPOLATIONS)('a line of samples equals what is evaluated, zoomed in: %s', (interpolation) => {
-    const clip = clipOf({ ...samplesOf(200, 2, noise), interpolation });
-    const curves = compileClip(clip);
+    const take = takeOf({ ...samplesOf(200, 2, noise), interpolation });
+    const curves = compileTake(take);
     const map = mapFrom(1.2, 0.3);
     const out = new LineTrace();
-    traceLine(curves, 0, clip.channels[0], map, 1, out);
+    traceLine(curves, 0, take.channels[0], map, 1, out);
     const { points, verbs, verbCount } = out.solid;
     expect(verbCount).toBeGreaterThan(30);
     let p = 0;
@@ -90,11 +90,11 @@ describe('a line of samples', () => {
   });
 
   it('a line of samples is columns that contain every frame, zoomed out', () => {
-    const clip = clipOf(samplesOf(5000, 2, noise));
-    const { samples } = clip;
+    const take = takeOf(samplesOf(5000, 2, noise));
+    const { samples } = take;
     const map = mapFrom(0, 60);
     const out = new LineTrace();
-    traceLine(compileClip(clip), 1, clip.channels[1], map, 1, out);
+    traceLine(compileTake(take), 1, take.channels[1], map, 1, out);
     expect(out.solid.verbCount).toBe(0);
     const { columns } = out;
     for (let f = 0; f < 5000; f++) {
@@ -108,10 +108,10 @@ describe('a line of samples', () => {
   });
 
   it('a line of samples is constant and dotted before the first frame and after the last one', () => {
-    const clip = clipOf(samplesOf(50, 1, () => 4));
+    const take = takeOf(samplesOf(50, 1, () => 4));
     const map = mapFrom(0, 4);
     const out = new LineTrace();
-    traceLine(compileClip(clip), 0, clip.channels[0], map, 1, out);
+    traceLine(compileTake(take), 0, take.channels[0], map, 1, out);
     const ends = Array.from({ length: out.dotted.verbCount }, (_, v) => out.dotted.points[2 * v + 1]);
     expect(ends).toEqual(new Array(4).fill(expect.closeTo(heightOf(map, 2), 3)));
   });

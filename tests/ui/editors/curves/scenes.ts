@@ -1,9 +1,9 @@
 /** A scene of given channels on a plot of 400 × 200 pixels that shows seconds 0 … 4, and −1 … 1 of every axis. */
-import { compileClip } from '../../../../src/evaluate/compiled-clip.ts';
-import { type Channel, FIXED_TANGENT } from '../../../../src/model/takes/clip.ts';
+import { compileTake } from '../../../../src/evaluate/compiled-take.ts';
+import { type Channel, FIXED_TANGENT } from '../../../../src/model/takes/take.ts';
 import type { CurveLine, CurveScene } from '../../../../src/ui/editors/curves/scene/scene.ts';
 import type { AxisName, CurveSpace } from '../../../../src/ui/editors/curves/scene/space.ts';
-import { clip } from '../../builders.ts';
+import { take } from '../../builders.ts';
 
 const axis = { low: -1, high: 1 };
 export const SPACE: CurveSpace = {
@@ -36,10 +36,10 @@ export function line(channel: number, name: AxisName = 'angle'): CurveLine {
 }
 
 export function scene(channels: readonly Channel[], more: Partial<CurveScene> = {}): CurveScene {
-  const made = clip([0, 4], ...channels);
+  const made = take([0, 4], ...channels);
   return {
-    clip: made,
-    curves: compileClip(made),
+    take: made,
+    curves: compileTake(made),
     offsetSeconds: 0,
     lines: channels.map((_, i) => line(i)),
     selected: [],

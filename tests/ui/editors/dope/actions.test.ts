@@ -1,20 +1,20 @@
 import { expect, it } from 'vitest';
-import { shownClip } from '../../../../src/model/document.ts';
-import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../../src/model/document.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import { channelsInView, selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 /** Keys in channels 3 and 4, of the hips, and 6, of the knee. */
 function sheet() {
   const none = restChannel();
-  const walking = clip([0, 5], none, none, none, channel(1, 2), channel(1), none, channel(3), none, none);
-  const wasp = character({ skeleton: skeleton(['hips', -1], ['knee', 0]), clips: [walking] });
+  const walking = take([0, 5], none, none, none, channel(1, 2), channel(1), none, channel(3), none, none);
+  const wasp = character({ skeleton: skeleton(['hips', -1], ['knee', 0]), takes: [walking] });
   const { wb } = workbench(documentOf(wasp), { framesPerSecond: 10 });
   wb.timeline.change({ tab: 'dope' });
   return {
     wb,
-    times: (c: number) => [...(keysOf(shownClip(wb.store.document.characters[0])?.channels[c]).times ?? [])],
+    times: (c: number) => [...(keysOf(shownTake(wb.store.document.characters[0])?.channels[c]).times ?? [])],
   };
 }
 

@@ -1,7 +1,7 @@
-/** Clips, rows, selections and sheets for the properties of the dope sheet. */
+/** Takes, rows, selections and sheets for the properties of the dope sheet. */
 import fc from 'fast-check';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
-import { type Channel, keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import type { Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import { channel } from '../../builders.ts';
 

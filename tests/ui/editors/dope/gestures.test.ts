@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { spanOf } from '../../../../src/edit/keys/row-keys.ts';
-import { shownClip } from '../../../../src/model/document.ts';
+import { shownTake } from '../../../../src/model/document.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
-import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import type { DopeHost, Pointer } from '../../../../src/ui/editors/dope/gesture.ts';
 import { gestureAt } from '../../../../src/ui/editors/dope/gestures.ts';
 import { hitSheet, type SheetKeys } from '../../../../src/ui/editors/dope/hit.ts';
@@ -10,7 +10,7 @@ import { rowTop, type Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { dopeRows } from '../../../../src/ui/editors/timeline/dope-rows.ts';
 import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 beforeEach(() => {
   vi.stubGlobal('window', { addEventListener: () => {}, removeEventListener: () => {} });
@@ -33,14 +33,14 @@ const HELD = { shift: false, ctrl: false, alt: false };
 
 function stage() {
   const none = restChannel();
-  const walking = clip([0, 5], none, none, none, channel(1, 2, 4), channel(1), none);
-  const wasp = character({ skeleton: skeleton(['hips', -1]), clips: [walking] });
+  const walking = take([0, 5], none, none, none, channel(1, 2, 4), channel(1), none);
+  const wasp = character({ skeleton: skeleton(['hips', -1]), takes: [walking] });
   const { wb } = workbench(documentOf(wasp), { framesPerSecond: 10 });
   wb.timeline.change({ tab: 'dope' });
-  const take = () => wb.store.document.characters[0];
-  const channels = () => shownClip(take())?.channels ?? [];
+  const hero = () => wb.store.document.characters[0];
+  const channels = () => shownTake(hero())?.channels ?? [];
   const keys = (): readonly ChannelKeys[] => wb.store.selection.keys ?? [];
-  const rows = dopeRows(take(), walking, { unfolded: [], all: false, filter: '' });
+  const rows = dopeRows(hero(), walking, { unfolded: [], all: false, filter: '' });
   const shown = (): SheetKeys => ({
     rows,
     channels: channels(),

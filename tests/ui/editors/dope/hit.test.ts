@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Channel, keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import { hitSheet, REACH, rowsTouched, type SheetKeys, sheetKeysInBox } from '../../../../src/ui/editors/dope/hit.ts';
 import { HEAD, rowAt, rowTop, type Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import type { DopeRow } from '../../../../src/ui/editors/timeline/dope-rows.ts';
@@ -58,7 +58,7 @@ describe('what is under the pointer', () => {
     expect(hit.kind === 'keys' && hit.keys).toHaveLength(2);
   });
 
-  it('the character’s offset is subtracted from the clip’s times', () => {
+  it('the character’s offset is subtracted from the take’s times', () => {
     const hit = hitSheet(sheet, { ...shown, offsetSeconds: 0.4 }, 100, middle(1));
     expect(hit.kind === 'keys' && hit.timeSeconds).toBeCloseTo(0.1, 12);
   });

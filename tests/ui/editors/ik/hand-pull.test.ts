@@ -3,10 +3,10 @@ import { unpin } from '../../../../src/edit/commands/ik.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { setHidden } from '../../../../src/edit/commands/spaces.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
-import { shownClip } from '../../../../src/model/document.ts';
+import { shownTake } from '../../../../src/model/document.ts';
 import type { Joint } from '../../../../src/model/skeleton/skeleton.ts';
 import { HandPull } from '../../../../src/ui/editors/ik/hand-pull.ts';
-import { clip, documentOf } from '../../builders.ts';
+import { documentOf, take } from '../../builders.ts';
 import { apart, BODY, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
 
 /** Of a body that is 6 wide. */
@@ -84,7 +84,7 @@ describe('a hand that drags a point', () => {
 
   it('keys what it moves if auto-key is on', () => {
     page.stop();
-    page = ikPage(documentOf(body({ clips: [clip([0, 2])] })));
+    page = ikPage(documentOf(body({ takes: [take([0, 2])] })));
     const { wb } = page;
     wb.timeline.autoKey.set(true);
     wb.transport.update((now) => ({ ...now, timeSeconds: 1 }));
@@ -92,7 +92,7 @@ describe('a hand that drags a point', () => {
     go(hand, [0, 0.3, 0]);
     hand.finish();
     const [character] = wb.store.document.characters;
-    const keyed = shownClip(character)?.channels.filter((one) => 'times' in one && one.times.includes(1));
+    const keyed = shownTake(character)?.channels.filter((one) => 'times' in one && one.times.includes(1));
     expect(keyed?.length).toBeGreaterThan(0);
     expect(apart(page.placeOf(BODY_JOINT), [0, 0.3, 0])).toBeLessThan(THERE);
     wb.store.undo();

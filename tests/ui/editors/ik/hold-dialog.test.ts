@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { type Channel, type Extrapolation, restChannel } from '../../../../src/model/takes/clip.ts';
+import { type Channel, type Extrapolation, restChannel } from '../../../../src/model/takes/take.ts';
 import { firstRange, writtenOutText } from '../../../../src/ui/editors/ik/hold-dialog.ts';
-import { character, clip, skeleton } from '../../builders.ts';
+import { character, skeleton, take } from '../../builders.ts';
 
 const BODY = skeleton(['root', -1], ['toe_r', 0]);
 /** x and y of the toe. */
@@ -17,8 +17,8 @@ function keyed(before: Extrapolation, after: Extrapolation): Channel {
   };
 }
 
-function take(channels: Readonly<Record<number, Channel>>) {
-  return { ...clip([0, 6]), channels: Array.from({ length: 9 }, (_, i) => channels[i] ?? restChannel(0)) };
+function takeWith(channels: Readonly<Record<number, Channel>>) {
+  return { ...take([0, 6]), channels: Array.from({ length: 9 }, (_, i) => channels[i] ?? restChannel(0)) };
 }
 
 describe('what is asked for first when pins are held', () => {
@@ -36,18 +36,18 @@ describe('what is asked for first when pins are held', () => {
 describe('what is told of curves that repeated', () => {
   const before = character({
     skeleton: BODY,
-    clips: [take({ [TOE_X]: keyed('cycle', 'cycle'), [TOE_Y]: keyed('linear', 'linear') })],
+    takes: [takeWith({ [TOE_X]: keyed('cycle', 'cycle'), [TOE_Y]: keyed('linear', 'linear') })],
   });
 
   it('names curves that are written out on either side, and no others', () => {
-    const after = take({ [TOE_X]: keyed('cycle', 'constant'), [TOE_Y]: keyed('constant', 'constant') });
-    expect(writtenOutText(before, { clip: after, channels: [TOE_X, TOE_Y] })).toBe(
+    const after = takeWith({ [TOE_X]: keyed('cycle', 'constant'), [TOE_Y]: keyed('constant', 'constant') });
+    expect(writtenOutText(before, { take: after, channels: [TOE_X, TOE_Y] })).toBe(
       'toe_r rx no longer repeats: keys replace the cycle over the playback range.',
     );
   });
 
   it('mentions no curves that are unchanged', () => {
-    const after = take({ [TOE_X]: keyed('cycle', 'cycle') });
-    expect(writtenOutText(before, { clip: after, channels: [TOE_X] })).toBe('');
+    const after = takeWith({ [TOE_X]: keyed('cycle', 'cycle') });
+    expect(writtenOutText(before, { take: after, channels: [TOE_X] })).toBe('');
   });
 });

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { PinDrag } from '../../../../src/ui/editors/ik/pin-drag.ts';
 import { type CanvasPointer, LONG_PRESS_MS } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
-import { channel, clip, documentOf } from '../../builders.ts';
+import { channel, documentOf, take } from '../../builders.ts';
 import { apart, BODY_JOINT, body, HAND_L, HAND_R, ikPage } from './ik-page.ts';
 
 const KEYS = [{ channel: 0, indices: [0] }];
@@ -80,7 +80,7 @@ describe('a drag of a point', () => {
 
   it('a drag of a point keeps keys of the same character, and a selection of the dragged joint', () => {
     page.stop();
-    page = ikPage(documentOf({ ...body({ clips: [clip([0, 2], channel(0))] }), id: 'c2' }));
+    page = ikPage(documentOf({ ...body({ takes: [take([0, 2], channel(0))] }), id: 'c2' }));
     vi.stubGlobal('requestAnimationFrame', () => 0);
     vi.stubGlobal('cancelAnimationFrame', () => {});
     const { store } = page.wb;

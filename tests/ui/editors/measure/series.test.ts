@@ -34,8 +34,8 @@ function take(id: string, x: number, more: Partial<Character> = {}): Character {
     id,
     name: id,
     skeleton: skeleton(3),
-    clips: [takeOfValues(`${id} take`, [x, 1.5])],
-    shownClip: 0,
+    takes: [takeOfValues(`${id} take`, [x, 1.5])],
+    shownTake: 0,
     ...more,
   });
 }
@@ -43,7 +43,7 @@ function take(id: string, x: number, more: Partial<Character> = {}): Character {
 describe('the plotted series', () => {
   it('all visible characters that play a take are measured, at the root if no joint is selected', () => {
     const { wb } = workbench(
-      documentOf(take('a', 0), take('b', 1, { isHidden: true }), take('c', 2), take('d', 3, { shownClip: -1 })),
+      documentOf(take('a', 0), take('b', 1, { isHidden: true }), take('c', 2), take('d', 3, { shownTake: -1 })),
     );
     const sources = sourcesOf(wb);
     expect(sources.map(({ character: c, joints }) => [c.id, joints])).toEqual([
@@ -60,7 +60,7 @@ describe('the plotted series', () => {
   });
 
   it('of a comparison the two compared takes are measured, and of one character both', () => {
-    const two = take('a', 0, { clips: [takeOfValues('walk', [0]), takeOfValues('run', [4])] });
+    const two = take('a', 0, { takes: [takeOfValues('walk', [0]), takeOfValues('run', [4])] });
     const { wb } = workbench(documentOf(two, take('b', 9)));
     const [walk, run] = listOfTakes(wb);
     compareTakes(wb, walk, run);

@@ -7,7 +7,7 @@ import {
   outlineRows,
   sameOutline,
 } from '../../../../src/ui/editors/outliner/outline-rows.ts';
-import { channel, character, clip, documentOf, joint, skeleton } from '../../builders.ts';
+import { channel, character, documentOf, joint, skeleton, take } from '../../builders.ts';
 
 const asIs = (_key: string, otherwise: boolean) => otherwise;
 const text = (rows: readonly OutlineRow[]) => rows.map((r) => `${'  '.repeat(r.depth)}${r.label}`);
@@ -23,7 +23,7 @@ const wasp = character({
   skeleton: legs,
   skins: [skin('smooth'), skin('rough')],
   shownSkin: 1,
-  clips: [clip([0, 2], channel(0))],
+  takes: [take([0, 2], channel(0))],
 });
 
 describe('outlineRows', () => {

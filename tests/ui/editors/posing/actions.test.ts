@@ -3,7 +3,7 @@ import { activeDof, chooseDof, dofsByHand } from '../../../../src/ui/editors/pos
 import { actionsOf, runAction } from '../../../../src/ui/state/actions/action.ts';
 import { selectedJoint } from '../../../../src/ui/state/joints/selected-joint.ts';
 import { actionFor } from '../../../../src/ui/state/shortcuts.ts';
-import { channel, character, clip, documentOf, joint, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, joint, skeleton, take, workbench } from '../../builders.ts';
 
 const armature = skeleton(['hips', -1], ['leg', 0], ['foot', 1]);
 
@@ -101,13 +101,13 @@ describe('the keys of posing', () => {
     expect(still.wb.transport.get().playing).toBe(true);
     still.press('Space');
     expect([still.wb.posing.mode.get(), still.wb.transport.get().playing]).toEqual(['ik', false]);
-    const moving = posing({ clips: [clip([0, 1], channel(0, 1))] });
+    const moving = posing({ takes: [take([0, 1], channel(0, 1))] });
     moving.press('Space');
     expect([moving.wb.posing.mode.get(), moving.wb.transport.get().playing]).toEqual(['pose', true]);
   });
 
   it.each(['viewport', undefined])('left and right step frames with a take, playing or not (%s)', (panel) => {
-    const { wb, turns, press } = posing({ clips: [clip([0, 1], channel(0, 1))] });
+    const { wb, turns, press } = posing({ takes: [take([0, 1], channel(0, 1))] });
     const frame = () => wb.transport.get().timeSeconds * wb.transport.get().framesPerSecond;
     press('Right', panel);
     press('Right', panel);
@@ -143,7 +143,7 @@ describe('the keys of posing', () => {
   });
 
   it('the arrow keys orbit the view with Ctrl, wherever the focus is but in the timeline', () => {
-    const { turns, press } = posing({ clips: [clip([0, 1], channel(0, 1))] });
+    const { turns, press } = posing({ takes: [take([0, 1], channel(0, 1))] });
     for (const key of ['Left', 'Right', 'Up', 'Down']) press(`Ctrl+${key}`, 'viewport');
     press('Ctrl+Left');
     press('Ctrl+Left', 'timeline');

@@ -1,10 +1,10 @@
 import { describe, expect, it, vi } from 'vitest';
-import { showClip } from '../../../../src/edit/commands/characters.ts';
+import { showTake } from '../../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { poseAt } from '../../../../src/evaluate/pose.ts';
 import { openFiles } from '../../../../src/files/open/open-files.ts';
 import type { Character } from '../../../../src/model/document.ts';
-import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { offerOverSamples } from '../../../../src/ui/editors/posing/auto-key-samples.ts';
 import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
@@ -12,12 +12,12 @@ import { followOpened } from '../../../../src/ui/editors/posing/opened.ts';
 import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
 import { isEnabled, runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { capture, channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { capture, channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const bones = skeleton(['hips', -1], ['leg', 0]);
-const bare = character({ skeleton: bones, shownClip: -1 });
+const bare = character({ skeleton: bones, shownTake: -1 });
 const wasp = (wb: Workbench): Character => wb.store.document.characters[0];
-const keyCounts = (wb: Workbench) => wasp(wb).clips[wasp(wb).shownClip]?.channels.map((c) => keysOf(c).times.length);
+const keyCounts = (wb: Workbench) => wasp(wb).takes[wasp(wb).shownTake]?.channels.map((c) => keysOf(c).times.length);
 const at = (wb: Workbench, timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds }));
 const enabled = (wb: Workbench) => KEYING_ACTIONS.filter((a) => isEnabled(wb, a)).map((a) => a.id);
 
@@ -26,7 +26,7 @@ describe('keying from the menu', () => {
     const { wb } = workbench(documentOf(bare), { range: [0, 4], timeSeconds: 1 });
     runAction(wb, 'key.pose');
     expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
-    expect(wasp(wb).clips[0]).toMatchObject({ name: 'test_anim', range: [0, 4] });
+    expect(wasp(wb).takes[0]).toMatchObject({ name: 'test_anim', range: [0, 4] });
     expect(wb.store.undoLabel).toBe('Key pose of wasp');
     wb.store.undo();
     expect(wasp(wb)).toBe(bare);
@@ -62,7 +62,7 @@ describe('keying from the menu', () => {
     expect(keyCounts(wb)).toEqual([2, 2, 2, 2, 2, 2, 1, 1, 1]);
     runAction(wb, 'key.deleteHere');
     expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
-    expect(keysOf(wasp(wb).clips[0].channels[0]).times).toEqual(Float64Array.of(0));
+    expect(keysOf(wasp(wb).takes[0].channels[0]).times).toEqual(Float64Array.of(0));
     expect(enabled(wb)).not.toContain('key.deleteHere');
   });
 
@@ -70,7 +70,7 @@ describe('keying from the menu', () => {
     const { wb } = workbench(documentOf(bare));
     runAction(wb, 'key.tangents.linear');
     runAction(wb, 'key.pose');
-    expect(keysOf(wasp(wb).clips[0].channels[4]).tangentsIn.kinds).toEqual(Uint8Array.of(1));
+    expect(keysOf(wasp(wb).takes[0].channels[4]).tangentsIn.kinds).toEqual(Uint8Array.of(1));
     expect(autoKey(wb)).toBeUndefined();
     runAction(wb, 'key.auto');
     expect(autoKey(wb)).toEqual({ tangents: 'linear', playedRange: [0, 2] });
@@ -82,7 +82,7 @@ describe('keying from the menu', () => {
       wb.timeline.change({ snapsToFrames });
       runAction(wb, 'key.pose');
       expect(wb.transport.get().playing).toBe(false);
-      const [time] = keysOf(wasp(wb).clips[0].channels[4]).times;
+      const [time] = keysOf(wasp(wb).takes[0].channels[4]).times;
       expect(time).toBe(wb.transport.get().timeSeconds);
       return time * 30;
     };
@@ -93,7 +93,7 @@ describe('keying from the menu', () => {
   it('keys at the playhead, on a frame or not', () => {
     const { wb } = workbench(documentOf(bare), { timeSeconds: 51.4 / 30 });
     runAction(wb, 'key.pose');
-    expect(keysOf(wasp(wb).clips[0].channels[4]).times).toEqual(Float64Array.of(51.4 / 30));
+    expect(keysOf(wasp(wb).takes[0].channels[4]).times).toEqual(Float64Array.of(51.4 / 30));
   });
 
   it('keys a reset too while auto-key is on', () => {
@@ -104,8 +104,8 @@ describe('keying from the menu', () => {
   });
 
   it('discards unkeyed changes, and undo restores them', () => {
-    const driven = clip([0, 1], channel(0, 1));
-    const { wb } = workbench(documentOf({ ...bare, clips: [driven], shownClip: 0 }));
+    const driven = take([0, 1], channel(0, 1));
+    const { wb } = workbench(documentOf({ ...bare, takes: [driven], shownTake: 0 }));
     expect(enabled(wb)).not.toContain('key.dropUnkeyed');
     expect(enabled(wb)).not.toContain('key.forMoment');
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0 });
@@ -117,13 +117,13 @@ describe('keying from the menu', () => {
 
   it('keys the changed values, and leaves all other channels alone', () => {
     const [swing, still] = [channel(0, 1), channel(0, 1)];
-    const { wb } = workbench(documentOf({ ...bare, clips: [clip([0, 1], swing, still)], shownClip: 0 }), {
+    const { wb } = workbench(documentOf({ ...bare, takes: [take([0, 1], swing, still)], shownTake: 0 }), {
       timeSeconds: 0.5,
     });
     wb.store.select({ characterId: 'c1', joint: 1 });
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0.5 });
     runAction(wb, 'key.changed');
-    const [keyed, other] = wasp(wb).clips[0].channels;
+    const [keyed, other] = wasp(wb).takes[0].channels;
     expect([...keysOf(keyed).times]).toEqual([0, 0.5, 1]);
     expect(keysOf(keyed).values[1]).toBe(3);
     expect(other).toBe(still);
@@ -155,21 +155,21 @@ describe('keying from the menu', () => {
 
   it('keys nothing that only another take has elsewhere, opened with the character or later', () => {
     const [here, there] = [restChannel(0), restChannel(2)];
-    const [first, second] = [clip([0, 1], here, here), { ...clip([0, 1], there, there), name: 'second' }];
-    const third = { ...clip([0, 1], restChannel(3)), name: 'third' };
-    const { wb } = workbench(documentOf({ ...bare, clips: [first, second], shownClip: 0 }));
+    const [first, second] = [take([0, 1], here, here), { ...take([0, 1], there, there), name: 'second' }];
+    const third = { ...take([0, 1], restChannel(3)), name: 'third' };
+    const { wb } = workbench(documentOf({ ...bare, takes: [first, second], shownTake: 0 }));
     followOpened(wb);
-    wb.store.apply(showClip, { characterId: 'c1', clip: 1 });
+    wb.store.apply(showTake, { characterId: 'c1', take: 1 });
     runAction(wb, 'key.changed');
     expect(wb.messages.passing.get()).toContain('no value was changed');
     const { document } = openFiles(
       wb.store.document,
-      [{ kind: 'anim', clip: third, source: { name: 'third.anim', path: 'third.anim', bytes: 1 } }],
+      [{ kind: 'anim', take: third, source: { name: 'third.anim', path: 'third.anim', bytes: 1 } }],
       [],
       'c1',
     );
     wb.store.replace('Open', { document });
-    expect(wasp(wb).clips[wasp(wb).shownClip]).toBe(third);
+    expect(wasp(wb).takes[wasp(wb).shownTake]).toBe(third);
     wb.messages.passing.set(undefined);
     runAction(wb, 'key.changed');
     expect(wb.messages.passing.get()).toContain('no value was changed');
@@ -206,9 +206,9 @@ describe('keying from the menu', () => {
 describe('takes', () => {
   it('takes are created, duplicated and removed, each in one step', () => {
     const { wb } = workbench(documentOf(bare), { range: [1, 3] });
-    const names = () => wasp(wb).clips.map((c) => c.name);
+    const names = () => wasp(wb).takes.map((c) => c.name);
     runAction(wb, 'take.new');
-    expect(wasp(wb).clips[0].range).toEqual([1, 3]);
+    expect(wasp(wb).takes[0].range).toEqual([1, 3]);
     runAction(wb, 'take.duplicate');
     expect(names()).toEqual(['test_anim', 'test_anim_2']);
     runAction(wb, 'take.remove');
@@ -220,13 +220,13 @@ describe('takes', () => {
 
   it('the range of a take can be the playback range, or that of its keys', () => {
     const late = { ...bare, timeOffsetSeconds: 10 };
-    const { wb } = workbench(documentOf({ ...late, clips: [clip([0, 1], channel(2, 7))], shownClip: 0 }), {
+    const { wb } = workbench(documentOf({ ...late, takes: [take([0, 1], channel(2, 7))], shownTake: 0 }), {
       range: [1, 3],
     });
     runAction(wb, 'take.rangeFromPlayed');
-    expect(wasp(wb).clips[0].range).toEqual([11, 13]);
+    expect(wasp(wb).takes[0].range).toEqual([11, 13]);
     runAction(wb, 'take.rangeFromKeys');
-    expect(wasp(wb).clips[0].range).toEqual([2, 7]);
+    expect(wasp(wb).takes[0].range).toEqual([2, 7]);
   });
 });
 
@@ -253,9 +253,9 @@ describe('the mark of a DOF', () => {
     at(wb, 1);
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 1 });
     toggleKey(wb, 'c1', [4]);
-    expect(keysOf(wasp(wb).clips[0].channels[4]).values).toEqual(Float64Array.of(0, 1));
+    expect(keysOf(wasp(wb).takes[0].channels[4]).values).toEqual(Float64Array.of(0, 1));
     toggleKey(wb, 'c1', [4]);
-    expect(keysOf(wasp(wb).clips[0].channels[4]).values).toEqual(Float64Array.of(0));
+    expect(keysOf(wasp(wb).takes[0].channels[4]).values).toEqual(Float64Array.of(0));
   });
 
   it('the mark of a DOF keeps the value of a channel that has lost its last key', () => {
@@ -263,7 +263,7 @@ describe('the mark of a DOF', () => {
     toggleKey(wb, 'c1', [4]);
     toggleKey(wb, 'c1', [4]);
     expect(state(wb)).toBe('free');
-    expect(wasp(wb).clips[0].channels[4]).toMatchObject({ kind: 'rest', value: 0.5 });
+    expect(wasp(wb).takes[0].channels[4]).toMatchObject({ kind: 'rest', value: 0.5 });
   });
 });
 
@@ -274,7 +274,7 @@ describe('keying a capture', () => {
   const FRAMES = 31;
   /** Both joints rotate about x, and the hips move along x. */
   const swing = (frame: number, dof: number) => ([0, 3, 6].includes(dof) ? 0.3 * Math.sin(frame / 5 + dof) : 0);
-  const captured = character({ skeleton: bones, clips: [capture(9, 1 / 30, FRAMES, swing)] });
+  const captured = character({ skeleton: bones, takes: [capture(9, 1 / 30, FRAMES, swing)] });
   const LEG_RX = 6;
 
   function posed() {
@@ -306,9 +306,9 @@ describe('keying a capture', () => {
     offer.run();
     await vi.waitUntil(() => wb.store.undoLabel === 'Convert to keys and key leg', WHILE_LOADING);
     expect(wasp(wb).unkeyed).toBeUndefined();
-    const kinds = wasp(wb).clips[0].channels.map(({ kind }) => kind);
+    const kinds = wasp(wb).takes[0].channels.map(({ kind }) => kind);
     expect(kinds).toEqual([...new Array(6).fill('samples'), 'keys', 'keys', 'keys']);
-    expect(keysOf(wasp(wb).clips[0].channels[LEG_RX]).times).toContain(0.5);
+    expect(keysOf(wasp(wb).takes[0].channels[LEG_RX]).times).toContain(0.5);
     expect([...valuesAt(wb, 0.5)]).toEqual([...shown]);
     expect(Math.abs(valuesAt(wb, 0)[LEG_RX] - swing(0, LEG_RX))).toBeLessThan(0.02);
     expect(wb.messages.passing.get()).toMatch(/^Converted 3 curves to \d+ keys, at most .* off, and keyed at 0.5 s\.$/);
@@ -324,17 +324,17 @@ describe('keying a capture', () => {
     at(wb, 0.7);
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: LEG_RX, value: 2 }], timeSeconds: 0.7 });
     runAction(wb, 'key.changed');
-    expect(keysOf(wasp(wb).clips[0].channels[LEG_RX]).times).toContain(0.7);
+    expect(keysOf(wasp(wb).takes[0].channels[LEG_RX]).times).toContain(0.7);
     expect(wb.store.undoLabel).toBe('Key rx of leg');
   });
 
   it('what can be keyed is keyed, and the rest offered', async () => {
-    const [take] = captured.clips;
-    const channels = take.channels.map((one, dof) => (dof === LEG_RX + 1 ? channel(0, 1) : one));
-    const { wb } = workbench(documentOf({ ...captured, clips: [{ ...take, channels }] }), { timeSeconds: 0.5 });
+    const [changed] = captured.takes;
+    const channels = changed.channels.map((one, dof) => (dof === LEG_RX + 1 ? channel(0, 1) : one));
+    const { wb } = workbench(documentOf({ ...captured, takes: [{ ...changed, channels }] }), { timeSeconds: 0.5 });
     runAction(wb, 'key.pose');
     await offered(wb);
-    expect([...keysOf(wasp(wb).clips[0].channels[LEG_RX + 1]).times]).toEqual([0, 0.5, 1]);
+    expect([...keysOf(wasp(wb).takes[0].channels[LEG_RX + 1]).times]).toEqual([0, 0.5, 1]);
     expect(wb.messages.passing.get()).toContain('The 8 curves of 2 joints are sampled');
   });
 
@@ -360,7 +360,7 @@ describe('keying a capture', () => {
     set(autoKey(wb));
     (await offered(wb)).run();
     await vi.waitUntil(() => wb.store.undoLabel === 'Convert to keys and key leg', WHILE_LOADING);
-    expect(keysOf(wasp(wb).clips[0].channels[LEG_RX]).times).toContain(0.5);
+    expect(keysOf(wasp(wb).takes[0].channels[LEG_RX]).times).toContain(0.5);
   });
 
   it('the mark of a sampled DOF offers the same', async () => {

@@ -1,7 +1,7 @@
 /** Actions on all selected joints: keys, poses, pins and the skeleton, each in one step. */
 import { describe, expect, it } from 'vitest';
 import { withJoints } from '../../../../src/model/skeleton/selected-joints.ts';
-import { keysOf } from '../../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../../src/model/takes/take.ts';
 import { actionLabel, actionsOf } from '../../../../src/ui/state/actions/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
@@ -22,7 +22,7 @@ function selecting(...joints: readonly number[]) {
 }
 
 function selectingIn(rig: typeof bones, joints: readonly number[]) {
-  const before = documentOf(character({ skeleton: rig, pose: POSE, shownClip: -1 }));
+  const before = documentOf(character({ skeleton: rig, pose: POSE, shownTake: -1 }));
   const { wb } = workbench(before);
   wb.store.select(withJoints({ characterId: 'c1' }, joints));
   const action = (id: string) => {
@@ -50,7 +50,7 @@ describe('actions on several selected joints', () => {
     const { now, run, label, wb } = selecting(4, 1);
     expect(label('key.joint')).toBe('Key all DOFs of 2 joints');
     await run('key.joint');
-    const keyed = () => now().clips[0].channels.flatMap((c, i) => (keysOf(c).times.length ? i : []));
+    const keyed = () => now().takes[0].channels.flatMap((c, i) => (keysOf(c).times.length ? i : []));
     expect(keyed()).toEqual([6, 7, 8, 15, 16, 17]);
     wb.store.select(withJoints({ characterId: 'c1' }, [4, 2]));
     await run('key.deleteJointHere');
@@ -60,7 +60,7 @@ describe('actions on several selected joints', () => {
   it('K keys the selected joints where nothing was changed', async () => {
     const { now, run } = selecting(2, 3);
     await run('key.changed');
-    expect(now().clips[0].channels.flatMap((c, i) => (keysOf(c).times.length ? i : []))).toEqual([
+    expect(now().takes[0].channels.flatMap((c, i) => (keysOf(c).times.length ? i : []))).toEqual([
       9, 10, 11, 12, 13, 14,
     ]);
   });
@@ -97,7 +97,7 @@ describe('actions on several selected joints', () => {
     const { wb, run } = selecting(1, 4);
     await run('pose.copyJoints');
     const short = { ...bones, joints: bones.joints.slice(0, 2) };
-    wb.store.replace('Open', documentOf(character({ skeleton: short, pose: POSE.slice(0, 9), shownClip: -1 })));
+    wb.store.replace('Open', documentOf(character({ skeleton: short, pose: POSE.slice(0, 9), shownTake: -1 })));
     await run('pose.resetToFile');
     await run('pose.paste');
     expect(wb.messages.list.get().at(-1)?.text ?? wb.messages.passing.get()).toContain(

@@ -6,7 +6,7 @@ import type { Driver } from '../../../../src/model/document.ts';
 import { DEFAULT_RETARGET } from '../../../../src/model/takes/retarget.ts';
 import { tellFollows } from '../../../../src/ui/editors/posing/tell-follows.ts';
 import { leaveRefusalsBehind } from '../../../../src/ui/shell/stale-messages.ts';
-import { character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const BODY = skeleton(['root', -1], ['arm', 0], ['hand', 1], ['tail', 0]);
 /** x rotation of joints; all have three DOFs. */
@@ -17,7 +17,7 @@ const driver: Driver = {
   source: {
     name: 'dancer',
     skeleton: BODY,
-    clip: clip([0, 1]),
+    take: take([0, 1]),
     pose: [],
     clampsToLimits: true,
     timeOffsetSeconds: 0,

@@ -19,16 +19,16 @@ const JOINT_DOFS = 3 + 3 * PARTS.length;
 const LIST = { list: 'all', pinned: [], filter: '' } as const;
 
 function moved(): Store {
-  const source = character({ id: 's', name: 'dancer', skeleton: SOURCE, clips: [takeOfRows(SOURCE, [REST, REST])] });
+  const source = character({ id: 's', name: 'dancer', skeleton: SOURCE, takes: [takeOfRows(SOURCE, [REST, REST])] });
   const target = character({
     id: 't',
     name: 'walker',
     skeleton: OWN,
     morphs: [morph('smile')],
-    clips: [takeOfValues('own', new Array<number>(JOINT_DOFS + 1).fill(0.1))],
-    shownClip: 0,
+    takes: [takeOfValues('own', new Array<number>(JOINT_DOFS + 1).fill(0.1))],
+    shownTake: 0,
   });
-  const store = new Store(documentOf({ ...source, shownClip: 0 }, target));
+  const store = new Store(documentOf({ ...source, shownTake: 0 }, target));
   store.apply(setRetarget, { characterId: 't', sourceId: 's' });
   return store;
 }

@@ -5,7 +5,7 @@ import { possibleTargets } from '../../../../src/ui/editors/retarget/targets.ts'
 import { character, documentOf, takeOfValues } from '../../../helpers/builders.ts';
 
 const still = (id: string) => character({ id });
-const moving = (id: string) => character({ id, clips: [takeOfValues('take', [0])], shownClip: 0 });
+const moving = (id: string) => character({ id, takes: [takeOfValues('take', [0])], shownTake: 0 });
 const bare = (id: string): Character => {
   const { skeleton: _none, ...rest } = still(id);
   return rest;
@@ -35,12 +35,12 @@ it.each([
 it('targets among thousands are found without a look at all sources for each', () => {
   let looks = 0;
   const characters = Array.from({ length: 2000 }, (_, i) => {
-    const { clips, ...rest } = moving(`c${i}`);
+    const { takes, ...rest } = moving(`c${i}`);
     const get = () => {
       looks++;
-      return clips;
+      return takes;
     };
-    return Object.defineProperty({ ...rest, clips }, 'clips', { get });
+    return Object.defineProperty({ ...rest, takes }, 'takes', { get });
   });
   expect(possibleTargets(documentOf(...characters))).toHaveLength(2000);
   expect(looks).toBeLessThan(10 * 2000);

@@ -29,7 +29,7 @@ const place = (of: Skeleton, joint: number) => [...worldOf(of).subarray(16 * joi
 
 /** Moves what is selected by dragging one joint; returns how far each joint got in the scene. */
 function ways(joints: readonly number[], dragged: number, offset: Vec3, children: 'follow' | 'stay') {
-  const one = character({ skeleton: bones, shownClip: -1 });
+  const one = character({ skeleton: bones, shownTake: -1 });
   const store = new Store(documentOf(one));
   const rigged = { character: one, skeleton: bones, world: worldOf(bones), placement: IDENTITY };
   const each = movedTogether(rigged, joints, dragged, offset, children);
@@ -86,7 +86,7 @@ describe('several joints moved together', () => {
 });
 
 it('several joints get another type in one step, and keep what is selected', () => {
-  const { wb } = workbench(documentOf(character({ skeleton: bones, shownClip: -1 })));
+  const { wb } = workbench(documentOf(character({ skeleton: bones, shownTake: -1 })));
   const selection = { characterId: 'c1', joint: 4, others: [1, 2] };
   wb.store.select(selection);
   const before = wb.store.document;

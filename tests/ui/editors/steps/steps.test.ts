@@ -8,7 +8,7 @@ import { meaningText } from '../../../../src/ui/editors/steps/formula-view.ts';
 import { sourcesText } from '../../../../src/ui/editors/steps/joint-view.ts';
 import { paintStage } from '../../../../src/ui/editors/steps/paint-stage.ts';
 import { jointStages, type Stages, vertexStages } from '../../../../src/ui/editors/steps/stages.ts';
-import { channel, character, clip, skeleton } from '../../builders.ts';
+import { channel, character, skeleton, take } from '../../builders.ts';
 
 const arm = skeleton(['shoulder', -1], ['elbow', 0]);
 const own = character({ skeleton: arm, pose: [0, 0, 0, 0, 0, Math.PI / 2, 0, 0, Math.PI / 2] });
@@ -116,7 +116,7 @@ describe('what Steps draws in the viewport', () => {
 
 describe('the words of Steps', () => {
   it('tell where values come from, and what symbols stand for', () => {
-    const moving = { ...own, clips: [clip([0, 1], ...Array.from({ length: 7 }, () => channel(0)))] };
+    const moving = { ...own, takes: [take([0, 1], ...Array.from({ length: 7 }, () => channel(0)))] };
     const steps = stepsOfJoint(stepsOfPose(moving, 0), 1);
     expect(sourcesText(steps?.values ?? [], String)).toBe('rx from the take; ry rz from the pose; radians');
     expect(meaningText({ kind: 'joint', joint: 1 }, own)).toBe('Joint elbow');

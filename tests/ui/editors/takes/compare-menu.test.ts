@@ -9,7 +9,7 @@ import { character, documentOf, skeleton, takeOfValues } from '../../../helpers/
 import { workbench } from '../../builders.ts';
 
 function take(id: string, more: Partial<Character> = {}): Character {
-  return character({ id, name: id, skeleton: skeleton(3), clips: [takeOfValues(id, [0])], shownClip: 0, ...more });
+  return character({ id, name: id, skeleton: skeleton(3), takes: [takeOfValues(id, [0])], shownTake: 0, ...more });
 }
 
 const renamed = (name: string) => {
@@ -53,8 +53,8 @@ it('a take chosen in the menu is compared with the one it was opened for, whatev
   const chosen = item(compareEntries(wb, a), 'twin');
   if (chosen?.kind === 'item') chosen.run();
   expect(wb.timeline.takes.comparison.get()).toEqual({
-    first: { characterId: 'a', clip: 0 },
-    second: { characterId: 'twin', clip: 0 },
+    first: { characterId: 'a', take: 0 },
+    second: { characterId: 'twin', take: 0 },
   });
 });
 

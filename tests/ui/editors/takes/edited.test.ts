@@ -9,13 +9,13 @@ import { actionLabel, findAction, isEnabled, reasonNot } from '../../../../src/u
 import { menuEntries } from '../../../../src/ui/state/actions/menu-entries.ts';
 import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
 import { sliding } from '../../../edit/hold/sliding.ts';
-import { character, clip, documentOf, workbench } from '../../builders.ts';
+import { character, documentOf, take, workbench } from '../../builders.ts';
 
-const ref = (clip: number, characterId = 'c1') => ({ characterId, clip });
+const ref = (take: number, characterId = 'c1') => ({ characterId, take });
 
 describe('which takes are edited', () => {
   it('several selected takes are edited together, else the one that the current character plays', () => {
-    const walker = character({ clips: [clip([0, 1]), { ...clip([0, 2]), name: 'run' }], shownClip: 1 });
+    const walker = character({ takes: [take([0, 1]), { ...take([0, 2]), name: 'run' }], shownTake: 1 });
     const { wb } = workbench(documentOf(walker));
     expect(takesToEdit(wb)).toEqual([ref(1)]);
     wb.timeline.takes.change({ chosen: new Set([takeKey(ref(0))]) });
@@ -25,13 +25,13 @@ describe('which takes are edited', () => {
     expect(takesToEdit(wb)).toMatchObject([ref(0)]);
     wb.timeline.change({ tab: 'curves' });
     wb.timeline.takes.change({ chosen: new Set([takeKey(ref(0)), takeKey(ref(1))]) });
-    expect(takesToEdit(wb).map(({ clip: index }) => index)).toEqual([0, 1]);
+    expect(takesToEdit(wb).map(({ take: index }) => index)).toEqual([0, 1]);
   });
 
   it('what edits takes is found in the Edit menu, at a time, and at the shown take in the outliner', () => {
-    const { wb } = workbench(documentOf(character({ clips: [clip([0, 1]), { ...clip([0, 2]), name: 'run' }] })));
+    const { wb } = workbench(documentOf(character({ takes: [take([0, 1]), { ...take([0, 2]), name: 'run' }] })));
     const tools = ['Mirror', 'Join…', 'Insert take or hold…', 'Cut out…', 'Make loop…', 'Lock feet…', 'Change speed…'];
-    const rows = outlineRows(wb.store.document, () => true).filter(({ kind }) => kind === 'clip');
+    const rows = outlineRows(wb.store.document, () => true).filter(({ kind }) => kind === 'take');
     expect(rows.map(({ shown }) => shown)).toEqual([true, false]);
     const within = (entries: readonly MenuEntry[]) => {
       const found = entries.find((entry) => entry.kind === 'menu' && entry.label === 'Edit takes');
@@ -62,10 +62,10 @@ describe('which takes are edited', () => {
   });
 
   it('the only two takes are joined without being selected, and all but the current can be inserted into it', () => {
-    const walker = character({ clips: [clip([0, 1]), { ...clip([0, 2]), name: 'run' }], shownClip: 1 });
+    const walker = character({ takes: [take([0, 1]), { ...take([0, 2]), name: 'run' }], shownTake: 1 });
     const { wb } = workbench(documentOf(walker));
-    expect(takesToJoin(wb).map(({ clip: index }) => index)).toEqual([0, 1]);
-    expect(takesToInsert(wb).map(({ clip: index }) => index)).toEqual([0]);
-    expect(takesToJoin(workbench(documentOf(character({ clips: [clip([0, 1])] }))).wb)).toEqual([]);
+    expect(takesToJoin(wb).map(({ take: index }) => index)).toEqual([0, 1]);
+    expect(takesToInsert(wb).map(({ take: index }) => index)).toEqual([0]);
+    expect(takesToJoin(workbench(documentOf(character({ takes: [take([0, 1])] }))).wb)).toEqual([]);
   });
 });

@@ -10,7 +10,7 @@ import { workbench } from '../../builders.ts';
 
 /** Three joints at x; DOFs that its take doesn't drive can be posed. */
 function take(id: string, x: number): Character {
-  return character({ id, name: id, skeleton: skeleton(3), clips: [takeOfValues(id, [x])], shownClip: 0 });
+  return character({ id, name: id, skeleton: skeleton(3), takes: [takeOfValues(id, [x])], shownTake: 0 });
 }
 
 function compared() {

@@ -20,7 +20,7 @@ import { workbench } from '../../builders.ts';
 
 function take(id: string, range: readonly [number, number], more: Partial<Character> = {}): Character {
   const sources = [{ name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 }];
-  return character({ id, name: id, clips: [takeOfValues(id, [0], range)], shownClip: 0, sources, ...more });
+  return character({ id, name: id, takes: [takeOfValues(id, [0], range)], shownTake: 0, sources, ...more });
 }
 
 const framesOf = (frameCount: number, frameSeconds: number): Samples => ({
@@ -66,7 +66,7 @@ describe('the next take', () => {
 
   it('the next take uses its own frame rate, and stops on a frame', () => {
     const frames = { ...takeOfValues('d', [], [0, 1]), samples: framesOf(101, 0.01) };
-    const { wb } = bench(take('d', [0, 1], { clips: [frames] }));
+    const { wb } = bench(take('d', [0, 1], { takes: [frames] }));
     runAction(wb, 'take.previous');
     expect(wb.transport.get()).toMatchObject({ range: [0, 1], framesPerSecond: 100 });
     wb.transport.update((p) => ({ ...p, timeSeconds: 0.2537, playing: true }));
@@ -251,13 +251,13 @@ describe('two takes that are compared', () => {
   });
 
   it('two takes of one character are drawn as two, and picked as the one', () => {
-    const twice = take('d', [0, 1], { clips: [takeOfValues('x', [0]), takeOfValues('y', [1])] });
+    const twice = take('d', [0, 1], { takes: [takeOfValues('x', [0]), takeOfValues('y', [1])] });
     const { wb } = bench(twice);
     const rows = listOfTakes(wb).filter((r) => r.characterId === 'd');
     compareTakes(wb, rows[0], rows[1]);
     const comparison = wb.timeline.takes.comparison.get();
     const drawn = drawnDocument(wb.store.document, comparison).characters.filter((c) => !c.isHidden);
-    expect(drawn.map((c) => c.shownClip)).toEqual([0, 1]);
+    expect(drawn.map((c) => c.shownTake)).toEqual([0, 1]);
     expect(new Set(drawn.map((c) => c.id)).size).toBe(2);
     expect(drawn.map((c) => characterIdOf(c.id))).toEqual(['d', 'd']);
   });

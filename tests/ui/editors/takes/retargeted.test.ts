@@ -25,8 +25,8 @@ import { workbench } from '../../builders.ts';
 function captured(id: string, x: number, names: (part: string) => string): Character {
   const skeleton = person({ names });
   const row = [x, 0.9, 0, ...new Array<number>(jointDofCount(skeleton) - 3).fill(0)];
-  const clip = { ...takeOfRows(skeleton, [row, row, row]), name: id };
-  return character({ id, name: id, skeleton, pose: filePose(skeleton, 0), clips: [clip], shownClip: 0 });
+  const take = { ...takeOfRows(skeleton, [row, row, row]), name: id };
+  return character({ id, name: id, skeleton, pose: filePose(skeleton, 0), takes: [take], shownTake: 0 });
 }
 
 function bench() {
@@ -78,10 +78,10 @@ describe('a retargeted take in the list', () => {
     startAt(wb, row(LIVE), 1.5);
     expect(row(LIVE).startSeconds).toBe(1.5);
     // Nothing is retargeted to the dancer.
-    expect(() => wb.store.apply(showTakes, { takes: [{ characterId: 'dancer', clip: RETARGETED }] })).toThrow('take');
+    expect(() => wb.store.apply(showTakes, { takes: [{ characterId: 'dancer', take: RETARGETED }] })).toThrow('take');
     removeTakeRows(wb, [row(LIVE)]);
     expect(boxer()?.driver).toBeUndefined();
-    expect(boxer()?.clips).toHaveLength(1);
+    expect(boxer()?.takes).toHaveLength(1);
   });
 
   it('a character’s selected take stays selected when another one is retargeted or baked into it', () => {
@@ -214,7 +214,7 @@ describe('comparing after retargeting', () => {
     mean = measured();
     wb.store.apply(bakeRetarget, { characterId: 'boxer' });
     expect(await mean).toBeLessThan(0.01);
-    expect(compared()?.map(({ character: c }) => c.shownClip)).toEqual([1, 0]);
+    expect(compared()?.map(({ character: c }) => c.shownTake)).toEqual([1, 0]);
     mean = measured();
     wb.store.undo();
     expect(await mean).toBeLessThan(0.01);

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
-import type { ChannelClip } from '../../../../src/model/takes/clip.ts';
+import type { Take } from '../../../../src/model/takes/take.ts';
 import { listedTakes, takeRows } from '../../../../src/ui/editors/takes/rows.ts';
-import { character, clipsFrom, documentOf, takeOfValues } from '../../../helpers/builders.ts';
+import { character, documentOf, takeOfValues, takesFrom } from '../../../helpers/builders.ts';
 
-const sampled = (name: string, frameCount: number): ChannelClip => ({
+const sampled = (name: string, frameCount: number): Take => ({
   ...takeOfValues(name, [], [0, (frameCount - 1) / 50]),
   samples: {
     frameCount,
@@ -21,16 +21,16 @@ const document = documentOf(
   character({
     id: 'c1',
     name: 'walk_10',
-    clips: [sampled('walk_10', 11)],
-    shownClip: 0,
-    parts: clipsFrom('day1/walk_10.bvh'),
+    takes: [sampled('walk_10', 11)],
+    shownTake: 0,
+    parts: takesFrom('day1/walk_10.bvh'),
   }),
   character({
     id: 'c2',
     name: 'wasp',
-    clips: [takeOfValues('walk_2', [0]), takeOfValues('sting', [0], [0, 3])],
-    shownClip: 1,
-    parts: clipsFrom('walk_2.anim', 'sting.anim'),
+    takes: [takeOfValues('walk_2', [0]), takeOfValues('sting', [0], [0, 3])],
+    shownTake: 1,
+    parts: takesFrom('walk_2.anim', 'sting.anim'),
     placements: [{ ...DEFAULT_PLACEMENT, position: [2, 0, -1] }],
     timeOffsetSeconds: 0.5,
   }),
@@ -55,7 +55,7 @@ describe('the rows of takes', () => {
   });
 
   it('keyed takes have the frame rate that their file states, or that of their keys, and frames by it', () => {
-    const every = (rate: number): ChannelClip => {
+    const every = (rate: number): Take => {
       const [channel] = takeOfValues('one', [0]).channels;
       if (channel.kind !== 'keys') throw new Error('The helper makes keys.');
       const times = Float64Array.from({ length: 49 }, (_, frame) => frame / rate);
@@ -63,12 +63,12 @@ describe('the rows of takes', () => {
       const keys = { ...channel, times, values: new Float64Array(49), tangentsIn: flat, tangentsOut: flat };
       return { name: 'even', range: [0, 48 / rate], channels: [keys] };
     };
-    const clips = [
+    const takes = [
       { ...takeOfValues('stated', [0], [0, 2]), framesPerSecond: 60 },
       every(24),
       takeOfValues('uneven', [0], [0, 3]),
     ];
-    expect(takeRows(documentOf(character({ clips })))).toMatchObject([
+    expect(takeRows(documentOf(character({ takes })))).toMatchObject([
       { isKeyed: true, framesPerSecond: 60, frameCount: 121 },
       { isKeyed: true, framesPerSecond: 24, frameCount: 49 },
       { isKeyed: true, durationSeconds: 3 },

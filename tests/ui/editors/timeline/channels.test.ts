@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { restChannel } from '../../../../src/model/takes/clip.ts';
+import { restChannel } from '../../../../src/model/takes/take.ts';
 import {
   channelName,
   drawnChannels,
   listedChannels,
   spokenName,
 } from '../../../../src/ui/editors/timeline/channels.ts';
-import { channel, character, clip, skeleton } from '../../builders.ts';
+import { channel, character, skeleton, take } from '../../builders.ts';
 
 const keyed = () => channel(0, 1);
 /** Root translation, hips and leg: nine channels, of which hips ry (4) has no keys. */
@@ -19,7 +19,7 @@ const walker = character({
       normals: { indices: new Uint32Array(0), values: new Float64Array(0) },
     },
   ],
-  clips: [clip([0, 1], ...Array.from({ length: 10 }, (_, i) => (i === 4 ? restChannel() : keyed())))],
+  takes: [take([0, 1], ...Array.from({ length: 10 }, (_, i) => (i === 4 ? restChannel() : keyed())))],
 });
 const all = { list: 'all', pinned: [], filter: '' } as const;
 const numbers = (list: readonly { channel: number }[]) => list.map((c) => c.channel);
@@ -41,8 +41,8 @@ describe('listed channels', () => {
   it('listed channels are all where no joint is selected and the root doesn’t move', () => {
     const list = { ...all, list: 'selected' } as const;
     const channels = Array.from({ length: 9 }, (_, i) => (i === 7 ? keyed() : restChannel()));
-    expect(listedChannels({ ...walker, clips: [clip([0, 1], ...channels)] }, {}, list)).toHaveLength(10);
-    expect(listedChannels({ ...walker, clips: [] }, {}, list)).toHaveLength(10);
+    expect(listedChannels({ ...walker, takes: [take([0, 1], ...channels)] }, {}, list)).toHaveLength(10);
+    expect(listedChannels({ ...walker, takes: [] }, {}, list)).toHaveLength(10);
   });
 
   it('the list tells which DOF a linked one follows, whatever its keys', () => {
@@ -55,7 +55,7 @@ describe('listed channels', () => {
   });
 
   it('channels are named by joint and DOF, morphs by their own name, others by number', () => {
-    const more = { ...walker, clips: [clip([0, 1], ...Array.from({ length: 12 }, keyed))] };
+    const more = { ...walker, takes: [take([0, 1], ...Array.from({ length: 12 }, keyed))] };
     const named = listedChannels(more, {}, all).map(channelName);
     expect(named[0]).toBe('hips tx');
     expect(named[7]).toBe('leg ry');
@@ -72,7 +72,7 @@ describe('listed channels', () => {
   });
 
   it('channels without animation are listed, without keys', () => {
-    const bare = { ...walker, clips: [] };
+    const bare = { ...walker, takes: [] };
     expect(listedChannels(bare, {}, all).map((c) => c.keyCount)).toEqual(new Array(10).fill(0));
   });
 });

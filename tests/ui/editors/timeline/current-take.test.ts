@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { shownClip } from '../../../../src/model/document.ts';
+import { shownTake } from '../../../../src/model/document.ts';
 import {
   channelsInView,
   selectedKeys,
@@ -9,17 +9,17 @@ import {
 import { ACTIONS } from '../../../../src/ui/shell/actions.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 let wb: Workbench;
 const SHOWN = { channel: 0, indices: [1] };
 const HIDDEN = { channel: 1, indices: [0, 1] };
-const held = (index: number) => shownClip(wb.store.document.characters[0])?.channels[index];
+const held = (index: number) => shownTake(wb.store.document.characters[0])?.channels[index];
 
 beforeEach(() => {
   const walker = character({
     skeleton: skeleton(['hips', -1]),
-    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), channel(0.5, 1.5))],
+    takes: [take([0, 2], channel(0, 1, 2), channel(0, 2), channel(0.5, 1.5))],
   });
   ({ wb } = workbench(documentOf(walker), { range: [0, 2], framesPerSecond: 10 }));
   selectKeys(wb, [SHOWN, HIDDEN]);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../../../src/model/document.ts';
-import { restChannel } from '../../../../src/model/takes/clip.ts';
+import { restChannel } from '../../../../src/model/takes/take.ts';
 import {
   allFolds,
   dopeRows,
@@ -12,14 +12,14 @@ import {
   sameRows,
 } from '../../../../src/ui/editors/timeline/dope-rows.ts';
 import { morph } from '../../../helpers/builders.ts';
-import { channel, character, clip, skeleton } from '../../builders.ts';
+import { channel, character, skeleton, take } from '../../builders.ts';
 
 /** Root translation 0–2, hips 3–5, knee 6–8, the morph "smile" 9. */
-function wasp(...channels: Parameters<typeof clip> extends [unknown, ...infer C] ? C : never): Character {
+function wasp(...channels: Parameters<typeof take> extends [unknown, ...infer C] ? C : never): Character {
   return character({
     skeleton: skeleton(['hips', -1], ['knee', 0]),
     morphs: [morph('smile')],
-    clips: [clip([0, 1], ...channels)],
+    takes: [take([0, 1], ...channels)],
   });
 }
 
@@ -28,7 +28,7 @@ const key = channel(0.5);
 const everyKeyed = wasp(...Array.from({ length: 10 }, () => key));
 
 function rows(of: Character, options: Partial<RowOptions> = {}): string[] {
-  const made = dopeRows(of, of.clips[0], { unfolded: [], all: false, filter: '', ...options });
+  const made = dopeRows(of, of.takes[0], { unfolded: [], all: false, filter: '', ...options });
   return made.map((row) => `${'  '.repeat(row.depth)}${row.label || row.kind}: ${row.channels.join(' ')}`);
 }
 
@@ -108,32 +108,32 @@ it('names channels beyond the DOFs by number', () => {
   ]);
 });
 
-it('ends with a short clip’s last channel', () => {
+it('ends with a short take’s last channel', () => {
   expect(rows(wasp(key, key, key, key))).toEqual(['summary: 0 1 2 3', 'Root translation: 0 1 2', 'hips: 3']);
 });
 
 it('lists everything that can be expanded', () => {
-  expect(allFolds(everyKeyed, everyKeyed.clips[0])).toEqual([ROOT_FOLD, 0, 1, MORPHS_FOLD]);
+  expect(allFolds(everyKeyed, everyKeyed.takes[0])).toEqual([ROOT_FOLD, 0, 1, MORPHS_FOLD]);
 });
 
 it('selects the joint of a row, the root’s for its translation, and none for morphs', () => {
-  const made = dopeRows(everyKeyed, everyKeyed.clips[0], { unfolded: [1], all: false, filter: '' });
+  const made = dopeRows(everyKeyed, everyKeyed.takes[0], { unfolded: [1], all: false, filter: '' });
   expect(made.map((row) => row.joint)).toEqual([undefined, 0, 0, 1, 1, 1, 1, undefined]);
 });
 
 it('keeps its rows when keys move, and not when a channel gets its first or loses its last', () => {
-  const before = clip([0, 1], key, none);
-  expect(sameRows(before, clip([0, 1], channel(0.6, 0.7), none))).toBe(true);
-  expect(sameRows(before, clip([0, 1], key, channel(0)))).toBe(false);
-  expect(sameRows(before, clip([0, 1], none, none))).toBe(false);
+  const before = take([0, 1], key, none);
+  expect(sameRows(before, take([0, 1], channel(0.6, 0.7), none))).toBe(true);
+  expect(sameRows(before, take([0, 1], key, channel(0)))).toBe(false);
+  expect(sameRows(before, take([0, 1], none, none))).toBe(false);
 });
 
 it('tells what is followed, on the joint too if it has nothing else', () => {
   const couples = ['rx', 'ry', 'rz'].map((dof) => ({ dof, joint: 0, follows: 'rx', gain: 1, offset: 0 }));
-  const { skeleton: bones = skeleton(), clips } = everyKeyed;
+  const { skeleton: bones = skeleton(), takes } = everyKeyed;
   const coupledBy = (count: number) => {
     const joints = bones.joints.map((one, j) => (j === 1 ? { ...one, couples: couples.slice(0, count) } : one));
-    const made = dopeRows({ ...everyKeyed, skeleton: { ...bones, joints } }, clips[0], {
+    const made = dopeRows({ ...everyKeyed, skeleton: { ...bones, joints } }, takes[0], {
       ...{ unfolded: [1], all: false, filter: 'knee' },
     });
     return made.map(({ label, follows }) => [label, follows]);

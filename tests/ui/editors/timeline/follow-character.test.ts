@@ -6,11 +6,11 @@ import { channelsInView } from '../../../../src/ui/editors/timeline/current-take
 import { followCharacter } from '../../../../src/ui/editors/timeline/follow-character.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../../src/ui/state/timeline.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 let wb: Workbench;
 const animated = (id: string, ...joints: (readonly [string, number])[]) =>
-  character({ id, skeleton: skeleton(...joints), clips: [clip([0, 1], channel(0, 1), channel(0, 1), channel(0, 1))] });
+  character({ id, skeleton: skeleton(...joints), takes: [take([0, 1], channel(0, 1), channel(0, 1), channel(0, 1))] });
 const wasp = animated('c1', ['thorax', -1], ['wing', 0]);
 const crab = animated('c2', ['shell', -1]);
 const picked = () => {

@@ -1,15 +1,15 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { shownClip } from '../../../../src/model/document.ts';
-import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../../src/model/document.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import { selectedKeysInView, selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { selectedText } from '../../../../src/ui/editors/timeline/key-edits.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 let wb: Workbench;
 const channelOf = (index: number) => {
-  const held = shownClip(wb.store.document.characters[0])?.channels[index];
+  const held = shownTake(wb.store.document.characters[0])?.channels[index];
   if (!held) throw new Error(`no channel ${index}`);
   return held;
 };
@@ -19,7 +19,7 @@ const run = (id: string) => runAction(wb, `timeline.${id}`);
 beforeEach(() => {
   const walker = character({
     skeleton: skeleton(['hips', -1]),
-    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), restChannel(), channel(0.5))],
+    takes: [take([0, 2], channel(0, 1, 2), channel(0, 2), restChannel(), channel(0.5))],
     timeOffsetSeconds: 0,
   });
   ({ wb } = workbench(documentOf(walker), { range: [0, 2], timeSeconds: 1 }));
@@ -128,10 +128,10 @@ describe('editing from the keyboard', () => {
     ]);
   });
 
-  it('snaps to displayed frames, whatever the clip’s offset', () => {
+  it('snaps to displayed frames, whatever the take’s offset', () => {
     const loose = character({
       skeleton: skeleton(['hips', -1]),
-      clips: [clip([0, 2], channel(0.01, 1.02))],
+      takes: [take([0, 2], channel(0.01, 1.02))],
       timeOffsetSeconds: 0.05,
     });
     ({ wb } = workbench(documentOf(loose), { framesPerSecond: 10 }));

@@ -1,18 +1,18 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { shownClip } from '../../../../src/model/document.ts';
+import { shownTake } from '../../../../src/model/document.ts';
 import { MarkerDrag } from '../../../../src/ui/editors/timeline/marker-drag.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 beforeEach(() => void vi.stubGlobal('window', new EventTarget()));
 afterEach(() => void vi.unstubAllGlobals());
 
 /** A take that starts 0.5 s late, with a span from 1 to 1.5 s. */
 function marked() {
-  const take = { ...clip([0, 2], channel(0, 1, 2)), markers: [{ label: 'step', timeSeconds: 1, endSeconds: 1.5 }] };
-  const walker = character({ skeleton: skeleton(['hips', -1]), clips: [take], timeOffsetSeconds: 0.5 });
+  const marked = { ...take([0, 2], channel(0, 1, 2)), markers: [{ label: 'step', timeSeconds: 1, endSeconds: 1.5 }] };
+  const walker = character({ skeleton: skeleton(['hips', -1]), takes: [marked], timeOffsetSeconds: 0.5 });
   const { wb } = workbench(documentOf(walker));
   const span = () => {
-    const [marker] = shownClip(wb.store.document.characters[0])?.markers ?? [];
+    const [marker] = shownTake(wb.store.document.characters[0])?.markers ?? [];
     return [marker?.timeSeconds, marker?.endSeconds];
   };
   return { wb, span };

@@ -1,18 +1,18 @@
 import { describe, expect, it } from 'vitest';
 import { copyKeys } from '../../../../src/edit/keys/clipboard.ts';
-import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 /** Three of the root, then three for each joint; only the first leg has keys. */
 const channels = Array.from({ length: 12 }, (_, c) => (c >= 6 && c < 9 ? channel(0, 1) : restChannel()));
 const wasp = character({
   skeleton: skeleton(['hips', -1], ['leg_l', 0], ['leg_r', 0]),
-  clips: [clip([0, 2], ...channels)],
+  takes: [take([0, 2], ...channels)],
 });
 const copied = (...from: number[]) =>
   copyKeys(
-    wasp.clips[0],
+    wasp.takes[0],
     from.map((c) => ({ channel: c, indices: [0, 1] })),
   );
 
@@ -22,7 +22,7 @@ function pasted(joint: number | undefined, from: readonly number[], action = 'ti
   wb.timeline.copied = copied(...from);
   wb.transport.update((p) => ({ ...p, timeSeconds: 0.5 }));
   runAction(wb, action);
-  const after = wb.store.document.characters[0].clips[0].channels;
+  const after = wb.store.document.characters[0].takes[0].channels;
   return {
     into: after.flatMap((c, i) => (keysOf(c).times.includes(0.5) ? i : [])),
     says: wb.messages.passing.get(),

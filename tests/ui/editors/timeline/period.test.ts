@@ -4,14 +4,14 @@ import { addKey, moveKeys, removeKeys, setKeys } from '../../../../src/edit/comm
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { addJoint, removeJoint } from '../../../../src/edit/commands/rig.ts';
 import { setMotion } from '../../../../src/edit/commands/rig-joint.ts';
-import { shownClip } from '../../../../src/model/document.ts';
-import { keysOf, restChannel } from '../../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../../src/model/document.ts';
+import { keysOf, restChannel } from '../../../../src/model/takes/take.ts';
 import { keyNow } from '../../../../src/ui/editors/posing/pose-edits.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';
 import { followPeriods } from '../../../../src/ui/editors/timeline/period.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 let wb: Workbench;
 const said = () => {
@@ -24,7 +24,7 @@ const last = { characterId: 'c1', keys: [{ channel: 0, indices: [2] }] };
 const walker = () =>
   character({
     skeleton: skeleton(['hips', -1]),
-    clips: [clip([0, 2], cycle(0, 1, 2), cycle(0, 2), channel(0, 1), restChannel(), restChannel(), restChannel())],
+    takes: [take([0, 2], cycle(0, 1, 2), cycle(0, 2), channel(0, 1), restChannel(), restChannel(), restChannel())],
   });
 
 beforeEach(() => {
@@ -72,11 +72,11 @@ describe('another period', () => {
     const lengths = [1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6];
     const legs = character({
       skeleton: skeleton(['hips', -1], ['thigh', 0], ['toe', 1], ['tail', 0], ['tip', 3]),
-      clips: [clip([0, 2], ...lengths.map((length) => cycle(0, length)))],
+      takes: [take([0, 2], ...lengths.map((length) => cycle(0, length)))],
     });
     ({ wb } = workbench(documentOf(legs)));
     followPeriods(wb);
-    const periods = () => shownClip(wb.store.document.characters[0])?.channels.map((c) => keysOf(c).times.at(-1));
+    const periods = () => shownTake(wb.store.document.characters[0])?.channels.map((c) => keysOf(c).times.at(-1));
     const rigging = { characterId: 'c1', timeSeconds: 0, skin: 'follows' } as const;
     wb.store.apply(addJoint, { ...rigging, parent: 1, offset: [0, 1, 0] });
     expect(periods()?.[15]).toBe(5);
@@ -108,13 +108,13 @@ describe('another period', () => {
       timeSeconds: 0,
     });
     wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [0] }], timeSeconds: 0 });
-    expect(keysOf(shownClip(wb.store.document.characters[0])?.channels[0]).times.length).toBe(0);
+    expect(keysOf(shownTake(wb.store.document.characters[0])?.channels[0]).times.length).toBe(0);
     expect(said()).toBeUndefined();
   });
 });
 
 it('keying an end of a closed cycle changes both ends in one step, which is said', () => {
-  const values = (index: number) => [...keysOf(shownClip(wb.store.document.characters[0])?.channels[index]).values];
+  const values = (index: number) => [...keysOf(shownTake(wb.store.document.characters[0])?.channels[index]).values];
   const key = (...dofs: number[]) => {
     const args = dofs.map((index) => ({ index, value: 5 + index }));
     wb.store.apply(setDofs, { characterId: 'c1', dofs: args, timeSeconds: 0, key: {} });

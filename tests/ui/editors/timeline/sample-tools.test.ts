@@ -7,21 +7,21 @@ import { cutText, splitText } from '../../../../src/ui/editors/timeline/sample-t
 import { lengthUnit } from '../../../../src/ui/state/joints/length-unit.ts';
 import { swing, swinging } from '../../../edit/samples/made.ts';
 
-const before = { character: swinging(), clip: swing };
+const before = { character: swinging(), take: swing };
 
 describe('the message line', () => {
   it('tells which take has how many frames after a split', () => {
     const [first, second] = split(swing, 1);
     const named = { ...second, name: 'swing_2' };
-    const character = { ...swinging(), clips: [first, named], shownClip: 1 };
-    expect(splitText({ character, clip: named }, 0)).toBe('Split: swing has 60 frames, swing_2 has 61 frames.');
+    const character = { ...swinging(), takes: [first, named], shownTake: 1 };
+    expect(splitText({ character, take: named }, 0)).toBe('Split: swing has 60 frames, swing_2 has 61 frames.');
   });
 
   it('tells what a cut has left, in displayed seconds', () => {
     const character = { ...before.character, timeOffsetSeconds: 0.25 };
-    const clip = cropped(swing, 0.5, 1.5);
-    expect(cutText('crop', before, { character, clip })).toBe('Cropped swing to 61 of 121 frames, 0.25 – 1.25 s.');
-    expect(cutText('trimEnd', before, { ...before, clip })).toBe('Trimmed swing to 61 of 121 frames, 0.5 – 1.5 s.');
+    const take = cropped(swing, 0.5, 1.5);
+    expect(cutText('crop', before, { character, take })).toBe('Cropped swing to 61 of 121 frames, 0.25 – 1.25 s.');
+    expect(cutText('trimEnd', before, { ...before, take })).toBe('Trimmed swing to 61 of 121 frames, 0.5 – 1.5 s.');
     expect(cutText('trimStart', before, before)).toBe('swing has no frames to cut there.');
   });
 });

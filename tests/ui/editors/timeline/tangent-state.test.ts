@@ -1,12 +1,12 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { setTangents } from '../../../../src/edit/commands/tangents.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
-import { TANGENT_KINDS } from '../../../../src/model/takes/clip.ts';
+import { TANGENT_KINDS } from '../../../../src/model/takes/take.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { hasTangents, sideWithTangents } from '../../../../src/ui/editors/timeline/tangent-state.ts';
 import { findAction, isChecked } from '../../../../src/ui/state/actions/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const ONE: readonly ChannelKeys[] = [{ channel: 0, indices: [0] }];
 const BOTH: readonly ChannelKeys[] = [
@@ -16,8 +16,8 @@ const BOTH: readonly ChannelKeys[] = [
 
 let wb: Workbench;
 beforeEach(() => {
-  const take = clip([0, 2], channel(0, 1, 2), channel(0, 1, 2));
-  ({ wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1]), clips: [take] })), {}));
+  const keyed = take([0, 2], channel(0, 1, 2), channel(0, 1, 2));
+  ({ wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1]), takes: [keyed] })), {}));
 });
 
 const make = (keys: readonly ChannelKeys[], kind: (typeof TANGENT_KINDS)[number], side: 'in' | 'out' | 'both') =>

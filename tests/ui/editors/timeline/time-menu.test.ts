@@ -2,12 +2,12 @@ import { describe, expect, it } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { timeEntries } from '../../../../src/ui/editors/timeline/time-menu.ts';
 import type { MenuEntry } from '../../../../src/ui/widgets/menu.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const bones = skeleton(['hips', -1]);
 const walking = character({
   skeleton: bones,
-  clips: [clip([0, 2], ...Array.from({ length: 6 }, () => channel(0, 1)))],
+  takes: [take([0, 2], ...Array.from({ length: 6 }, () => channel(0, 1)))],
 });
 const page = () => workbench(documentOf(walking), { timeSeconds: 0.5, range: [0, 2], framesPerSecond: 10 }).wb;
 
@@ -42,7 +42,7 @@ describe('the menu of a ruler', () => {
   it('the menu of a ruler keys the whole pose there, in one step', () => {
     const wb = page();
     choose(timeEntries(wb, 1.5), 'Key whole pose here');
-    const [first] = wb.store.document.characters[0].clips[0].channels;
+    const [first] = wb.store.document.characters[0].takes[0].channels;
     expect(first.kind === 'keys' && [...first.times]).toEqual([0, 1, 1.5]);
     expect(wb.store.undoLabel).toBe('Key pose of wasp');
     wb.store.undo();

@@ -3,7 +3,7 @@ import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { dofState } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { startPlayer } from '../../../../src/ui/editors/transport/player.ts';
 import { oncePerFrame } from '../../../../src/ui/widgets/frame.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 let frames: ((now: number) => void)[] = [];
 let stop: AbortController;
@@ -70,10 +70,10 @@ it('does not jump after a pause, or after an hour in the background', () => {
 
 describe('values set by hand and not keyed', () => {
   const legs = skeleton(['hips', -1]);
-  const driven = clip([0, 1], channel(0), channel(0), channel(0), channel(0), channel(0));
+  const driven = take([0, 1], channel(0), channel(0), channel(0), channel(0), channel(0));
   const unkeyed = { timeSeconds: 0, dofs: [3], values: [1] };
   const setAt = (timeSeconds = 0) => {
-    const { wb } = workbench(documentOf(character({ skeleton: legs, clips: [driven] })), {
+    const { wb } = workbench(documentOf(character({ skeleton: legs, takes: [driven] })), {
       range: [0, 1],
       timeSeconds,
     });

@@ -5,7 +5,7 @@ import { startPlayer } from '../../../../src/ui/editors/transport/player.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
 import { followWithNumbers } from '../../../../src/ui/state/follow-time.ts';
 import { type FramePhase, oncePerFrame } from '../../../../src/ui/widgets/frame.ts';
-import { character, clip, documentOf, workbench } from '../../builders.ts';
+import { character, documentOf, take, workbench } from '../../builders.ts';
 
 let frames: ((now: number) => void)[] = [];
 let stop = new AbortController();
@@ -48,7 +48,7 @@ it('scrubber, curves, dope sheet and picture show one time in every frame, howev
         fc.boolean(),
         fc.array(event, { maxLength: 40 }),
         (order, playerIsFirst, events) => {
-          const { wb } = workbench(documentOf(character({ clips: [clip([0, 2])] })), { range: [0, 2] });
+          const { wb } = workbench(documentOf(character({ takes: [take([0, 2])] })), { range: [0, 2] });
           const shown = new Map<string, number>();
           const requests = new Map<string, () => void>();
           stop = new AbortController();

@@ -1,12 +1,12 @@
 import { expect, it } from 'vitest';
 import { areShown, stepsDone as done } from '../../../../src/ui/shell/help/first-steps.ts';
-import { character, clip, documentOf, workbench } from '../../builders.ts';
+import { character, documentOf, take, workbench } from '../../builders.ts';
 
 const stepsDone = (...[before, now, was]: [number, Parameters<typeof done>[1], Parameters<typeof done>[2]]) =>
   done(before, now, was, 'fk');
 const start = character();
 const posed = { ...start };
-const keyed = { ...posed, clips: [...posed.clips, clip([0, 1])] };
+const keyed = { ...posed, takes: [...posed.takes, take([0, 1])] };
 const at = (of: typeof start, joint?: number) => ({
   document: documentOf(of),
   selection: { characterId: of.id, ...(joint !== undefined && { joint }) },

@@ -2,13 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { contentText, whenText } from '../../../../src/ui/shell/start/kept-text.ts';
 
 describe('work that was left behind, in words', () => {
-  it('tells one character’s joints and clips', () => {
-    expect(contentText([{ name: 'wasp', joints: 31, clips: 2 }])).toBe('wasp, 31 joints, 2 takes');
-    expect(contentText([{ name: 'wasp', joints: 1, clips: 0 }])).toBe('wasp, 1 joint');
+  it('tells one character’s joints and takes', () => {
+    expect(contentText([{ name: 'wasp', joints: 31, takes: 2 }])).toBe('wasp, 31 joints, 2 takes');
+    expect(contentText([{ name: 'wasp', joints: 1, takes: 0 }])).toBe('wasp, 1 joint');
   });
 
   it('names two of several, and counts the others', () => {
-    const named = (name: string) => ({ name, joints: 3, clips: 1 });
+    const named = (name: string) => ({ name, joints: 3, takes: 1 });
     expect(contentText(['a', 'b'].map(named))).toBe('a and b');
     expect(contentText(['a', 'b', 'c'].map(named))).toBe('a, b and 1 more character');
   });

@@ -12,7 +12,7 @@ import {
 } from '../../../../edit/commands/samples.ts';
 import { type Converted, usualTolerance } from '../../../../edit/samples/convert.ts';
 import { MEDIAN_FRAMES } from '../../../../edit/samples/median.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../../../../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../../../../model/document.ts';
 import { jointName } from '../../../../model/skeleton/joint-name.ts';
 import type { Samples } from '../../../../model/takes/samples.ts';
 import { shownPerUnit, unitText } from '../../../state/joints/angles.ts';
@@ -28,10 +28,10 @@ export function convertDialog(
   wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
-  return withSamples(wb, ({ character, clip }, samples, channels) => {
+  return withSamples(wb, ({ character, take }, samples, channels) => {
     const { angles } = wb.settings.get();
     const usual = usualTolerance(character.skeleton);
-    const all = clip.channels.filter(({ kind }) => kind === 'samples').length;
+    const all = take.channels.filter(({ kind }) => kind === 'samples').length;
     return toolDialog<ConvertToKeys>(wb, close, {
       name: 'convertToKeys',
       title: 'Convert to keys',
@@ -77,8 +77,8 @@ export function smoothDialog(
   wb: Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
   close: () => void,
 ): DialogContent {
-  return withSamples(wb, ({ character, clip }, samples, channels) => {
-    const all = clip.channels.filter(({ kind }) => kind === 'samples').length;
+  return withSamples(wb, ({ character, take }, samples, channels) => {
+    const all = take.channels.filter(({ kind }) => kind === 'samples').length;
     const [from, to] = wb.transport.get().range;
     const offset = character.timeOffsetSeconds;
     return toolDialog<SmoothSamples>(wb, close, {
@@ -207,7 +207,7 @@ function resampledText({ frameCount }: Samples, now: Samples | undefined): strin
 
 function samplesOf(document: Document, characterId: string): Samples | undefined {
   const changed = findCharacter(document, characterId);
-  return changed && shownClip(changed)?.samples;
+  return changed && shownTake(changed)?.samples;
 }
 
 /** Asks whether to use the selected channels or all, if that differs. */
@@ -251,12 +251,12 @@ function withSamples(
   make: (current: CurrentTake, samples: Samples, channels: readonly number[]) => DialogContent,
 ): DialogContent {
   const current = currentTake(wb);
-  const samples = current?.clip.samples;
+  const samples = current?.take.samples;
   if (current && samples) {
     return make(
       current,
       samples,
-      channelsToEdit(wb).filter((c) => current.clip.channels[c]?.kind === 'samples'),
+      channelsToEdit(wb).filter((c) => current.take.channels[c]?.kind === 'samples'),
     );
   }
   const body = element('p', { class: 'empty' }, 'This take has no samples.');

@@ -1,5 +1,5 @@
 /**
- * Converts a tool dialog's answers to arguments of its command: seconds of the transport to the clip's, displayed
+ * Converts a tool dialog's answers to arguments of its command: seconds of the transport to the take's, displayed
  * degrees to radians. Units that were not asked for are left out.
  */
 import type { ArgsOf } from '../../../../edit/command.ts';
@@ -73,7 +73,7 @@ export function scaleArguments(
   };
 }
 
-/** In seconds of the clip. */
+/** In seconds of the take. */
 function rangeOf({ timeOffsetSeconds }: Character, answers: Answers) {
   return { from: answers.number('from') + timeOffsetSeconds, to: answers.number('to') + timeOffsetSeconds };
 }

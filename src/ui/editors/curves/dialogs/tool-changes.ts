@@ -1,7 +1,7 @@
 /** Sentences about changes of the extrapolation by a tool for whole curves, which might go unnoticed. */
 import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
 import { period } from '../../../../edit/keys/cycle.ts';
-import { type ChannelClip, type Extrapolation, repeats } from '../../../../model/takes/clip.ts';
+import { type Extrapolation, repeats, type Take } from '../../../../model/takes/take.ts';
 import { plural, shown } from '../../../widgets/numbers/number-text.ts';
 
 const SIDES = [
@@ -10,7 +10,7 @@ const SIDES = [
 ] as const;
 
 /** `After the keys, 2 curves will be constant instead of cycle.` Empty if nothing changes. */
-export function changesBeyond(before: ChannelClip, after: ChannelClip, channels: readonly number[]): string[] {
+export function changesBeyond(before: Take, after: Take, channels: readonly number[]): string[] {
   const sentences: string[] = [];
   for (const [where, side] of SIDES) {
     const kinds = new Map<string, number>();

@@ -10,9 +10,9 @@ import {
 } from '../../../../edit/commands/channels.ts';
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
 import { countKeys } from '../../../../edit/keys/selection.ts';
-import { type Document, findCharacter, shownClip } from '../../../../model/document.ts';
+import { type Document, findCharacter, shownTake } from '../../../../model/document.ts';
 import type { DofUnit } from '../../../../model/skeleton/skeleton.ts';
-import { keysOf } from '../../../../model/takes/clip.ts';
+import { keysOf } from '../../../../model/takes/take.ts';
 import { shownPerUnit, unitText } from '../../../state/joints/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
 import type { DialogContent } from '../../../widgets/dialog.ts';
@@ -159,7 +159,7 @@ function withTake(
   make: (current: CurrentTake, channels: readonly number[]) => DialogContent,
 ): DialogContent {
   const current = currentTake(wb);
-  const channels = channelsToEdit(wb).filter((c) => current?.clip.channels[c]?.kind === 'keys');
+  const channels = channelsToEdit(wb).filter((c) => current?.take.channels[c]?.kind === 'keys');
   if (current && channels.length) return make(current, channels);
   const body = element('p', { class: 'empty' }, 'No curve is visible and no key is selected.');
   return { title: 'Curve tools', body, kind: 'tool-dialog' };
@@ -175,9 +175,9 @@ function rangeAsked(range: readonly [number, number]): Asked[] {
 }
 
 /** From the first key of these channels to the last one, in seconds of the transport. */
-function keysSpan({ clip, character }: CurrentTake, channels: readonly number[]): readonly [number, number] {
+function keysSpan({ take, character }: CurrentTake, channels: readonly number[]): readonly [number, number] {
   let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (const { times } of channels.map((c) => keysOf(clip.channels[c]))) {
+  for (const { times } of channels.map((c) => keysOf(take.channels[c]))) {
     from = Math.min(from, times[0]);
     to = Math.max(to, times[times.length - 1]);
   }
@@ -186,10 +186,10 @@ function keysSpan({ clip, character }: CurrentTake, channels: readonly number[])
 }
 
 /** Changes of the take's extrapolation. */
-function beyond({ character, clip }: CurrentTake, after: Document, channels: readonly number[]): string[] {
+function beyond({ character, take }: CurrentTake, after: Document, channels: readonly number[]): string[] {
   const changed = findCharacter(after, character.id);
-  const now = changed && shownClip(changed);
-  return now ? changesBeyond(clip, now, channels) : [];
+  const now = changed && shownTake(changed);
+  return now ? changesBeyond(take, now, channels) : [];
 }
 
 /** `1,240 → 86 keys, largest error 0.12°`. */

@@ -13,8 +13,8 @@
 import { type ColumnLine, ColumnRaster } from '../../../../evaluate/plot/raster.ts';
 import { sampleExtremes } from '../../../../evaluate/plot/sample-extremes.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';
-import type { Channel } from '../../../../model/takes/clip.ts';
 import type { Samples } from '../../../../model/takes/samples.ts';
+import type { Channel } from '../../../../model/takes/take.ts';
 import { type BaseColour, faintly, mixed } from '../scene/colours.ts';
 import { type CurveLine, type CurveScene, isFaint } from '../scene/scene.ts';
 import type { CurveSpace } from '../scene/space.ts';
@@ -249,7 +249,7 @@ function sameView(a: LinesView, b: LinesView): boolean {
 /** Whether an image of one view can be transformed to the other: the same curves, seen from elsewhere. */
 function isStandIn(a: LinesView, b: LinesView): boolean {
   return (
-    a.scene.clip === b.scene.clip &&
+    a.scene.take === b.scene.take &&
     a.scene.lines === b.scene.lines &&
     a.scene.offsetSeconds === b.scene.offsetSeconds &&
     a.palette === b.palette &&
@@ -261,7 +261,7 @@ function isStandIn(a: LinesView, b: LinesView): boolean {
 }
 
 function traceAgain(scene: CurveScene, line: CurveLine, columnsPerPixel: number, before: Traced | undefined): Traced {
-  const channel = scene.clip.channels[line.channel];
+  const channel = scene.take.channels[line.channel];
   const map = traceMap(scene, line);
   const { curves } = scene;
   const samples = curves.columns[line.channel] >= 0 ? curves.samples : undefined;

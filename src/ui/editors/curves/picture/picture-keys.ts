@@ -5,7 +5,7 @@
  * cell. (Ten thousand diamonds cost a software canvas more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
-import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/takes/clip.ts';
+import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/takes/take.ts';
 import { mixed } from '../scene/colours.ts';
 import { handlesOf, type TangentHandle } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
@@ -126,7 +126,7 @@ export function drawKeysOf(
 }
 
 function keysInView(scene: CurveScene, line: CurveLine) {
-  const { times } = keysOf(scene.clip.channels[line.channel]);
+  const { times } = keysOf(scene.take.channels[line.channel]);
   const map = traceMap(scene, line);
   const from = firstNotBelow(times, map.left - KEY_PIXELS / map.perSecond);
   const to = firstNotBelow(times, map.left + (map.width + KEY_PIXELS) / map.perSecond);
@@ -142,7 +142,7 @@ function selectedInView(scene: CurveScene, line: CurveLine, indices: readonly nu
 
 function markSelected(scene: CurveScene, part: ReturnType<typeof selectedInView>, crowded: boolean): void {
   const { line, indices, map, from, to } = part;
-  const { times, values } = keysOf(scene.clip.channels[line.channel]);
+  const { times, values } = keysOf(scene.take.channels[line.channel]);
   const dense = crowded || (to - from) * DENSE_PIXELS > map.width;
   const cell = crowded ? CROWDED_SELECTED_CELL : dense ? DENSE_SELECTED_CELL : CELL;
   let i = from;
@@ -159,7 +159,7 @@ function markSelected(scene: CurveScene, part: ReturnType<typeof selectedInView>
 }
 
 function markAll(scene: CurveScene, line: CurveLine, crowded: boolean): void {
-  const { times, values } = keysOf(scene.clip.channels[line.channel]);
+  const { times, values } = keysOf(scene.take.channels[line.channel]);
   const view = keysInView(scene, line);
   const { map, from, to } = view;
   const dense = crowded || view.dense;
@@ -254,7 +254,7 @@ function drawHandles(
   for (const set of [false, true]) {
     g.beginPath();
     for (const { line, index, side, endX, endY } of handles) {
-      const { tangentsIn, tangentsOut } = keysOf(scene.clip.channels[line.channel]);
+      const { tangentsIn, tangentsOut } = keysOf(scene.take.channels[line.channel]);
       const kind = (side === 'in' ? tangentsIn : tangentsOut).kinds[index];
       if ((kind === FIXED_TANGENT) === set) addHandleEnd(g, kind, endX, endY);
     }

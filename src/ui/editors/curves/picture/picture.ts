@@ -12,7 +12,7 @@
  * (`picture-curves.ts`).
  */
 
-import { keysOf } from '../../../../model/takes/clip.ts';
+import { keysOf } from '../../../../model/takes/take.ts';
 import { element } from '../../../widgets/dom.ts';
 import { timeX } from '../../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
@@ -148,7 +148,7 @@ function ringAround(
   line: CurveLine,
   hover: Extract<CurveHit, { kind: 'key' | 'handle' }>,
 ): void {
-  const { times, values } = keysOf(scene.clip.channels[line.channel]);
+  const { times, values } = keysOf(scene.take.channels[line.channel]);
   // The hovered key may have been deleted.
   if (hover.index >= times.length) return;
   g.lineWidth = 1.5;
@@ -194,7 +194,7 @@ function sameEmphasis(a: CurveScene, b: CurveScene): boolean {
 /** Whether everything below the selection is unchanged. */
 function sameGround(a: CurveScene, b: CurveScene): boolean {
   return (
-    a.clip === b.clip &&
+    a.take === b.take &&
     a.offsetSeconds === b.offsetSeconds &&
     a.lines === b.lines &&
     a.theirs === b.theirs &&

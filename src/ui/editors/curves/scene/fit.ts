@@ -1,14 +1,14 @@
 /** Fits the view to something, with margins. */
 
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
-import { keysOf, spanOfChannel } from '../../../../model/takes/clip.ts';
+import { keysOf, spanOfChannel } from '../../../../model/takes/take.ts';
 import { FARTHEST, fitWindow, shortestAt } from '../../../widgets/time/time-window.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { type AxisName, type CurveSpace, VALUE_AXES, type ValueAxis } from './space.ts';
 
 export type Fitted = Pick<
   CurveScene,
-  'clip' | 'curves' | 'lines' | 'theirs' | 'offsetSeconds' | 'selected' | 'space' | 'range'
+  'take' | 'curves' | 'lines' | 'theirs' | 'offsetSeconds' | 'selected' | 'space' | 'range'
 >;
 
 /** Margin for half a diamond. */
@@ -58,11 +58,11 @@ export function fit(scene: Fitted, what: 'values' | 'selected'): CurveSpace {
 }
 
 /** First and last time of the playback range and of all lines' keys or samples; seconds of the transport. */
-export function timesOf({ clip, lines, theirs, range, offsetSeconds }: Fitted): readonly [number, number] {
+export function timesOf({ take, lines, theirs, range, offsetSeconds }: Fitted): readonly [number, number] {
   let [from, to] = range;
   for (const { channel } of lines) {
     const times = theirs?.get(channel)?.times ?? NO_TIMES;
-    for (const span of [spanOfChannel(clip, channel), times.length ? [times[0], times[times.length - 1]] : undefined]) {
+    for (const span of [spanOfChannel(take, channel), times.length ? [times[0], times[times.length - 1]] : undefined]) {
       if (!span || !(span[1] >= span[0])) continue;
       from = Math.min(from, span[0] - offsetSeconds);
       to = Math.max(to, span[1] - offsetSeconds);
@@ -130,8 +130,8 @@ function includeInView(scene: Fitted, bounds: Bounds): void {
   }
 }
 
-function includeCurve({ curves, clip }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
-  const channel = clip.channels[line.channel];
+function includeCurve({ curves, take }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
+  const channel = take.channels[line.channel];
   if (channel.kind === 'rest') {
     include(bounds, line, channel.value, channel.value);
     return;
@@ -145,7 +145,7 @@ function includeSelected(scene: Fitted, bounds: Bounds): void {
   for (const { channel, indices } of scene.selected) {
     const line = scene.lines.find((l) => l.channel === channel);
     if (!line) continue;
-    const { times, values } = keysOf(scene.clip.channels[channel]);
+    const { times, values } = keysOf(scene.take.channels[channel]);
     for (const k of indices) {
       bounds.from = Math.min(bounds.from, times[k]);
       bounds.to = Math.max(bounds.to, times[k]);

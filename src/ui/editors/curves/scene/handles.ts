@@ -8,7 +8,7 @@
 
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
-import { keysOf } from '../../../../model/takes/clip.ts';
+import { keysOf } from '../../../../model/takes/take.ts';
 import { pixelsPerSecond, timeAt, timeX } from '../../../widgets/time/time-window.ts';
 import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
 import { pixelsPerUnit, yOf } from './space.ts';
@@ -38,13 +38,13 @@ export interface TangentHandle {
  * curve; first and last keys have both, since linear extrapolation may use the outer one.
  */
 export function handlesOf(scene: CurveScene): TangentHandle[] {
-  const { space, clip, offsetSeconds } = scene;
+  const { space, take, offsetSeconds } = scene;
   const left = timeAt(space, -HANDLE_PIXELS) + offsetSeconds;
   const right = timeAt(space, space.width + HANDLE_PIXELS) + offsetSeconds;
   const handles: TangentHandle[] = [];
   for (const { channel, indices } of scene.selected) {
     const line = lineOf(scene, channel);
-    const { times } = keysOf(clip.channels[channel]);
+    const { times } = keysOf(take.channels[channel]);
     if (!line) continue;
     const begin = firstNotBelow(indices, firstNotBelow(times, left));
     let end = begin;
@@ -67,7 +67,7 @@ export function handlesOf(scene: CurveScene): TangentHandle[] {
 /** The handle of a key of the line's channel. */
 export function handleOf(scene: CurveScene, line: CurveLine, index: number, side: HandleSide): TangentHandle {
   const { space } = scene;
-  const keys = keysOf(scene.clip.channels[line.channel]);
+  const keys = keysOf(scene.take.channels[line.channel]);
   const slope = keySlope(keys, index, side);
   const dx = pixelsPerSecond(space);
   const dy = -pixelsPerUnit(space, line) * slope;
@@ -88,7 +88,7 @@ export function slopeFromHandle(
   y: number,
 ): number {
   const { space } = scene;
-  const { times, values } = keysOf(scene.clip.channels[line.channel]);
+  const { times, values } = keysOf(scene.take.channels[line.channel]);
   const aside = x - timeX(space, times[index] - scene.offsetSeconds);
   const dx = side === 'in' ? Math.min(-MIN_PIXELS_ASIDE, aside) : Math.max(MIN_PIXELS_ASIDE, aside);
   const up = yOf(space, line, values[index]) - y;

@@ -4,7 +4,7 @@ import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
-import { keysOf } from '../../../../model/takes/clip.ts';
+import { keysOf } from '../../../../model/takes/take.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import { handlesOf } from './handles.ts';
 import { type CurveHit, type CurveLine, type CurveScene, isFaint } from './scene.ts';
@@ -58,7 +58,7 @@ function keyOrHandleAt(
   // Front to back, so that lines behind have to be closer.
   for (let l = lines.length - 1; l >= 0; l--) {
     const line = lines[l];
-    const { times, values } = keysOf(scene.clip.channels[line.channel]);
+    const { times, values } = keysOf(scene.take.channels[line.channel]);
     const map = traceMap(scene, line);
     const end = firstNotBelow(times, map.left + (x + reach) / map.perSecond);
     for (let k = firstNotBelow(times, map.left + (x - reach) / map.perSecond); k < end; k++) {
@@ -124,7 +124,7 @@ function nearestOn(scene: CurveScene, line: CurveLine, x: number, y: number, rea
     }
     [x0, y0] = [x1, y1];
   }
-  const channel = scene.clip.channels[line.channel];
+  const channel = scene.take.channels[line.channel];
   if (best <= reach || (channel.kind !== 'samples' && keysOf(channel).times.length < 2))
     return { distance: best, x: bestX };
   // If a pixel covers many spans, sampling may miss what is drawn there.
@@ -155,7 +155,7 @@ export function keysInBox(scene: CurveScene, box: SelectionBox): ChannelKeys[] {
   const found: ChannelKeys[] = [];
   for (const line of scene.lines) {
     if (isFaint(scene, line)) continue;
-    const { times, values } = keysOf(scene.clip.channels[line.channel]);
+    const { times, values } = keysOf(scene.take.channels[line.channel]);
     const map = traceMap(scene, line);
     const indices: number[] = [];
     for (let k = firstNotBelow(times, map.left + left / map.perSecond); k < times.length; k++) {

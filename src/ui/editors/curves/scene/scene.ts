@@ -1,8 +1,8 @@
 /** What the curve editor shows: everything that drawing and hit testing need, read-only. */
 
-import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
+import type { CompiledTake } from '../../../../evaluate/compiled-take.ts';
 import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
-import { type Character, shownClip } from '../../../../model/document.ts';
+import { type Character, shownTake } from '../../../../model/document.ts';
 import { perObject } from '../../../../model/per-object.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { coupleOf } from '../../../../model/skeleton/couples.ts';
@@ -10,15 +10,15 @@ import { axisOfDof } from '../../../../model/skeleton/dof-axis.ts';
 import { type CharacterDof, characterDofs, unitOfChannel } from '../../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../../model/skeleton/joint-name.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton/skeleton.ts';
-import type { ChannelClip, KeyedChannel } from '../../../../model/takes/clip.ts';
 import { columnOf } from '../../../../model/takes/samples.ts';
+import type { KeyedChannel, Take } from '../../../../model/takes/take.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 import type { TheirChannels } from './their-channels.ts';
 
 /** A channel that is drawn. */
 export interface CurveLine {
-  /** Index in the clip. */
+  /** Index in the take. */
   readonly channel: number;
   /** `leg_fl rx`, or a morph's own name. */
   readonly name: string;
@@ -33,10 +33,10 @@ export interface CurveLine {
 }
 
 export interface CurveScene {
-  readonly clip: ChannelClip;
-  /** The same clip, compiled. */
-  readonly curves: CompiledClip;
-  /** Clip time = transport time + this. */
+  readonly take: Take;
+  /** The same take, compiled. */
+  readonly curves: CompiledTake;
+  /** Take time = transport time + this. */
   readonly offsetSeconds: number;
   /** Back to front. */
   readonly lines: readonly CurveLine[];
@@ -61,7 +61,7 @@ export interface CurveScene {
 export type CurveHit =
   | { readonly kind: 'key'; readonly channel: number; readonly index: number }
   | { readonly kind: 'handle'; readonly channel: number; readonly index: number; readonly side: HandleSide }
-  /** The curve itself, at a time of the clip and the value there. */
+  /** The curve itself, at a time of the take and the value there. */
   | { readonly kind: 'curve'; readonly channel: number; readonly timeSeconds: number; readonly value: number }
   | { readonly kind: 'empty' };
 
@@ -70,7 +70,7 @@ export type HandleSide = 'in' | 'out';
 export const NO_CHANNELS: readonly number[] = [];
 
 /**
- * Lines of these channels of the shown clip, in the given order; channels that the clip doesn't have are left out.
+ * Lines of these channels of the shown take, in the given order; channels that the take doesn't have are left out.
  * Channels beyond the character's DOFs are named by number.
  *
  * @param kept lines whose scale normalised lines keep: nothing may be rescaled during a drag
@@ -81,14 +81,14 @@ export function sceneLines(
   normalised: boolean,
   kept: readonly CurveLine[] = [],
 ): CurveLine[] {
-  const clip = shownClip(character);
-  if (!clip) return [];
+  const take = shownTake(character);
+  if (!take) return [];
   const dofs = characterDofs(character.skeleton, character.morphs);
   const ordinals = new Map<string, number>();
   let others = 0;
   const lines: CurveLine[] = [];
   for (const channel of channels) {
-    const held = clip.channels[channel];
+    const held = take.channels[channel];
     if (!held) continue;
     const dof: CharacterDof | undefined = dofs[channel];
     const axis = dof && axisOfDof(character.skeleton, dof);
@@ -104,7 +104,7 @@ export function sceneLines(
       colour: coupleOf(character.skeleton, channel) ? followingColour(colour) : colour,
       ...(dof && isLimited(dof.limit) && { limit: dof.limit }),
       ...(normalised && {
-        normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(clip, channel),
+        normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(take, channel),
       }),
     });
   }
@@ -125,10 +125,10 @@ function isLimited(limit: Limit): boolean {
 const normalisations = new WeakMap<KeyedChannel, Normalise>();
 
 /** Maps the smallest key or sample to −1 and the largest to 1; a constant channel to 0. */
-function normalisation(clip: ChannelClip, index: number): Normalise {
-  const channel = clip.channels[index];
-  if (clip.samples && channel.kind === 'samples') {
-    const { low, high } = extremesOfColumn(clip.samples, columnOf(clip.samples, index));
+function normalisation(take: Take, index: number): Normalise {
+  const channel = take.channels[index];
+  if (take.samples && channel.kind === 'samples') {
+    const { low, high } = extremesOfColumn(take.samples, columnOf(take.samples, index));
     return normaliseBetween(low, high);
   }
   if (channel.kind === 'rest') return normaliseBetween(channel.value, channel.value);

@@ -1,6 +1,6 @@
 /**
  * The curve editor's coordinates. Everything on screen is in CSS pixels from the plot's top left corner, everything in
- * the document in seconds of the clip and model units (radians, lengths, factors, weights).
+ * the document in seconds of the take and model units (radians, lengths, factors, weights).
  *
  *      x = 0                                  width
  *      ┌────────────────────────────────────────┐ y = 0            axis.high
@@ -9,7 +9,7 @@
  *      └────────────────────────────────────────┘ y = height       axis.low
  * window.from   (transport's seconds)     window.to
  *
- *      clip's time = transport's time + offsetSeconds
+ *      take's time = transport's time + offsetSeconds
  *
  * Angles, lengths, factors and weights have an axis each: three metres and three radians need not be at the same
  * height. All axes are zoomed and panned together, so that curves don't move against each other. Normalised lines share

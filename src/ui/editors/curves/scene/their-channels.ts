@@ -5,7 +5,7 @@ import type { ComparedResult } from '../../../state/dump-comparison.ts';
 import { errorSize, shown } from '../../../widgets/numbers/number-text.ts';
 
 export interface TheirChannel {
-  /** Ascending; seconds of the clip. */
+  /** Ascending; seconds of the take. */
   readonly times: Float64Array;
   /** Theirs and ours, in model units. */
   readonly values: Float64Array;
@@ -18,7 +18,7 @@ export interface TheirChannel {
   readonly firstWrong: number | undefined;
 }
 
-/** By channel of the clip. */
+/** By channel of the take. */
 export type TheirChannels = ReadonlyMap<number, TheirChannel>;
 
 /** Cached; undefined if no channels were compared. */

@@ -9,13 +9,13 @@
  * channels of 1,000 keys); the cost of columns depends only on the plot's width.
  */
 
-import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
+import type { CompiledTake } from '../../../../evaluate/compiled-take.ts';
 import { TracedColumns } from '../../../../evaluate/plot/trace-columns.ts';
 import { FAR_PIXELS, heightOf, SpanTracer, TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { traceSampleColumns, traceSamplePath } from '../../../../evaluate/plot/trace-samples.ts';
 import { lastNotAbove } from '../../../../math/search.ts';
-import { type Channel, EXTRAPOLATIONS } from '../../../../model/takes/clip.ts';
 import { rangeOfSamples, type Samples } from '../../../../model/takes/samples.ts';
+import { type Channel, EXTRAPOLATIONS } from '../../../../model/takes/take.ts';
 import { pixelsPerSecond } from '../../../widgets/time/time-window.ts';
 import type { CurveScene } from './scene.ts';
 import { type OnAxis, pixelsPerUnit, valueAt } from './space.ts';
@@ -76,11 +76,11 @@ export function sameMap(a: TraceMap, b: TraceMap): boolean {
 const tracer = new SpanTracer();
 
 /**
- * @param index of `channel` in the compiled clip
+ * @param index of `channel` in the compiled take
  * @param columnsPerPixel resolution of columns: device pixels per CSS pixel
  */
 export function traceLine(
-  curves: CompiledClip,
+  curves: CompiledTake,
   index: number,
   channel: Channel,
   map: TraceMap,
@@ -129,7 +129,7 @@ function sampled(samples: Samples, column: number, map: TraceMap, columnsPerPixe
 }
 
 function inside(
-  curves: CompiledClip,
+  curves: CompiledTake,
   index: number,
   channel: Channel,
   map: TraceMap,
@@ -157,7 +157,7 @@ function inside(
 
 /** Before the keys (`side` 0) or after them (1). */
 function outside(
-  curves: CompiledClip,
+  curves: CompiledTake,
   index: number,
   channel: Channel,
   map: TraceMap,

@@ -30,7 +30,7 @@ export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag
       plot.showBox(undefined);
       if (moved && scene) return select(keysInBox(scene, boxTo(at)), at);
       const current = currentTake(wb);
-      if (curve !== undefined && current) select(allKeys(current.clip, [curve]), at);
+      if (curve !== undefined && current) select(allKeys(current.take, [curve]), at);
       else if (!from.shift && !from.ctrl) selectKeys(wb, []);
     },
     cancel: () => plot.showBox(undefined),

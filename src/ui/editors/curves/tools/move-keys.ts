@@ -57,7 +57,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const scene = plot.scene();
   const current = currentTake(wb);
   const line = scene && lineOf(scene, hit.channel);
-  const channel = current?.clip.channels[hit.channel];
+  const channel = current?.take.channels[hit.channel];
   if (!scene || !current || !line || channel?.kind !== 'keys') return undefined;
   const keyTime = channel.times[hit.index] - current.character.timeOffsetSeconds;
   const keyValue = channel.values[hit.index];

@@ -19,7 +19,7 @@ type HandleHit = Extract<CurveHit, { kind: 'handle' }>;
 export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const { wb } = plot;
   const current = currentTake(wb);
-  const channel = current?.clip.channels[hit.channel];
+  const channel = current?.take.channels[hit.channel];
   const edit = current && editOfTake(wb, current);
   const wereEqual =
     channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));

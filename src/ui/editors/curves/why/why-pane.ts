@@ -3,7 +3,7 @@
  * and how they make the value. Updated with the plot, while visible.
  */
 
-import { keysOf } from '../../../../model/takes/clip.ts';
+import { keysOf } from '../../../../model/takes/take.ts';
 import { whyValue } from '../../../../teaching/explain/channel-why.ts';
 import type { Uses } from '../../../state/workbench.ts';
 import { element, write } from '../../../widgets/dom.ts';
@@ -78,16 +78,16 @@ export class WhyPane {
   show(place: WhyPlace): void {
     const current = currentTake(this.wb);
     const subject = current && whySubject(place);
-    const why = current && subject && whyValue(current.clip, subject.channel, subject.time);
+    const why = current && subject && whyValue(current.take, subject.channel, subject.time);
     write(this.empty, 'hidden', why !== undefined);
     write(this.body, 'hidden', why === undefined);
     // Another curve is read from its beginning.
     if (subject?.channel !== this.channel) this.element.scrollTop = 0;
     this.channel = subject?.channel;
     if (!current || !subject || !why) return;
-    const { character, clip } = current;
+    const { character, take } = current;
     const named = namedChannel(character, subject.channel);
-    const keys = keysOf(clip.channels[subject.channel]);
+    const keys = keysOf(take.channels[subject.channel]);
     this.title.textContent = channelName(named);
     this.unit.textContent = `at ${shown(subject.time)} s of the take${named.unit === 'angle' ? ', in radians' : ''}`;
     this.keyPart.show(keyOf(subject, keys.times.length) === undefined ? [] : keyLines(keys, subject.key ?? 0));

@@ -4,15 +4,15 @@ import type { ChannelKeys } from '../../../../model/session.ts';
 import type { CurveHit } from '../scene/scene.ts';
 
 export interface WhySubject {
-  /** Channel of the shown clip. */
+  /** Channel of the shown take. */
   readonly channel: number;
-  /** Seconds of the clip. */
+  /** Seconds of the take. */
   readonly time: number;
   /** The key whose tangents are explained; absent: none. */
   readonly key?: number;
 }
 
-/** What is shown and pointed at; times in seconds of the clip. */
+/** What is shown and pointed at; times in seconds of the take. */
 export interface WhyPlace {
   readonly hover: CurveHit;
   /** Under the pointer; undefined outside the plot. */

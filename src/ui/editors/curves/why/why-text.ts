@@ -1,6 +1,6 @@
 /** The sentences of *Why this curve*. Numbers are those of the file: radians, lengths, weights. */
 
-import type { Keys } from '../../../../model/takes/clip.ts';
+import type { Keys } from '../../../../model/takes/take.ts';
 import type { ChannelWhy, OutsideWhy, SegmentWhy } from '../../../../teaching/explain/channel-why.ts';
 import { tangentText, whyTangent } from '../../../../teaching/explain/tangent-why.ts';
 import { count, shown } from '../../../widgets/numbers/number-text.ts';

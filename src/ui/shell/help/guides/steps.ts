@@ -38,9 +38,9 @@ export interface Guide {
 
 /** Whether a character's takes changed, which posing doesn't. */
 function isKeyed({ document }: GuideState, since: GuideState): boolean {
-  return document.characters.some(({ id, clips }) => {
+  return document.characters.some(({ id, takes }) => {
     const was = since.document.characters.find((one) => one.id === id);
-    return was !== undefined && was.clips !== clips;
+    return was !== undefined && was.takes !== takes;
   });
 }
 

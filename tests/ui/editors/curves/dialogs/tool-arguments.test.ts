@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { CommandError } from '../../../../../src/edit/command-error.ts';
 import { resample, simplify } from '../../../../../src/edit/commands/channels.ts';
 import { scaleKeys } from '../../../../../src/edit/commands/keys.ts';
-import { shownClip } from '../../../../../src/model/document.ts';
-import { keysOf } from '../../../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../../../src/model/document.ts';
+import { keysOf } from '../../../../../src/model/takes/take.ts';
 import {
   bakeArguments,
   resampleArguments,
@@ -12,7 +12,7 @@ import {
   unitsOf,
 } from '../../../../../src/ui/editors/curves/dialogs/tool-arguments.ts';
 import type { Answers } from '../../../../../src/ui/editors/timeline/tool-dialog.ts';
-import { channel, character, clip, documentOf, skeleton } from '../../../builders.ts';
+import { channel, character, documentOf, skeleton, take } from '../../../builders.ts';
 
 /** Fails, like the dialog, if something is read that was not asked for. */
 function typed(given: Readonly<Record<string, number | string>>): Answers {
@@ -32,11 +32,11 @@ function wave(height: number) {
   return { ...channel(...times), values: Float64Array.from(times, (t) => height * Math.sin(6 * t)) };
 }
 
-const waves = (count: number) => clip([0, 2], ...Array.from({ length: count }, () => wave(1)));
+const waves = (count: number) => take([0, 2], ...Array.from({ length: count }, () => wave(1)));
 /** Root translation, three angles, and two channels beyond the DOFs. */
-const walker = character({ skeleton: skeleton(['hips', -1]), clips: [waves(8)], timeOffsetSeconds: 0.25 });
+const walker = character({ skeleton: skeleton(['hips', -1]), takes: [waves(8)], timeOffsetSeconds: 0.25 });
 /** Like an `.anim` that was opened alone. */
-const alone = character({ clips: [waves(6)] });
+const alone = character({ takes: [waves(6)] });
 
 describe('what simplifying is asked for', () => {
   it('the simplify dialog asks for tolerances in the units that occur; a channel without a DOF has plain numbers', () => {
@@ -59,7 +59,7 @@ describe('what simplifying is asked for', () => {
       const keysWithin = (weight: number) => {
         const args = simplifyArguments(of, channels, typed({ weight }), 'degrees');
         const [after] = simplify.run(documentOf(of), args).document.characters;
-        return keysOf(shownClip(after)?.channels[channels[0]]).times.length;
+        return keysOf(shownTake(after)?.channels[channels[0]]).times.length;
       };
       expect(keysWithin(1e-9)).toBe(61);
       expect(keysWithin(0.5)).toBeLessThan(20);
@@ -77,7 +77,7 @@ describe('what simplifying is asked for', () => {
 });
 
 describe('times that were typed', () => {
-  it('typed times are the transport’s, and converted to the clip’s', () => {
+  it('typed times are the transport’s, and converted to the take’s', () => {
     const given = typed({ rate: 10, from: 0, to: 1, tangents: 'linear' });
     expect(bakeArguments(walker, [3], given)).toEqual({ characterId: 'c1', channels: [3], from: 0.25, to: 1.25 });
     expect(resampleArguments(walker, [3], given)).toMatchObject({ from: 0.25, to: 1.25, tangents: 'linear' });
@@ -86,7 +86,7 @@ describe('times that were typed', () => {
   it('frames of typed times are the transport’s: new keys are on them', () => {
     const args = resampleArguments(walker, [3], typed({ rate: 10, from: 0, to: 0.5, tangents: 'smooth' }));
     const [after] = resample.run(documentOf(walker), args).document.characters;
-    const times = [...(keysOf(shownClip(after)?.channels[3]).times ?? [])].filter((t) => t >= 0.249 && t <= 0.751);
+    const times = [...(keysOf(shownTake(after)?.channels[3]).times ?? [])].filter((t) => t >= 0.249 && t <= 0.751);
     expect(times.map((t) => Number((10 * (t - 0.25)).toFixed(9)))).toEqual([0, 1, 2, 3, 4, 5]);
   });
 });

@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
-import { keysOf } from '../../../../../src/model/takes/clip.ts';
+import { keysOf } from '../../../../../src/model/takes/take.ts';
 import {
   HANDLE_PIXELS,
   handleOf,
@@ -84,7 +84,7 @@ describe('hit-testing', () => {
     expect(hitTest(noise, x(1.5), y(0.3), 1)).toMatchObject({ kind: 'curve' });
   });
 
-  it('returns clip times if the character has an offset', () => {
+  it('returns take times if the character has an offset', () => {
     const given = scene([ramp], { offsetSeconds: 0.5 });
     expect(hitTest(given, x(1.5), y(0.5))).toMatchObject({ kind: 'key', index: 1 });
     const hit = hitTest(given, x(3), y(0));

@@ -12,7 +12,7 @@ import {
   otherColour,
 } from '../../../../../src/ui/editors/curves/scene/colours.ts';
 import { sceneLines } from '../../../../../src/ui/editors/curves/scene/scene.ts';
-import { character, clip, skeleton } from '../../../builders.ts';
+import { character, skeleton, take } from '../../../builders.ts';
 import { keyed } from '../scenes.ts';
 
 const hero = character({
@@ -24,8 +24,8 @@ const hero = character({
       normals: { indices: new Uint32Array(0), values: new Float64Array(0) },
     },
   ],
-  clips: [
-    clip(
+  takes: [
+    take(
       [0, 1],
       ...Array.from({ length: 12 }, (_, i) =>
         keyed([

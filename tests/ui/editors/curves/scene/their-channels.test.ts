@@ -12,7 +12,7 @@ import { observable } from '../../../../../src/ui/widgets/observable.ts';
 import { compareDumps } from '../../../../../src/worker/compare-program.ts';
 import { describeShared, sharedBytes } from '../../../../helpers/shared.ts';
 import { characterOf, SHARED } from '../../../../teaching/lesson-files.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../../builders.ts';
 
 const TOLERANCE = 1e-4;
 
@@ -27,7 +27,7 @@ function compared(of: Character, text: Uint8Array | string): ComparedResult {
 }
 
 /** One channel that is 0 everywhere, three DOFs of the root. */
-const still = character({ skeleton: skeleton(['hips', -1]), clips: [clip([0, 1], channel(0, 1))] });
+const still = character({ skeleton: skeleton(['hips', -1]), takes: [take([0, 1], channel(0, 1))] });
 
 /** A page on which this is compared with its character. */
 async function pageWith(result: ComparedResult) {

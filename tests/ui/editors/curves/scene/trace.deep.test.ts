@@ -1,11 +1,11 @@
 /** What is drawn equals what is evaluated: paths are on the curve, columns contain it, and nothing is left out. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type CompiledClip, compileChannels } from '../../../../../src/evaluate/compiled-clip.ts';
+import { type CompiledTake, compileChannels } from '../../../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
 import { NO_COLUMN } from '../../../../../src/evaluate/plot/trace-columns.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../../src/evaluate/plot/trace-path.ts';
-import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../../../src/model/takes/clip.ts';
+import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../../../src/model/takes/take.ts';
 import { LineTrace, traceLine } from '../../../../../src/ui/editors/curves/scene/trace.ts';
 import { anyChannel, anyMap, PLOT } from '../arbitraries.ts';
 
@@ -57,7 +57,7 @@ const BESIDE = [-1, -0.3, -0.1, -0.03, -0.01, -0.001, 0, 0.001, 0.01, 0.03, 0.1,
 
 /** Heights of the curve about x, within a pixel at most. */
 function heightsBeside(
-  curves: CompiledClip,
+  curves: CompiledTake,
   map: TraceMap,
   x: number,
   [from, to] = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY],
@@ -69,7 +69,7 @@ function heightsBeside(
 }
 
 /** Smallest and largest height of the curve about x, clipped like the drawing; wider where it is nearly vertical. */
-function heightsAbout(curves: CompiledClip, map: TraceMap, x: number): [number, number] {
+function heightsAbout(curves: CompiledTake, map: TraceMap, x: number): [number, number] {
   const heights = heightsBeside(curves, map, x);
   const between = Math.max(...heights.slice(1).map((y, i) => Math.abs(y - heights[i])));
   const cut = (y: number) => Math.min(map.bottom + FAR, Math.max(map.top - FAR, y));

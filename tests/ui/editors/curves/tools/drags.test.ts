@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { shownClip } from '../../../../../src/model/document.ts';
-import { keysOf } from '../../../../../src/model/takes/clip.ts';
+import { shownTake } from '../../../../../src/model/document.ts';
+import { keysOf } from '../../../../../src/model/takes/take.ts';
 import { PlotScene } from '../../../../../src/ui/editors/curves/plot-scene.ts';
 import { yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
 import { keysDrag } from '../../../../../src/ui/editors/curves/tools/move-keys.ts';
@@ -11,12 +11,12 @@ import { selectedKeysInView, selectKeys } from '../../../../../src/ui/editors/ti
 import { deleteKeys, insertAtPlayhead } from '../../../../../src/ui/editors/timeline/key-edits.ts';
 import type { Workbench } from '../../../../../src/ui/state/workbench.ts';
 import { timeX } from '../../../../../src/ui/widgets/time/time-window.ts';
-import { channel, character, clip, documentOf, skeleton, workbench } from '../../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../../builders.ts';
 
 let wb: Workbench;
 let plot: PlotAccess;
 const held = (index: number) => {
-  const found = shownClip(wb.store.document.characters[0])?.channels[index];
+  const found = shownTake(wb.store.document.characters[0])?.channels[index];
   if (!found) throw new Error(`no channel ${index}`);
   return found;
 };
@@ -41,7 +41,7 @@ beforeEach(() => {
   vi.stubGlobal('window', { addEventListener: () => {}, removeEventListener: () => {} });
   const walker = character({
     skeleton: skeleton(['hips', -1]),
-    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), channel(0), channel(0.5, 1.5))],
+    takes: [take([0, 2], channel(0, 1, 2), channel(0, 2), channel(0), channel(0.5, 1.5))],
   });
   ({ wb } = workbench(documentOf(walker), { range: [0, 2], framesPerSecond: 10 }));
   wb.timeline.change({ window: { from: 0, to: 2 }, snapsToFrames: false });
@@ -160,8 +160,8 @@ describe('dragging keys', () => {
     const from = pointOf(0, 1);
     const made = keysDrag(plot, { kind: 'key', channel: 0, index: 1 }, from);
     const [walker] = wb.store.document.characters;
-    const clips = [...walker.clips, clip([0, 2], channel(0, 1, 2))];
-    const document = { ...wb.store.document, characters: [{ ...walker, clips, shownClip: 1 }] };
+    const takes = [...walker.takes, take([0, 2], channel(0, 1, 2))];
+    const document = { ...wb.store.document, characters: [{ ...walker, takes, shownTake: 1 }] };
     wb.store.replace('Another take', document);
     const put = wb.store.document;
     made.move(at(from.x + 50, from.y));

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { type Extrapolation, type KeyedChannel, LINEAR, restChannel } from '../../../../../src/model/takes/clip.ts';
+import { type Extrapolation, type KeyedChannel, LINEAR, restChannel } from '../../../../../src/model/takes/take.ts';
 import { whyValue } from '../../../../../src/teaching/explain/channel-why.ts';
 import { type WhyPlace, whySubject } from '../../../../../src/ui/editors/curves/why/why-subject.ts';
 import { keyLines, placeLines, slopeLines } from '../../../../../src/ui/editors/curves/why/why-text.ts';
-import { channel, clip } from '../../../builders.ts';
+import { channel, take } from '../../../builders.ts';
 
 const TIMES = [0, 0.5, 0.75, 2];
 
@@ -51,7 +51,7 @@ describe('what Why this curve explains', () => {
 
 describe('the sentences of Why this curve', () => {
   const linesAt = (time: number, extrapolation?: Extrapolation) => {
-    const why = whyValue(clip([0, 2], wave(extrapolation)), 0, time);
+    const why = whyValue(take([0, 2], wave(extrapolation)), 0, time);
     return why ? placeLines(why) : [];
   };
 
@@ -66,7 +66,7 @@ describe('the sentences of Why this curve', () => {
   it('tell the segment of a time, and its slopes', () => {
     expect(linesAt(0.6)).toEqual(['Between keys 1 and 2, 0.25 s apart.']);
     expect(linesAt(0.75)).toEqual(['At key 2: the key’s own value.']);
-    const why = whyValue(clip([0, 2], wave()), 0, 0.6);
+    const why = whyValue(take([0, 2], wave()), 0, 0.6);
     if (why?.kind !== 'keys' || !why.segment) throw new Error('No segment.');
     expect(slopeLines(wave(), why.segment)[1]).toBe('m₁, linear in: (0.25 − (−0.3)) / (0.75 − 0.5) = 2.2');
   });

@@ -1,6 +1,6 @@
-/** The walker's clip: the gait as channels, then the face's and the chest's. */
+/** The walker's take: the gait as channels, then the face's and the chest's. */
 import { smoothstep } from '../../../src/math/smoothstep.ts';
-import type { Channel, ChannelClip } from '../../../src/model/takes/clip.ts';
+import type { Channel, Take } from '../../../src/model/takes/take.ts';
 import { fitChannel } from '../motion/fit.ts';
 import { pathSeconds } from '../motion/path.ts';
 import { gaitChannels } from '../motion/walk.ts';
@@ -13,7 +13,7 @@ const ROUND = pathSeconds(WALK_PATH);
 const FRAME = 0.02;
 const CARRIES = /^(hips|thigh|shin|foot|toe)/;
 
-export function walkerClip(): ChannelClip {
+export function walkerTake(): Take {
   const walk = gaitChannels({
     skeleton: WALKER_SKELETON,
     path: WALK_PATH,

@@ -1,25 +1,19 @@
 /**
- * Compiles clips for evaluation: all channels packed into a few typed arrays, each span as a cubic.
+ * Compiles takes for evaluation: all channels packed into a few typed arrays, each span as a cubic.
  *
- * An edit makes a new clip of mostly the same channels, and a new channel of mostly the same keys; unchanged compiled
+ * An edit makes a new take of mostly the same channels, and a new channel of mostly the same keys; unchanged compiled
  * data is copied.
  */
 import { hermiteCubic } from '../math/hermite.ts';
-import {
-  type Channel,
-  type ChannelClip,
-  EXTRAPOLATIONS,
-  type Extrapolation,
-  type KeyedChannel,
-} from '../model/takes/clip.ts';
 import { columnOf, type Samples } from '../model/takes/samples.ts';
+import { type Channel, EXTRAPOLATIONS, type Extrapolation, type KeyedChannel, type Take } from '../model/takes/take.ts';
 import { slope } from './slopes.ts';
 
 /**
- * A clip ready for evaluation. It contains the keys of all channels in order; a channel at rest at a value other than 0
+ * A take ready for evaluation. It contains the keys of all channels in order; a channel at rest at a value other than 0
  * has one key here.
  */
-export interface CompiledClip {
+export interface CompiledTake {
   readonly channelCount: number;
   /** One more than the number of channels: channel c has the keys `firstKey[c]` up to (excluding) `firstKey[c + 1]`. */
   readonly firstKey: Int32Array;
@@ -42,40 +36,40 @@ export interface CompiledClip {
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
 
 /**
- * Held weakly, so that compiled forms live only while in use, not as long as their clips: the history keeps hundreds of
- * clips, each of which would retain megabytes for one changed channel.
+ * Held weakly, so that compiled forms live only while in use, not as long as their takes: the history keeps hundreds of
+ * takes, each of which would retain megabytes for one changed channel.
  */
-const compiled = new WeakMap<ChannelClip, WeakRef<CompiledClip>>();
+const compiled = new WeakMap<Take, WeakRef<CompiledTake>>();
 /** Where a channel was last compiled; after an edit of one channel all others are copied from there. */
-const homes = new WeakMap<KeyedChannel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
+const homes = new WeakMap<KeyedChannel, { readonly take: WeakRef<CompiledTake>; readonly index: number }>();
 
-/** The clip compiled last, possibly the one before an edit. */
-let latest: WeakRef<ChannelClip> | undefined;
+/** The take compiled last, possibly the one before an edit. */
+let latest: WeakRef<Take> | undefined;
 
-/** The clip's compiled form; compiled again only after it was collected. */
-export function compileClip(clip: ChannelClip): CompiledClip {
-  const known = compiled.get(clip)?.deref();
+/** The take's compiled form; compiled again only after it was collected. */
+export function compileTake(take: Take): CompiledTake {
+  const known = compiled.get(take)?.deref();
   if (known) return known;
-  const made = pack(clip, latest?.deref()?.channels);
+  const made = pack(take, latest?.deref()?.channels);
   const reference = new WeakRef(made);
-  compiled.set(clip, reference);
-  latest = new WeakRef(clip);
-  clip.channels.forEach((channel, index) => {
-    if (channel.kind === 'keys') homes.set(channel, { clip: reference, index });
+  compiled.set(take, reference);
+  latest = new WeakRef(take);
+  take.channels.forEach((channel, index) => {
+    if (channel.kind === 'keys') homes.set(channel, { take: reference, index });
   });
   return made;
 }
 
-/** Compiles channels that belong to no clip (not cached). */
-export function compileChannels(channels: readonly Channel[]): CompiledClip {
+/** Compiles channels that belong to no take (not cached). */
+export function compileChannels(channels: readonly Channel[]): CompiledTake {
   return pack({ channels });
 }
 
-/** @param before the channels of a clip of which these may be an edit */
-function pack(clip: Pick<ChannelClip, 'channels' | 'samples'>, before?: readonly Channel[]): CompiledClip {
-  const { channels, samples } = clip;
+/** @param before the channels of a take of which these may be an edit */
+function pack(take: Pick<Take, 'channels' | 'samples'>, before?: readonly Channel[]): CompiledTake {
+  const { channels, samples } = take;
   const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
-  const made: CompiledClip = {
+  const made: CompiledTake = {
     channelCount: channels.length,
     firstKey: new Int32Array(channels.length + 1),
     times: new Float64Array(keyCount),
@@ -102,9 +96,9 @@ function compiledKeyCount(channel: Channel): number {
   return channel.kind === 'rest' && channel.value !== 0 ? 1 : 0;
 }
 
-function compileOrCopy(channel: KeyedChannel, to: CompiledClip, index: number, before?: Channel): void {
+function compileOrCopy(channel: KeyedChannel, to: CompiledTake, index: number, before?: Channel): void {
   const home = homes.get(channel);
-  const from = home?.clip.deref();
+  const from = home?.take.deref();
   if (home && from) copyChannel(from, home.index, to, index);
   else compileChannel(channel, to, index, before);
 }
@@ -113,7 +107,7 @@ function compileOrCopy(channel: KeyedChannel, to: CompiledClip, index: number, b
  * Compiles one channel into its place, from `firstKey[index]`.
  * @param before the channel this may be an edit of: spans that are the same in both are copied
  */
-function compileChannel(channel: KeyedChannel, to: CompiledClip, index: number, before?: Channel): void {
+function compileChannel(channel: KeyedChannel, to: CompiledTake, index: number, before?: Channel): void {
   const { cubics, extrapolations, beyond } = to;
   const next = to.firstKey[index];
   const { times, values } = channel;
@@ -150,14 +144,14 @@ const LONG_CHANNEL = 512;
 function copySameSpans(
   channel: KeyedChannel,
   before: KeyedChannel,
-  to: CompiledClip,
+  to: CompiledTake,
   next: number,
 ): readonly [number, number] {
   const count = channel.times.length;
   const all = [0, count - 1] as const;
   if (count < LONG_CHANNEL || before.times.length < LONG_CHANNEL) return all;
   const home = homes.get(before);
-  const source = home?.clip.deref();
+  const source = home?.take.deref();
   if (!home || !source) return all;
   const columns = columnsOf(channel);
   const others = columnsOf(before);
@@ -201,7 +195,7 @@ function sameTail(a: Column, b: Column, most: number): number {
   return same;
 }
 
-function copyChannel(from: CompiledClip, channel: number, to: CompiledClip, index: number): void {
+function copyChannel(from: CompiledTake, channel: number, to: CompiledTake, index: number): void {
   const first = from.firstKey[channel];
   const end = from.firstKey[channel + 1];
   const next = to.firstKey[index];

@@ -2,13 +2,13 @@ import type { Marker } from './markers.ts';
 import { columnOf, rangeOfSamples, type Samples } from './samples.ts';
 
 /**
- * A clip: the content of an animation file. Its channels drive a character's DOFs, in the order of `dofs.ts`: root
+ * A take: the content of an animation file. Its channels drive a character's DOFs, in the order of `dofs.ts`: root
  * translation, the DOFs of every joint, morph weights.
  *
  * A channel has keys, follows its column of samples, or rests at a value. So motion capture and keys coexist in one
- * clip: a channel converted to keys becomes an ordinary keyed channel while its neighbours stay sampled.
+ * take: a channel converted to keys becomes an ordinary keyed channel while its neighbours stay sampled.
  */
-export interface ChannelClip {
+export interface Take {
   readonly name: string;
   /** First and last second played; independent of the keys, and may be negative. */
   readonly range: readonly [number, number];
@@ -47,7 +47,7 @@ export interface Keys {
   readonly tangentsOut: Tangents;
 }
 
-/** Follows its column in the clip's samples: `columnOf(samples, channel)`. */
+/** Follows its column in the take's samples: `columnOf(samples, channel)`. */
 export interface SampledChannel extends Extrapolated {
   readonly kind: 'samples';
 }
@@ -129,9 +129,9 @@ export function keysOf(channel: Channel | undefined): Keys {
   return channel?.kind === 'keys' ? channel : NO_KEYS;
 }
 
-/** First to last key, or first to last frame, of one of the clip's channels; undefined if it is at rest. */
+/** First to last key, or first to last frame, of one of the take's channels; undefined if it is at rest. */
 export function spanOfChannel(
-  { channels, samples }: Pick<ChannelClip, 'channels' | 'samples'>,
+  { channels, samples }: Pick<Take, 'channels' | 'samples'>,
   index: number,
 ): readonly [number, number] | undefined {
   const channel = channels[index];
@@ -139,7 +139,7 @@ export function spanOfChannel(
   return channel?.kind === 'samples' && samples ? rangeOfSamples(samples) : undefined;
 }
 
-/** The channels of a clip with these samples: resting channels that have a column become sampled. */
+/** The channels of a take with these samples: resting channels that have a column become sampled. */
 export function followingSamples(channels: readonly Channel[], samples: Samples | undefined): readonly Channel[] {
   const follows = ({ kind }: Channel, c: number) => kind === 'rest' && columnOf(samples, c) >= 0;
   if (!samples || !channels.some(follows)) return channels;

@@ -1,17 +1,11 @@
-/** Remaps the channels and samples of a clip to other DOFs. */
+/** Remaps the channels and samples of a take to other DOFs. */
 
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { rootDofs } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { DofUnit, Skeleton } from '../../model/skeleton/skeleton.ts';
-import {
-  type Channel,
-  type ChannelClip,
-  followingSamples,
-  restChannel,
-  type Tangents,
-} from '../../model/takes/clip.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
+import { type Channel, followingSamples, restChannel, type Take, type Tangents } from '../../model/takes/take.ts';
 import { type DofSource, valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';
 import { timesSign } from './same-dof.ts';
@@ -22,18 +16,18 @@ interface ChannelSource extends Omit<DofSource, 'like'> {
 }
 
 /**
- * A clip with the channels of the changed skeleton.
- * @param pose of the old character: values of DOFs for which the clip has no channel
+ * A take with the channels of the changed skeleton.
+ * @param pose of the old character: values of DOFs for which the take has no channel
  */
-export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly number[]): ChannelClip {
-  const sources = channelSources(clip, map);
+export function remapTake(take: Take, map: JointMap, pose: readonly number[]): Take {
+  const sources = channelSources(take, map);
   const channels = sources.map((source) => {
     const { from, start, like } = source;
-    if (from >= 0) return moved(clip.channels[from] ?? restChannel(pose[from] ?? start), source);
-    const model = like && clip.channels[like.dof];
+    if (from >= 0) return moved(take.channels[from] ?? restChannel(pose[from] ?? start), source);
+    const model = like && take.channels[like.dof];
     return restChannel(like && model?.kind === 'rest' ? model.value * like.sign : start);
   });
-  const { samples, ...rest } = clip;
+  const { samples, ...rest } = take;
   const stand = channels.map((channel) => (channel.kind === 'rest' ? channel.value : 0));
   const sampled = samples && remapSamples(samples, sources, stand, map.after);
   return { ...rest, channels: followingSamples(channels, sampled), ...(sampled && { samples: sampled }) };
@@ -43,7 +37,7 @@ export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly numbe
  * Keeps driving what was driven: all DOFs if all were, plus any channels beyond them; if only the first ones were, up
  * to the last of those that remain. New ones in between rest in the pose.
  */
-function channelSources({ channels }: ChannelClip, { dofs, dofsBefore }: JointMap): readonly ChannelSource[] {
+function channelSources({ channels }: Take, { dofs, dofsBefore }: JointMap): readonly ChannelSource[] {
   const count = channels.length;
   const drivesAll = count >= dofsBefore;
   const last = dofs.findLastIndex(({ from }) => from >= 0 && from < count);
