@@ -32,7 +32,7 @@ function drawn(times: readonly number[], values: readonly number[], wrong: reado
     save: () => {},
     restore: () => {},
     rect: () => {},
-    take: () => {},
+    clip: () => {},
     beginPath: () => {
       path = [];
       arcs = [];
