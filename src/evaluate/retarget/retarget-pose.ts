@@ -19,7 +19,7 @@ import { sourcePose } from './source-pose.ts';
 /**
  * Writes the target's paired DOFs; the others are read, since joints below depend on them, and not changed. Allocates
  * nothing.
- * @param clipSeconds of the source's take
+ * @param takeSeconds of the source's take
  */
 export function retargetPose(plan: RetargetPlan, takeSeconds: number, out: Float64Array): void {
   if (plan.isCopy) {

@@ -19,7 +19,7 @@ const middle = new Float64Array(3);
 
 /**
  * Writes the target's paired DOFs from rotations alone. Allocates nothing.
- * @param clipSeconds of the source's take
+ * @param takeSeconds of the source's take
  */
 export function solveFreely(plan: RetargetPlan, takeSeconds: number, out: Float64Array): void {
   sourcePose(plan.played, takeSeconds, plan.dofs);

@@ -5,7 +5,7 @@ import { addKeys } from '../../state/add-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { currentTake, keyPlacing } from '../timeline/current-take.ts';
 
-/** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the take */
+/** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param takeSeconds of the take */
 export function insertOnCurve(
   wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>,
   channel: number,
