@@ -154,7 +154,7 @@ describe('the words that people read', () => {
  */
 const CEILINGS: readonly (readonly [what: string, count: () => number, most: number])[] = [
   ['names with clip', () => namesWith('clip'), 20],
-  ['names with figure', () => namesWith('figure'), 400],
+  ['names with figure', () => namesWith('figure'), 40],
   ['constants called MOST_ or LEAST_', () => namesLike(/^(MOST|LEAST)_/), 0],
   ['comments that begin with a bare Of', () => commentsLike(/^Of\b/), 260],
   ['comments that begin with a bare What', () => commentsLike(/^What\b/), 560],

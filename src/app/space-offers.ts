@@ -70,7 +70,7 @@ function offerOf(
   };
 }
 
-/** What differs: `Z up`, `Inches`, `1.7 m tall`. @param height that the figure would have, metres */
+/** What differs: `Z up`, `Inches`, `1.7 m tall`. @param height that the character would have, metres */
 function labelOf(space: Space, now: Space | undefined, height: number): string {
   if (space.up !== now?.up) return `${space.up.toUpperCase()} up`;
   if (space.unit === 'own') return `${shown(Number(height.toPrecision(2)))} m tall`;

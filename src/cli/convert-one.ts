@@ -7,7 +7,7 @@ import { CommandError } from '../edit/command-error.ts';
 import { formatKindOf, isSaved, KINDS } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { Format } from '../files/readers.ts';
-import { bvhOf, type NamedFigure, skelOf } from '../files/save/character-files.ts';
+import { bvhOf, type NamedCapture, skelOf } from '../files/save/character-files.ts';
 import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversion.ts';
 import { bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
 import { type Output, outputOf } from '../files/save/output.ts';
@@ -179,27 +179,27 @@ function convertedTo(
 ): Picked | undefined {
   const characters = charactersOf(files, options).filter(({ skeleton }) => skeleton);
   if (target === 'bvh') {
-    let figures: readonly NamedFigure[];
+    let captures: readonly NamedCapture[];
     try {
-      figures = characters.flatMap((character) => bvhOf(character, options.framesPerSecond));
+      captures = characters.flatMap((character) => bvhOf(character, options.framesPerSecond));
     } catch (error) {
       if (!(error instanceof CommandError)) throw error;
       return { refusal: refusal('conversion-refused', error.message, out) };
     }
-    if (figures.length === 0) return undefined;
-    if (characters.length > 1 || figures.length > 1) {
-      const isOne = figures.length === characters.length && files.length === 1;
-      if (!isOne || !fitOneBvh(figures.map(({ figure }) => figure))) {
+    if (captures.length === 0) return undefined;
+    if (characters.length > 1 || captures.length > 1) {
+      const isOne = captures.length === characters.length && files.length === 1;
+      if (!isOne || !fitOneBvh(captures.map(({ capture }) => capture))) {
         return {
           refusal: tooMany(
             format,
-            figures.map(({ name }) => name),
+            captures.map(({ name }) => name),
             out,
           ),
         };
       }
     }
-    return { output: outputOf(bvhCopy(`${stem(out)}.bvh`, figures)) };
+    return { output: outputOf(bvhCopy(`${stem(out)}.bvh`, captures)) };
   }
   // One kind only: `--to skel` writes skeletons with their takes. A `.skel` may have several roots.
   const skeletons = characters.flatMap((character) => skelOf(character) ?? []);

@@ -12,7 +12,7 @@ import { areBoxesOversized, hasBox } from '../model/skeleton/boxes.ts';
 
 /** Gap between two characters, relative to the wider one. */
 const GAP = 0.25;
-/** Characters per row; all figures of a file count as one. */
+/** Characters per row; all firstOf of a file count as one. */
 const MAX_IN_ROW = 8;
 /** Distance between rows, as a multiple of the largest character in both; leaves room to walk. */
 const ROW_STEP = 1.5;
@@ -27,7 +27,7 @@ const SAME_ROW = 0.2;
  *     i  j  k …                         z ↓ to the viewer
  *
  * Uses positions at the start of each take: a character that starts elsewhere on the ground (motion capture) is aligned
- * by its root. Figures of one file keep their relative positions.
+ * by its root. Characters of one file keep their relative positions.
  *
  * @param scale of its placement, unless it is placed with others of its file
  */
@@ -38,7 +38,7 @@ export function placeBeside(others: readonly Character[], character: Character, 
 /** Places many characters one after the other, as `placeBeside`, without measuring all of them for each. */
 export class Placing {
   private readonly characters: Character[] = [];
-  private readonly figures = new FirstFigures();
+  private readonly firstOf = new FirstOfFiles();
   /** Per character: the first of its file, or itself; its row and size, or NaN before they are asked for. */
   private readonly leaders: number[] = [];
   private readonly rows: number[] = [];
@@ -51,8 +51,8 @@ export class Placing {
   /** With its placement. */
   add(character: Character): void {
     const i = this.characters.push(character) - 1;
-    this.figures.add(character, i);
-    this.leaders.push(this.figures.find(character) ?? i);
+    this.firstOf.add(character, i);
+    this.leaders.push(this.firstOf.find(character) ?? i);
     this.rows.push(Number.NaN);
     this.sizes.push(Number.NaN);
   }
@@ -63,7 +63,7 @@ export class Placing {
    */
   place(character: Character, scale = 1): Placement {
     const { characters, leaders, rows, sizes } = this;
-    const together = this.figures.find(character);
+    const together = this.firstOf.find(character);
     if (together !== undefined) return characters[together].placements[0];
     if (characters.length === 0) return { ...DEFAULT_PLACEMENT, scale };
     const own = scaled(extentOf(character), scale);
@@ -79,12 +79,12 @@ export class Placing {
       if (Number.isNaN(rows[leader])) this.measuredRow(leader);
       if (!(Math.abs(rows[leader] - row) < SAME_ROW * Math.max(sizes[leader], own.size))) continue;
       inRow.add(leader);
-      const figure = characters[i];
-      const extent = extentOf(figure);
-      widest = Math.max(widest, figure.placements[0].scale * (extent.max - extent.min));
-      largest = Math.max(largest, sizeOf(figure));
+      const inTheRow = characters[i];
+      const extent = extentOf(inTheRow);
+      widest = Math.max(widest, inTheRow.placements[0].scale * (extent.max - extent.min));
+      largest = Math.max(largest, sizeOf(inTheRow));
       // An upper bound for rotated instances would need the depth; the width is close enough for a gap.
-      for (const { position, scale } of figure.placements) {
+      for (const { position, scale } of inTheRow.placements) {
         left = Math.min(left, position[0] + scale * extent.min);
         right = Math.max(right, position[0] + scale * extent.max);
       }
@@ -104,8 +104,8 @@ export class Placing {
   }
 }
 
-/** Which figure with a space of its own is the first of each file, by its index in a list. */
-class FirstFigures {
+/** Which character with a space of its own is the first of each file, by its index in a list. */
+class FirstOfFiles {
   private readonly firsts = new Map<SourceFile, number>();
 
   add(character: Character, index: number): void {
@@ -125,12 +125,12 @@ function fileOf({ space, parts }: Character): SourceFile | undefined {
   return space && parts?.skeleton?.file?.source;
 }
 
-/** Maps a captured figure to the first of `others` from the same file, and everything else to itself. */
+/** Maps a captured character to the first of `others` from the same file, and everything else to itself. */
 export function leadersOf(others: readonly Character[]): (character: Character) => Character {
-  const figures = new FirstFigures();
-  for (const [i, other] of others.entries()) figures.add(other, i);
+  const firstOf = new FirstOfFiles();
+  for (const [i, other] of others.entries()) firstOf.add(other, i);
   return (character) => {
-    const first = figures.find(character);
+    const first = firstOf.find(character);
     return first === undefined ? character : others[first];
   };
 }

@@ -17,7 +17,7 @@ export function ownHeight(character: Character): number {
   return Math.max(height, MIN_PART_OF_SIZE * size);
 }
 
-/** Own heights. Figures of one file, which keep their relative sizes, have that of the tallest. */
+/** Own heights. Characters of one file, which keep their relative sizes, have that of the tallest. */
 function heightsOf(characters: readonly Character[]): (character: Character) => number {
   const leaderOf = leadersOf(characters);
   const heights = new Map<Character, number>();

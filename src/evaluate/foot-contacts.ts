@@ -8,7 +8,7 @@
  */
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
-import { distance } from './retarget/figure.ts';
+import { distance } from './retarget/body.ts';
 import { LIMB_SIDES, rolesOf } from './retarget/roles.ts';
 import { percentile } from './space/frame-shapes.ts';
 

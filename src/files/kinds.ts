@@ -270,8 +270,8 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   // Motion capture is complete in itself; skins are not made for it.
   bvh: {
     as: 'characters',
-    characters: ({ figures, guessed }) =>
-      figures.map(({ skeleton, take }) =>
+    characters: ({ captures, guessed }) =>
+      captures.map(({ skeleton, take }) =>
         guessed ? { ...bare(withPositions(skeleton, guessed.positions), take), space: guessed } : bare(skeleton, take),
       ),
     takesParts: false,
@@ -330,16 +330,16 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
   rig: ({ rig: { skeleton, skin, morphs, animation } }) => ({
     parts: [skeleton, skin, ...morphs, animation].filter((part) => part !== undefined),
   }),
-  bvh({ figures }) {
-    const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
-    // The same for all figures with samples: a row contains the channels of all roots.
-    const samples = figures.find(({ take }) => take?.samples)?.take?.samples;
+  bvh({ captures }) {
+    const joints = captures.flatMap(({ skeleton }) => skeleton.joints);
+    // The same for all characters with samples: a row contains the channels of all roots.
+    const samples = captures.find(({ take }) => take?.samples)?.take?.samples;
     const range = samples && rangeOfSamples(samples);
     return {
       joints: joints.length,
       endSites: sum(joints.map(({ endSites = [] }) => endSites.length)),
-      dofs: sum(figures.map(({ skeleton }) => jointDofCount(skeleton))),
-      roots: figures.length,
+      dofs: sum(captures.map(({ skeleton }) => jointDofCount(skeleton))),
+      roots: captures.length,
       frames: samples?.frameCount ?? 0,
       ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
     };

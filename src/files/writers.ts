@@ -88,7 +88,7 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     copies: rigCopies,
   },
   bvh: {
-    write: ({ figures }, name) => writeBvh(figures, name),
+    write: ({ captures }, name) => writeBvh(captures, name),
     detail(character, framesPerSecond) {
       const take = shownTake(character);
       const frames = take?.samples?.frameCount;

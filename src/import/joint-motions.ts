@@ -7,7 +7,7 @@
  *     translation, rotation     freejoint
  *     scale, or rests scaled    compoundjoint of the DOFs that it needs
  *
- * A part of the body that the file states turns at any rate, and the hips move: a figure without takes can be posed.
+ * A part of the body that the file states turns at any rate, and the hips move: a character without takes can be posed.
  */
 import type { Vec3 } from '../math/vec3.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton/skeleton.ts';

@@ -152,7 +152,7 @@ export function isMoved(character: Character): boolean {
   return character.driver !== undefined || shownTake(character) !== undefined;
 }
 
-/** Whether a character is a BVH figure as it is, so that its file holds all of it. */
+/** Whether a character is a BVH capture as it is, so that its file holds all of it. */
 export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
   return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;
 }

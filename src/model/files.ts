@@ -47,8 +47,8 @@ interface Contents {
   readonly anim: { readonly file: { readonly take: Take }; readonly part: Take };
   readonly rig: { readonly file: { readonly rig: Rig } };
   readonly bvh: {
-    readonly file: { readonly figures: readonly CapturedFigure[]; readonly guessed?: GuessedCapture };
-    readonly part: CapturedFigure;
+    readonly file: { readonly captures: readonly Capture[]; readonly guessed?: GuessedCapture };
+    readonly part: Capture;
   };
   readonly pose: { readonly file: { readonly poses: readonly PoseByNames[] }; readonly part: PoseLibrary };
   /** Whole characters, with everything they need inside the file. */
@@ -74,14 +74,14 @@ export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: u
 /** The content of each kind of part. */
 export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 
-/** Facts that a motion capture file doesn't state, the same for all of its figures. */
+/** Facts that a motion capture file doesn't state, the same for all of its characters. */
 export interface GuessedCapture extends FileSpace {
-  /** The meaning of position channels; the figures still have that of the format. */
+  /** The meaning of position channels; the characters still have that of the format. */
   readonly positions: Positions;
 }
 
 /** One `ROOT` of a motion capture file: a skeleton and its motion; no take if the file has no frames. */
-export interface CapturedFigure {
+export interface Capture {
   readonly skeleton: Skeleton;
   readonly take?: Take;
 }

@@ -32,11 +32,11 @@ export type LengthUnit = (typeof LENGTH_UNITS)[number];
 /** The space of a character whose file states none: y up, a unit taken as a metre, not lifted. */
 export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
 
-/** The space that comes with a file: stated by it, or guessed from the posture of its figures. */
+/** The space that comes with a file: stated by it, or guessed from the posture of its characters. */
 export interface FileSpace {
   readonly space: Space;
   /**
-   * Fraction of the frames in which the figure stands: takes of one skeleton share the guess for the surest. 0 of a
+   * Fraction of the frames in which the character stands: takes of one skeleton share the guess for the surest. 0 of a
    * stated space.
    */
   readonly standing: number;

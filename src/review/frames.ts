@@ -1,6 +1,6 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
 import { playedTake } from '../evaluate/bake.ts';
-import { bareFigure } from '../evaluate/figure-frames.ts';
+import { bareCharacter } from '../evaluate/bare-character.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { PoseRotations } from '../evaluate/rotations/pose-rotations.ts';
@@ -35,7 +35,7 @@ export interface TakeFrames {
 }
 
 export function takeFrames(skeleton: Skeleton, take: Take, space: Space = DEFAULT_SPACE): TakeFrames {
-  return framesOfFigure({ ...bareFigure(skeleton, take), space }, skeleton, take, 0);
+  return framesOfBare({ ...bareCharacter(skeleton, take), space }, skeleton, take, 0);
 }
 
 /**
@@ -47,13 +47,13 @@ export function displayedFrames(character: Character): TakeFrames | undefined {
   const take = playedTake(character);
   if (!character.skeleton || !take) return undefined;
   const offset = character.driver?.source.timeOffsetSeconds ?? 0;
-  return framesOfFigure({ ...keyed, timeOffsetSeconds: 0 }, character.skeleton, take, offset);
+  return framesOfBare({ ...keyed, timeOffsetSeconds: 0 }, character.skeleton, take, offset);
 }
 
-/** @param offsetSeconds from the figure's time to that of the take */
-function framesOfFigure(figure: Character, skeleton: Skeleton, take: Take, offsetSeconds: number): TakeFrames {
-  const space = figure.space ?? DEFAULT_SPACE;
-  const source = poseSource(figure);
+/** @param offsetSeconds from the character's time to that of the take */
+function framesOfBare(character: Character, skeleton: Skeleton, take: Take, offsetSeconds: number): TakeFrames {
+  const space = character.space ?? DEFAULT_SPACE;
+  const source = poseSource(character);
   const { startSeconds, frameSeconds, frameCount } = framesOfTake(take, KEYED_RATE);
   const compiled = compileSkeleton(skeleton);
   const ends = skeleton.joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
@@ -80,7 +80,7 @@ function framesOfFigure(figure: Character, skeleton: Skeleton, take: Take, offse
     nameOf: (joint) => skeleton.joints[joint]?.name ?? '',
     secondsOf,
     write: (frame, dofs, points) => writePoints(posing, secondsOf(frame) - offsetSeconds, dofs, points),
-    dofCount: dofCountOf(figure),
+    dofCount: dofCountOf(character),
   };
 }
 

@@ -10,18 +10,18 @@ import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile, WholeCharacter } from '../../src/model/files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { file } from '../helpers/builders.ts';
-import { figure, takeOfRoots } from '../helpers/mocap.ts';
+import { personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 
 function capture(name: string, height = 150): ParsedFile {
-  const skeleton = { ...figure({ height }), name };
+  const skeleton = { ...personSkeleton({ height }), name };
   const take = { ...takeOfRoots(skeleton, [[0, height / 2, 0]]), name };
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
   return { ...capturedContent([{ skeleton, take }], source.name).value, source };
 }
 
 function stated(name: string, height: number, metres: number): ParsedFile {
-  const skeleton = { ...figure({ height }), name };
+  const skeleton = { ...personSkeleton({ height }), name };
   const takes = [{ ...takeOfRoots(skeleton, [[0, height / 2, 0]]), name }];
   const whole: WholeCharacter = { skeleton, skins: [], morphs: [], takes, textures: [], space: statedSpace(metres) };
   return file(`${name}.glb`, { kind: 'character', characters: [whole] });

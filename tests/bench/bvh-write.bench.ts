@@ -5,27 +5,27 @@
  */
 import { bench, describe } from 'vitest';
 import { writeBvh } from '../../src/formats/bvh/write.ts';
-import type { CapturedFigure } from '../../src/model/files.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
+import type { Capture } from '../../src/model/files.ts';
+import { bvhJoint, captureOf } from '../helpers/bvh.ts';
 
 const FRAMES = 5000;
 const JOINTS = 60;
 
-function figure(print: (value: number) => number): CapturedFigure {
+function capture(print: (value: number) => number): Capture {
   const joints = Array.from({ length: JOINTS }, (_, j) => bvhJoint(j - 1, ['rz', 'rx', 'ry'], { name: `j${j}` }));
   const rows = Array.from({ length: FRAMES }, (_, f) =>
     Array.from({ length: 3 * JOINTS }, (_, k) => print(90 * Math.sin((f * (k + 1)) / 500 + k))),
   );
-  return bvhFigure({ name: 'take', joints }, rows);
+  return captureOf({ name: 'take', joints }, rows);
 }
 
-function ours(written: CapturedFigure): number {
+function ours(written: Capture): number {
   let bytes = 0;
   for (const piece of writeBvh([written]).pieces) bytes += piece.length;
   return bytes;
 }
 
-function bare({ take }: CapturedFigure): number {
+function bare({ take }: Capture): number {
   const values = take?.samples?.values ?? new Float64Array(0);
   const row: string[] = new Array(3 * JOINTS);
   let length = 0;
@@ -41,7 +41,7 @@ for (const [name, print] of [
   ['all digits', (value: number) => value],
 ] as const) {
   describe(`a .bvh of ${FRAMES} rows of ${3 * JOINTS}, ${name}`, () => {
-    const written = figure(print);
+    const written = capture(print);
     bench('ours', () => void ours(written));
     bench('bare loop', () => void bare(written));
   });

@@ -20,7 +20,7 @@ export const WALK = bvh(
   'Hips',
   Array.from({ length: 11 }, (_, f) => `${10 * f} 90 0 0 0 0 0 ${6 * f} 0`),
 );
-/** Of two figures. */
+/** Of two characters. */
 export const TWO = bvh(
   'Left',
   ['0 90 0 0 0 0 0 0 0 9 90 0 0 0 0', '0 90 0 0 0 0 0 0 0 9 91 0 0 0 0'],

@@ -284,7 +284,7 @@ describe('marrow export', () => {
     }
   });
 
-  it('each figure of a file retargeted onto that file is itself', async () => {
+  it('each character of a file retargeted onto that file is itself', async () => {
     for (const [out, ...args] of [['as-read'], ['onto-itself', '--retarget', 'takes/two.bvh']]) {
       const { code, err } = await exported('takes/two.bvh', '--to', 'npz', '--out', out, '--float64', ...args);
       expect([code, err]).toEqual([0, '']);

@@ -7,11 +7,11 @@ import { besideTable, tableColumns } from '../../src/dataset/table.ts';
 import { takeOf } from '../../src/dataset/take.ts';
 import { namedArrays, type TakeArrays, takeArrays } from '../../src/dataset/take-arrays.ts';
 import { character } from '../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../helpers/bvh.ts';
 import { readParquet } from './read-parquet.ts';
 
 /** A person's legs, with two joints of one name, and so many frames that bits fill several bytes. */
-function figure() {
+function capture() {
   const turns = ['rz', 'rx', 'ry'] as const;
   const joints = [
     bvhJoint(-1, ['tx', 'ty', 'tz', ...turns], { name: 'Hips', offset: [0, 90, 0] }),
@@ -34,12 +34,12 @@ function figure() {
       c === 1 ? 90 : f < 12 ? 0 : c === 0 ? 7 * f : (f * c) % 11,
     ),
   );
-  return bvhFigure({ name: 'legs', joints }, rows);
+  return captureOf({ name: 'legs', joints }, rows);
 }
 
 let arrays: TakeArrays;
 beforeAll(() => {
-  const { skeleton, take } = figure();
+  const { skeleton, take } = capture();
   const own = character({
     skeleton,
     takes: take ? [take] : [],

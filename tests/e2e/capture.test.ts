@@ -89,8 +89,8 @@ describeShared('all takes of the field at once', () => {
         for (const { file, frame } of wanted) {
           // Several roots are several characters, named after the file and their root.
           const stem = file.replace(/\.bvh$/, '');
-          const figures = shown.filter(({ name }) => name === stem || name.startsWith(`${stem} `));
-          expectAtFrame(figures, reference[file], frame, `${file}, frame ${frame}`);
+          const skeleton = shown.filter(({ name }) => name === stem || name.startsWith(`${stem} `));
+          expectAtFrame(skeleton, reference[file], frame, `${file}, frame ${frame}`);
         }
       }
       // Any number of them costs the same few draw calls: joints, bones, ground, axes and the selection.

@@ -1,4 +1,4 @@
-/** What a frame asks of the GPU, in figures that are the same on any machine. */
+/** What a frame asks of the GPU, in characters that are the same on any machine. */
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';

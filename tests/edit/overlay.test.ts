@@ -18,8 +18,8 @@ import {
 } from '../../src/model/document.ts';
 import type { Space } from '../../src/model/space.ts';
 import { character, documentOf, joint, takeOfValues } from '../helpers/builders.ts';
-import { sharedFigures } from '../helpers/bvh-files.ts';
-import { figure, takeOfRoots } from '../helpers/mocap.ts';
+import { sharedCaptures } from '../helpers/bvh-files.ts';
+import { personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 import { anyCommand, argumentsFor } from './any-command.ts';
 import { Dice, thrown } from './dice.ts';
@@ -50,10 +50,10 @@ const end = (now: Document, before: Document, overlaid: Document) =>
 const captured: Document = openFiles(
   EMPTY_DOCUMENT,
   [170, 180].map((height, i) => {
-    const skeleton = { ...figure({ height }), name: `actor${i}` };
+    const skeleton = { ...personSkeleton({ height }), name: `actor${i}` };
     const source = { name: `actor${i}.bvh`, path: `actor${i}.bvh`, bytes: 1 };
-    const figures = [{ skeleton, take: { ...takeOfRoots(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
-    return { ...capturedContent(figures, source.name).value, source };
+    const captures = [{ skeleton, take: { ...takeOfRoots(skeleton, [[0, 85, 0]]), name: `walk${i}` } }];
+    return { ...capturedContent(captures, source.name).value, source };
   }),
 ).document;
 
@@ -74,7 +74,7 @@ describe('takes that are overlaid', () => {
     expect(after.characters[1].placements[0]).toEqual(a.placements[0]);
   });
 
-  it('a figure of unknown unit that is far taller than the first, or far smaller, becomes as tall', () => {
+  it('a character of unknown unit that is far taller than the first, or far smaller, becomes as tall', () => {
     for (const height of [0.1, 40]) {
       const before = documentOf(post('a', 1.7, at(1)), post('b', height, at(5)));
       const [first, second] = heights(overlayTakes.run(before, refs(before)));
@@ -142,7 +142,7 @@ function run(store: Store, id: string, dice: Dice): void {
 describeShared('real takes that are overlaid', () => {
   it('real captures of two actors, in other units, are both as tall as a person while overlaid', () => {
     const files = ['boxing-extra-line', 'cmu-01_01'].map((name) => ({
-      ...capturedContent(sharedFigures(`${name}.bvh`), name).value,
+      ...capturedContent(sharedCaptures(`${name}.bvh`), name).value,
       source: { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 },
     }));
     const { document } = openFiles(EMPTY_DOCUMENT, files);

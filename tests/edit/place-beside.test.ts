@@ -4,18 +4,18 @@ import { capturedContent } from '../../src/files/captured.ts';
 import { openFiles } from '../../src/files/open/open-files.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { figure, takeOfRoots } from '../helpers/mocap.ts';
+import { personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 
 type Point = readonly [number, number, number];
 
-/** A capture of so many figures, each with its root somewhere. */
+/** A capture of so many characters, each with its root somewhere. */
 function bvh(name: string, ...roots: readonly Point[]): ParsedFile {
-  const figures = roots.map((root, i) => {
-    const skeleton = { ...figure(), name: i ? `${name}${i}` : name };
+  const captures = roots.map((root, i) => {
+    const skeleton = { ...personSkeleton(), name: i ? `${name}${i}` : name };
     return { skeleton, take: { ...takeOfRoots(skeleton, [root]), name: skeleton.name } };
   });
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
-  return { ...capturedContent(figures, source.name).value, source };
+  return { ...capturedContent(captures, source.name).value, source };
 }
 
 const open = (files: readonly ParsedFile[], document: Document = EMPTY_DOCUMENT) => openFiles(document, files).document;
@@ -56,7 +56,7 @@ describe('captures that are dropped at once', () => {
     const { characters } = document;
     expect(characters[1].placements).toEqual(characters[0].placements);
     const at = standing(document);
-    // Seven beside the pair, and the last one before it; the pair's second figure, 4 m away, is no row.
+    // Seven beside the pair, and the last one before it; the pair's second character, 4 m away, is no row.
     for (let i = 2; i < 9; i++) expect(at[i][1]).toBeCloseTo(at[0][1], 2);
     expect(at[9][1]).toBeGreaterThan(at[0][1] + 2);
     expect(at[2][0]).toBeGreaterThan(at[1][0] + 0.2);

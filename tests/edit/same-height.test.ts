@@ -8,7 +8,7 @@ import { openFiles } from '../../src/files/open/open-files.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { character, documentOf, joint, skelFile } from '../helpers/builders.ts';
 import { expectEdit } from '../helpers/expect-edit.ts';
-import { figure, takeOfRoots } from '../helpers/mocap.ts';
+import { personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 
 const NO_BOX = { min: [0, 0, 0], max: [0, 0, 0] } as const;
 
@@ -139,9 +139,9 @@ describe('same height', () => {
     expect(second.position.map((v, k) => v - first.position[k])).toEqual([4, 0, 2]);
   });
 
-  it('figures of one file keep their relative sizes', () => {
+  it('characters of one file keep their relative sizes', () => {
     const [tall, small] = [1, 0.5].map((scale, i) => {
-      const { joints } = figure();
+      const { joints } = personSkeleton();
       const scaled = joints.map((j) => ({ ...j, offset: j.offset.map((v) => scale * v) as [number, number, number] }));
       const skeleton = { name: `figure${i}`, joints: scaled };
       return { skeleton, take: { ...takeOfRoots(skeleton, [[0, 85 * scale, 0]]), name: skeleton.name } };

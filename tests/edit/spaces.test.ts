@@ -12,27 +12,27 @@ import { positionsTaken } from '../../src/model/skeleton/position-channels.ts';
 import type { Space } from '../../src/model/space.ts';
 import { BVH_ROOT, takeOfRows as frames, person } from '../evaluate/retarget/people.ts';
 import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
-import { captured, figure, takeOfRoots } from '../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 
 const SPACE: Space = { up: 'z', unit: 'inches', lift: 0.25 };
 
 function bvh(name: string, ...roots: readonly (readonly [number, number, number])[]): ParsedFile {
-  const skeleton = { ...figure(), name };
-  const figures = roots.map((root, i) => ({
+  const skeleton = { ...personSkeleton(), name };
+  const captures = roots.map((root, i) => ({
     skeleton: { ...skeleton, name: i ? `${name}${i}` : name },
     take: { ...takeOfRoots(skeleton, [root]), name: i ? `${name}${i}` : name },
   }));
   const source = { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 };
-  return { ...capturedContent(figures, source.name).value, source };
+  return { ...capturedContent(captures, source.name).value, source };
 }
 
-describe('a figure of motion capture that is opened', () => {
-  it('a figure of motion capture that is opened is upright, in metres, on the ground', () => {
+describe('a character of motion capture that is opened', () => {
+  it('a character of motion capture that is opened is upright, in metres, on the ground', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 185, 0])]);
     expect(document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: -1, known: 'guessed' });
   });
 
-  it('a figure of motion capture that is opened keeps the space that it was given when its file is opened again', () => {
+  it('a character of motion capture that is opened keeps the space that it was given when its file is opened again', () => {
     const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 85, 0])]);
     const store = new Store(document);
     store.apply(setSpace, { characterId: document.characters[0].id, space: SPACE });
@@ -41,7 +41,7 @@ describe('a figure of motion capture that is opened', () => {
     expect(again.characters[0].space).toEqual(SPACE);
   });
 
-  it('a figure of motion capture that is opened is placed beside the others in one row, wherever it is in its file', () => {
+  it('a character of motion capture that is opened is placed beside the others in one row, wherever it is in its file', () => {
     const files = [bvh('a', [0, 85, 0]), bvh('b', [400, 85, 900]), bvh('c', [-70, 85, -300])];
     const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
     const feet = characters.map(({ placements: [{ position }] }, i) => [
@@ -54,7 +54,7 @@ describe('a figure of motion capture that is opened', () => {
     for (const [, z] of feet) expect(z).toBeCloseTo(0, 9);
   });
 
-  it('a figure of motion capture that is opened keeps its place to the others of its file', () => {
+  it('a character of motion capture that is opened keeps its place to the others of its file', () => {
     const { characters } = openFiles(EMPTY_DOCUMENT, [bvh('pair', [0, 85, 0], [60, 95, 0])]).document;
     expect(characters).toHaveLength(2);
     expect(characters[1].placements).toEqual(characters[0].placements);
@@ -62,9 +62,9 @@ describe('a figure of motion capture that is opened', () => {
   });
 
   it('adds its position channels to the offsets where they look meant so, and says so', () => {
-    const skeleton = figure({ positionsEverywhere: true });
-    const figures = [{ skeleton, take: takeOfRoots(skeleton, [[0, 85, 0]], 0) }];
-    const { value, diagnostics } = capturedContent(figures, 'made.bvh');
+    const skeleton = personSkeleton({ positionsEverywhere: true });
+    const captures = [{ skeleton, take: takeOfRoots(skeleton, [[0, 85, 0]], 0) }];
+    const { value, diagnostics } = capturedContent(captures, 'made.bvh');
     expect(diagnostics.map((d) => d.code)).toEqual(['positions-near-zero']);
     const [opened] = openFiles(EMPTY_DOCUMENT, [{ ...value, source: { name: 'made.bvh', path: 'made.bvh', bytes: 1 } }])
       .document.characters;
@@ -147,7 +147,7 @@ describe('the space of a character', () => {
 
 describe('position channels of a character', () => {
   it('position channels of a character have another meaning, and the character is on the ground again', () => {
-    const skeleton = figure({ positionsEverywhere: true });
+    const skeleton = personSkeleton({ positionsEverywhere: true });
     const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
     const store = new Store(documentOf(captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]), { space })));
     store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' });
@@ -188,7 +188,7 @@ describe('hidden characters', () => {
 
 describe('what a take plays between frames', () => {
   it('what a take plays between frames is set for its samples, whose values stay', () => {
-    const skeleton = figure();
+    const skeleton = personSkeleton();
     const store = new Store(documentOf(captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]))));
     store.apply(setInterpolation, { characterId: 'c1', interpolation: 'nearest' });
     expect(store.document.characters[0].takes[0].samples?.interpolation).toBe('nearest');

@@ -29,11 +29,11 @@ interface Expected {
 describeShared('takes of the reference files', () => {
   const { files } = conformance<Expected>('bvh-positions.json');
 
-  /** A character for each figure of a file. */
+  /** A character for each character of a file. */
   const takesOf = (name: string): Character[] => {
     const { value } = readBvh(sharedBytes(`data/bvh/${name}`), name);
-    return (value ?? []).map((figure) =>
-      character({ skeleton: figure.skeleton, takes: figure.take ? [figure.take] : [], shownTake: 0 }),
+    return (value ?? []).map((capture) =>
+      character({ skeleton: capture.skeleton, takes: capture.take ? [capture.take] : [], shownTake: 0 }),
     );
   };
 

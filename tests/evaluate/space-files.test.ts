@@ -1,6 +1,6 @@
 /** Real files, which say neither unit nor axis nor ground: what they were recorded in is known from `data/bvh/README.md`. */
 import { expect, it } from 'vitest';
-import { forFrames } from '../../src/evaluate/figure-frames.ts';
+import { forFrames } from '../../src/evaluate/bare-character.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { applySpace } from '../../src/evaluate/space/space.ts';
 import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
@@ -26,7 +26,7 @@ const FILES: readonly (readonly [string, LengthUnit, 'y' | 'z'])[] = [
   ['xsens-armchair.bvh', 'centimetres', 'y'],
 ];
 
-describeShared('captured figures of many sources', () => {
+describeShared('captured characters of many sources', () => {
   it.each(FILES)('%s is in %s, %s up, as tall as a person and on the ground', (file, unit, up) => {
     const { value } = readBvh(sharedBytes(`data/bvh/${file}`), file);
     expect(value).toHaveLength(1);

@@ -64,7 +64,7 @@ describe.each([
   });
 });
 
-/** The figure below a root that lays it on its back, its lowest point on the ground. */
+/** The character below a root that lays it on its back, its lowest point on the ground. */
 function laidDown(skeleton: Skeleton, take: Take): { readonly skeleton: Skeleton; readonly take: Take } {
   const { samples } = take;
   if (!samples) throw new Error('No samples.');

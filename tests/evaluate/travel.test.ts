@@ -3,9 +3,9 @@ import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts
 import { carrierOf, groundTravel } from '../../src/evaluate/travel.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { character, skeleton, takeOfValues } from '../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
-import { sharedFigures } from '../helpers/bvh-files.ts';
-import { captured, figure } from '../helpers/mocap.ts';
+import { bvhJoint, captureOf } from '../helpers/bvh.ts';
+import { sharedCaptures } from '../helpers/bvh-files.ts';
+import { captured, personSkeleton } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
 const POSITIONS = ['tx', 'ty', 'tz'] as const;
@@ -17,17 +17,17 @@ const STUDIO: Skeleton = {
 
 /** @param rows x of the root, of the hips and of the first leg, a frame */
 const carrierIn = (rows: readonly (readonly [number, number, number])[]) => {
-  const figure = bvhFigure(
+  const capture = captureOf(
     STUDIO,
     rows.map(([root, hips, leg]) => [root, 0, 0, hips, 0, 0, leg, 0, 0, 0, 0, 0]),
   );
-  const { skeleton, take } = figure;
+  const { skeleton, take } = capture;
   if (!take) throw new Error('No take was made.');
   return carrierOf(captured(skeleton, take));
 };
 
 const travelOf = (space: 'y' | 'z', carrier: number, dofs: readonly number[]) => {
-  const compiled = compileSkeleton(figure());
+  const compiled = compileSkeleton(personSkeleton());
   const all = new Float64Array(compiled.dofCount);
   all.set(dofs);
   const world = new Float64Array(16 * compiled.jointCount);
@@ -40,11 +40,11 @@ const travelOf = (space: 'y' | 'z', carrier: number, dofs: readonly number[]) =>
 describeShared('captures of studios', () => {
   it('captures of studios are carried by the joint that travels', () => {
     const carriers = ['bandai-namco-bow-normal.bvh', 'rokoko-dance.bvh', 'cmu-01_01.bvh'].map((name) => {
-      const [{ skeleton, take }] = sharedFigures(name);
+      const [{ skeleton, take }] = sharedCaptures(name);
       return take && skeleton.joints[carrierOf(captured(skeleton, take))].name;
     });
     expect(carriers).toEqual(['Hips', 'Hips', 'Hips']);
-    expect(sharedFigures('bandai-namco-bow-normal.bvh')[0].skeleton.joints[1].name).toBe('Hips');
+    expect(sharedCaptures('bandai-namco-bow-normal.bvh')[0].skeleton.joints[1].name).toBe('Hips');
   });
 });
 

@@ -8,7 +8,7 @@ import type { FileContent } from '../../src/model/files.ts';
 import { type Joint, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { character, joint, morph, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../helpers/bvh.ts';
 
 const HINGE: Joint = {
   ...joint(-1, { name: '', offset: [0, 0, 0] }),
@@ -34,7 +34,7 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, ImportedKind>, FileContent |
   rig: { kind: 'rig', rig: { name: 'x', skeleton: 'x.skel', morphs: [] } },
   bvh: {
     kind: 'bvh',
-    figures: [bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'], { name: 'hips' })] }, [[0], [5]])],
+    captures: [captureOf({ name: 'x', joints: [bvhJoint(-1, ['rx'], { name: 'hips' })] }, [[0], [5]])],
   },
   pose: { kind: 'pose', poses: [{ name: 'x', joints: [], weights: [] }] },
   markers: {

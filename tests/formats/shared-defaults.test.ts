@@ -7,7 +7,7 @@ import { bytesOf, read, readInPieces } from './read-in-pieces.ts';
 function jointsOf(text: string, name: string): readonly Joint[] {
   const { value } = read(name, text);
   if (value?.kind === 'skel') return value.skeletons[0].joints;
-  return value?.kind === 'bvh' ? value.figures[0].skeleton.joints : [];
+  return value?.kind === 'bvh' ? value.captures[0].skeleton.joints : [];
 }
 
 const MANY = 20_000;

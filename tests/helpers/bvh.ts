@@ -1,7 +1,7 @@
-/** Hand-made BVH figures: a skeleton whose joints have channels, and rows of values in degrees. */
+/** Hand-made BVH captures: a skeleton whose joints have channels, and rows of values in degrees. */
 
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
-import type { CapturedFigure } from '../../src/model/files.ts';
+import type { Capture } from '../../src/model/files.ts';
 import { rootDofCount } from '../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
@@ -19,11 +19,7 @@ export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: 
 }
 
 /** @param rows a value per channel, in the file's units */
-export function bvhFigure(
-  skeleton: Skeleton,
-  rows: readonly (readonly number[])[],
-  frameSeconds = 0.04,
-): CapturedFigure {
+export function captureOf(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.04): Capture {
   const scales = skeleton.joints.flatMap(({ motion }) =>
     dofsOf(motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1)),
   );

@@ -146,7 +146,7 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   for (const { markers: _besideIt, ...take } of takes.filter((part) => isNew(part, before?.takes))) {
     // A `.bvh` has no keys; an `.anim` has no samples, and no resting channel without a key.
     const isCapture = skeleton !== undefined && isBvh(character) && take.channels.every(({ kind }) => kind !== 'keys');
-    if (isCapture && take.samples) expectRoundTrip({ kind: 'bvh', figures: [{ skeleton, take }] }, false);
+    if (isCapture && take.samples) expectRoundTrip({ kind: 'bvh', captures: [{ skeleton, take }] }, false);
     const isExact =
       !take.samples && take.channels.every((c) => c.kind === 'keys' || (c.kind === 'rest' && c.value === 0));
     expectRoundTrip({ kind: 'anim', take: { ...take, name: 'x' } }, isExact);

@@ -72,7 +72,7 @@ export async function framesWhile(
   return page.evaluate(([from, to]) => window.glFrames?.slice(from, to) ?? [], [first, first + count] as const);
 }
 
-/** The usual frame of many: each figure's median. */
+/** The usual frame of many: each character's median. */
 export function usual(frames: readonly FrameCalls[]): FrameCalls {
   const median = (of: keyof FrameCalls) => frames.map((f) => f[of]).sort((a, b) => a - b)[frames.length >> 1];
   return {

@@ -1,4 +1,4 @@
-/** A generated motion capture figure: hips, head, two legs; any height and orientation. */
+/** A generated motion capture character: hips, head, two legs; any height and orientation. */
 
 import { RADIANS_PER_DEGREE } from '../../src/math/degrees.ts';
 import type { Character } from '../../src/model/document.ts';
@@ -18,7 +18,7 @@ type Point = readonly [number, number, number];
 const CHANNELS: readonly BvhChannel[] = ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'];
 const ROTATIONS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];
 
-export interface FigureOptions {
+export interface PersonOptions {
   /** From the soles to the top of the head. */
   readonly height?: number;
   readonly up?: 'y' | 'z';
@@ -28,7 +28,7 @@ export interface FigureOptions {
   readonly positionsEverywhere?: boolean;
 }
 
-export function figure(options: FigureOptions = {}): Skeleton {
+export function personSkeleton(options: PersonOptions = {}): Skeleton {
   const { height = 170, up = 'y', named = true, positionsEverywhere = false } = options;
   const at = (x: number, y: number, z: number): Point =>
     up === 'y' ? [x * height, y * height, z * height] : [x * height, -z * height, y * height];
@@ -59,7 +59,7 @@ export function figure(options: FigureOptions = {}): Skeleton {
 }
 
 /**
- * A take of the figure: rows of the root's position, everything else standing.
+ * A take of the character: rows of the root's position, everything else standing.
  * @param others what position channels of the other joints hold; their OFFSET where absent
  */
 export function takeOfRoots(skeleton: Skeleton, roots: readonly Point[], others?: number): Take {

@@ -12,8 +12,8 @@ import { checkTake } from '../../src/review/check-take.ts';
 import { type Flag, type FlagKind, flagText } from '../../src/review/flags.ts';
 import { captured, retargeted } from '../evaluate/retarget/captures.ts';
 import { documentOf } from '../helpers/builders.ts';
-import { BVH_FILES, sharedFigures } from '../helpers/bvh-files.ts';
-import { figure } from '../helpers/mocap.ts';
+import { BVH_FILES, sharedCaptures } from '../helpers/bvh-files.ts';
+import { personSkeleton } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
 interface ReadTake {
@@ -23,7 +23,7 @@ interface ReadTake {
 }
 
 function takeOf(file: string): ReadTake {
-  const [{ skeleton: read, take }] = sharedFigures(file);
+  const [{ skeleton: read, take }] = sharedCaptures(file);
   if (!take?.samples) throw new Error(`${file} has no frames.`);
   const skeleton = withPositions(read, positionsMeant(read, take));
   return { skeleton, take: { ...take, samples: take.samples }, space: guessSpace(skeleton, take) };
@@ -156,7 +156,7 @@ describeShared('faults planted in real takes', () => {
     }
   });
 
-  it('a figure that sinks 20 cm for half a second is below the floor meanwhile', () => {
+  it('a character that sinks 20 cm for half a second is below the floor meanwhile', () => {
     const { frameSeconds } = chair.take.samples;
     const take = planted(chair, 'Hips', 'ty', [100, 130], (_f, was) => was - 20);
     const found = newFlags(chair, take, 'floor');
@@ -239,7 +239,7 @@ describeShared('real takes as they are', () => {
 
 describe('takes without frames', () => {
   it('a take of keys is looked at 60 times a second, and its held poses are meant', () => {
-    const held = figure();
+    const held = personSkeleton();
     const take: Take = { name: 'held', range: [0, 2], channels: [] };
     expect(checkTake(held, take, { up: 'y', unit: 'centimetres', lift: 77 })).toEqual([]);
   });

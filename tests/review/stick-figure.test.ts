@@ -4,12 +4,12 @@ import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
 import { positionsMeant, withPositions } from '../../src/model/skeleton/position-channels.ts';
 import { digestOf } from '../../src/review/digest.ts';
 import { stickFigure } from '../../src/review/stick-figure.ts';
-import { BVH_FILES, sharedFigures } from '../helpers/bvh-files.ts';
+import { BVH_FILES, sharedCaptures } from '../helpers/bvh-files.ts';
 import { describeShared } from '../helpers/shared.ts';
 
 describeShared('pictures of real takes', () => {
   it.each(BVH_FILES)('%s fits its picture, head up, and takes a few kilobytes', (file) => {
-    for (const { skeleton: read, take } of sharedFigures(file)) {
+    for (const { skeleton: read, take } of sharedCaptures(file)) {
       if (!take) continue;
       const skeleton = withPositions(read, positionsMeant(read, take));
       const { points, above, pointCount, frameCount } = stickFigure(skeleton, take, guessSpace(skeleton, take));
@@ -24,7 +24,7 @@ describeShared('pictures of real takes', () => {
   });
 
   it('a head is above the feet', () => {
-    const [{ skeleton, take }] = sharedFigures('bandai-namco-bow-normal.bvh');
+    const [{ skeleton, take }] = sharedCaptures('bandai-namco-bow-normal.bvh');
     if (!take) throw new Error('no take');
     const { points } = stickFigure(skeleton, take, guessSpace(skeleton, take));
     const head = skeleton.joints.findIndex(({ name }) => name === 'Head');

@@ -8,7 +8,7 @@ import type { BvhChannel } from '../../src/model/skeleton/skeleton.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, morph, skeleton, skin, takeOfValues } from '../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../helpers/bvh.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { heatValuesOf } from '../helpers/heat-values.ts';
 import { referenceMorph, referenceSkeleton, referenceSkin, referenceTake } from '../helpers/reference.ts';
@@ -232,7 +232,7 @@ describe('a character in the picture', () => {
 
   it('rotates by its own angles, whatever rotations samples gave another character', () => {
     const turning = (channels: readonly BvhChannel[]) => ({ name: 'one', joints: [bvhJoint(-1, channels)] });
-    const { skeleton: captured, take } = bvhFigure(
+    const { skeleton: captured, take } = captureOf(
       turning(['rz', 'rx', 'ry']),
       [
         [0, 0, 0],

@@ -7,12 +7,12 @@ import { Grid } from '../../src/view/scene/grid.ts';
 import { ShownCharacters } from '../../src/view/shown-characters.ts';
 import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, documentOf, joint, skin } from '../helpers/builders.ts';
-import { sharedFigures } from '../helpers/bvh-files.ts';
+import { sharedCaptures } from '../helpers/bvh-files.ts';
 import { heatValuesOf } from '../helpers/heat-values.ts';
-import { captured, figure, takeOfRoots } from '../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 import { describeShared } from '../helpers/shared.ts';
 
-const skeleton = figure();
+const skeleton = personSkeleton();
 const space = { up: 'y', unit: 'centimetres', lift: 0 } as const;
 const near = captured(skeleton, takeOfRoots(skeleton, [[0, 85, 0]]), { id: 'near', space });
 const far = captured(skeleton, takeOfRoots(skeleton, [[1000, 85, 0]]), { id: 'far', space });
@@ -253,7 +253,7 @@ describe('views of characters', () => {
 describeShared('captures of the reference, framed', () => {
   const files = ['bandai-namco-bow-normal', 'cmu-01_01', 'cmu-daz-pirouette', 'rokoko-dance', 'poser-sl-walk'];
   it.each(files)('every joint of %s is in the picture at every frame, wide or tall', (name) => {
-    const [{ skeleton: own, take }] = sharedFigures(`${name}.bvh`);
+    const [{ skeleton: own, take }] = sharedCaptures(`${name}.bvh`);
     if (!take?.samples) throw new Error('the file has no motion');
     const all = shown(captured(own, take, { id: name, space }));
     const { view, placements } = all.visible[0];

@@ -7,9 +7,9 @@ import { SkeletonDrawing } from '../../src/view/skeleton/skeleton-drawing.ts';
 import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { STAGE_THEMES, type Tints } from '../../src/view/theme.ts';
 import { character, documentOf, skin } from '../helpers/builders.ts';
-import { captured, figure, takeOfRoots } from '../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../helpers/mocap.ts';
 
-const skeleton = figure();
+const skeleton = personSkeleton();
 const motion = takeOfRoots(skeleton, [[0, 85, 0]]);
 const document = documentOf(captured(skeleton, motion, { id: 'a' }), captured(skeleton, motion, { id: 'b' }));
 

@@ -203,7 +203,7 @@ describe('the parse job on motion capture', () => {
   it('hands the samples over without a copy, in hardly more memory than they take', async () => {
     const output = await parse({ files: [take] }, ignore);
     const [file] = output.files;
-    const values = file.kind === 'bvh' ? file.figures[0].take?.samples?.values : undefined;
+    const values = file.kind === 'bvh' ? file.captures[0].take?.samples?.values : undefined;
     expect(values).toHaveLength(600000);
     expect(passageOf(output).transfer).toContain(values?.buffer);
     expect(values?.buffer.byteLength).toBeLessThan(1.15 * 8 * 600000);

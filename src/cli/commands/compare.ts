@@ -11,7 +11,7 @@ import { DEFAULT_TOLERANCE } from '../../teaching/compare/errors.ts';
 import { assumeTime, statesNoTime } from '../../teaching/dump/assumed-times.ts';
 import { bestFit } from '../../teaching/dump/best-fit.ts';
 import { type Fitted, fitDumps, type NamedDump, onlyTime } from '../../teaching/dump/fit-dump.ts';
-import { joinedFigures } from '../../teaching/dump/joined-figures.ts';
+import { joinedCharacters } from '../../teaching/dump/joined-characters.ts';
 import { fitDumpsAt } from '../../teaching/dump/times.ts';
 import { withPins } from '../compare-pin.ts';
 import { comparisonJson, comparisonText } from '../compare-text.ts';
@@ -122,7 +122,7 @@ function fitBest(
   times: readonly number[],
   tolerance: number,
 ) {
-  const all = [...characters, ...joinedFigures(characters)];
+  const all = [...characters, ...joinedCharacters(characters)];
   const best = bestFit(all, dumps, times);
   if (!best) {
     const none: Fitted = { diagnostics: [] };

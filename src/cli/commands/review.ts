@@ -90,7 +90,7 @@ async function takesIn(args: readonly string[], io: CommandIo) {
   return { takes, diagnostics };
 }
 
-/** A row for each file with takes: figures and takes of one file are one row, as the command takes whole files. */
+/** A row for each file with takes: characters and takes of one file are one row, as the command takes whole files. */
 function takesOf(characters: ReturnType<typeof openLoaded>['document']['characters']): readonly ListedTake[] {
   const rows = new Map<string, TakeFacts>();
   for (const { skeleton, takes, parts, space, sources } of characters) {

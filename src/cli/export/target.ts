@@ -26,7 +26,7 @@ export interface TargetFiles {
 export type Spaces = ReadonlyMap<string, Space>;
 
 export interface Target {
-  /** What a take is retargeted to: of several figures in the file the one with its skeleton, else the first. */
+  /** What a take is retargeted to: of several characters in the file the one with its skeleton, else the first. */
   readonly retargetOf?: (take: Character) => RetargetTarget;
   readonly spaces: Spaces;
 }

@@ -3,7 +3,7 @@
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownTake } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
-import { joinedFigures } from '../../teaching/dump/joined-figures.ts';
+import { joinedCharacters } from '../../teaching/dump/joined-characters.ts';
 import { loadInside, openLoaded } from '../load.ts';
 import { report } from '../report.ts';
 import { UsageError } from '../usage-error.ts';
@@ -48,7 +48,7 @@ export function loadReference(folder: string, path: string, tolerance: number, e
   }
   const { characters } = document;
   const contradicting: Diagnostic[] = [];
-  const joined = joinedFigures(characters);
+  const joined = joinedCharacters(characters);
   const dumps = rightDumps(loaded.files, [...characters, ...joined], tolerance, contradicting);
   told(contradicting);
   if (characters.length === 0 && dumps.length === 0) {

@@ -1,7 +1,7 @@
 /**
- * The facing direction of a figure, and the rotation that restores it after mirroring.
+ * The facing direction of a character, and the rotation that restores it after mirroring.
  *
- * Mirrored across a vertical plane, a figure at angle ψ to the plane is at −ψ; a rotation about the up axis by 2ψ
+ * Mirrored across a vertical plane, a character at angle ψ to the plane is at −ψ; a rotation about the up axis by 2ψ
  * restores its heading. It is then mirrored across its own vertical plane, and mirroring twice is the identity:
  * T₂ψ·M·T₂ψ·M = T₂ψ·T₋₂ψ = 1. Adding 180° to ψ changes nothing, so left and right may be confused.
  */
@@ -16,10 +16,10 @@ const ALONG = 1e-12;
 const STEEP = 0.3;
 
 /**
- * The rotation about the up axis by 2ψ, nine numbers; undefined if the figure faces along the plane, or the plane is
+ * The rotation about the up axis by 2ψ, nine numbers; undefined if the character faces along the plane, or the plane is
  * not vertical. The heading is that of the root, since a head may look elsewhere.
  *
- * @param sides unit vector from one side of the figure to the other, in the reference pose
+ * @param sides unit vector from one side of the character to the other, in the reference pose
  * @param dofs of the character, before mirroring
  */
 export function headingBack(

@@ -1,5 +1,5 @@
 /**
- * Mirrors a pose: of the whole figure, of a hierarchy and its counterpart, or of one side onto the other.
+ * Mirrors a pose: of the whole character, of a hierarchy and its counterpart, or of one side onto the other.
  *
  * The visible pose is mirrored: joint by joint from the root, the mirrored world rotation relative to the parent's
  * result. So if a joint can't rotate like its counterpart, its descendants compensate as far as possible. Linked DOFs
@@ -19,7 +19,7 @@ import { localMirrored, signed } from './reflection-signs.ts';
 
 /** Which joints take which pose. */
 export interface MirrorScope {
-  /** The joint whose hierarchy is mirrored; absent or the root: the whole figure with its position. */
+  /** The joint whose hierarchy is mirrored; absent or the root: the whole character with its position. */
   readonly joint?: number;
   /**
    * `swap`: the sides exchange their poses; `toOther`: the other side takes the pose of the joint's side, which is
@@ -29,7 +29,7 @@ export interface MirrorScope {
   /** Up axis of the character's space; default y. */
   readonly up?: 'y' | 'z';
   /**
-   * Mirrors the whole figure in place: its root keeps its position and heading (`heading.ts`). Absent: across the plane
+   * Mirrors the whole character in place: its root keeps its position and heading (`heading.ts`). Absent: across the plane
    * of the character's space, to its other side.
    */
   readonly stays?: boolean;
@@ -82,7 +82,7 @@ export function mirroredPose(
 }
 
 /**
- * How the whole figure is mirrored.
+ * How the whole character is mirrored.
  *
  * Motion capture may face anywhere, and its joints have axes of their own: it is mirrored across the vertical plane of
  * the character's space nearest to its own plane of symmetry, so that it keeps its facing direction.
@@ -94,7 +94,7 @@ export function wholeReflection(skeleton: Skeleton, dofs: Float64Array, up: 'y' 
 }
 
 /**
- * The whole figure across a given plane, its sides swapped, without limits: a frame of a take (`take-mirror.ts`).
+ * The whole character across a given plane, its sides swapped, without limits: a frame of a take (`take-mirror.ts`).
  * @param dofs of the joints, without morphs
  */
 export function swappedPose(skeleton: Skeleton, reflection: Reflection, dofs: Float64Array): Float64Array {
@@ -303,7 +303,7 @@ class Mirroring {
   }
 
   /**
-   * The map from world rotations of one hierarchy to those of the other at their tops: M for the whole figure; else the
+   * The map from world rotations of one hierarchy to those of the other at their tops: M for the whole character; else the
    * map between their two parents, which don't change.
    */
   private acrossTo(t: number, s: number): Float64Array {

@@ -49,7 +49,7 @@ const Y: Vec3 = [0, 1, 0];
 const Z: Vec3 = [0, 0, 1];
 /** Directions within 15° of an axis snap to it. */
 const NEARLY = Math.cos(Math.PI / 12);
-/** Average distance of mirrored joints from their partners up to which a figure is symmetric. In sizes. */
+/** Average distance of mirrored joints from their partners up to which a character is symmetric. In sizes. */
 const SYMMETRIC = 0.02;
 /** Paired joints this close show no sides. */
 const APART = 1e-3;
@@ -121,7 +121,7 @@ function bestPlane(skeleton: Skeleton, compiled: CompiledSkeleton, dofs: Float64
   });
   const named = normalByNames(skeleton, points);
   if (named) return candidate(named);
-  // For ties: most figures face along z, some along x, and hardly any lies on its side.
+  // For ties: most characters face along z, some along x, and hardly any lies on its side.
   return [X, Z, Y].map(candidate).reduce((best, other) => {
     const isBetter = other.paired === best.paired ? other.asymmetry < 0.5 * best.asymmetry : other.paired > best.paired;
     return isBetter ? other : best;

@@ -29,7 +29,7 @@ export function isCarried({ turn, shift }: Carry): boolean {
   return turn !== 0 || shift.some((v) => v !== 0);
 }
 
-/** Where a figure is and faces in one frame. */
+/** Where a character is and faces in one frame. */
 export interface Stance {
   /** x y z of the joint that carries the body. */
   readonly place: Float64Array;

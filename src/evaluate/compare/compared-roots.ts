@@ -9,7 +9,7 @@
 import type { Character } from '../../model/document.ts';
 import { shownTake } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { alignment, type Bodies, bodiesOf, type Reference, sourceFigure } from '../retarget/align.ts';
+import { alignment, type Bodies, bodiesOf, type Reference, sourceBody } from '../retarget/align.ts';
 import { sourceReference, stands } from '../retarget/reference.ts';
 import { playedSource } from '../retarget/source-pose.ts';
 import { carrierOf } from '../travel.ts';
@@ -40,7 +40,7 @@ export function rootTurn(a: Character, b: Character, joints: ComparedJoints): Fl
 }
 
 function sourceStands(bodies: Bodies): boolean {
-  return stands(bodies, sourceFigure(bodies), (t) => bodies.sourceOf[t]);
+  return stands(bodies, sourceBody(bodies), (t) => bodies.sourceOf[t]);
 }
 
 function bodiesFrom(
@@ -62,7 +62,7 @@ function correction(bodies: Bodies, source: Character, target: number): Float64A
 function referenceOf(bodies: Bodies, source: Character): Reference {
   const { pose, clampsToLimits } = source;
   const take = source.driver ? undefined : shownTake(source);
-  if (!take) return { ...sourceFigure(bodies), soles: true };
+  if (!take) return { ...sourceBody(bodies), soles: true };
   const played = playedSource({ skeleton: bodies.source, take, pose, clampsToLimits });
   return sourceReference(bodies, { played, range: take.range }, 'automatic');
 }

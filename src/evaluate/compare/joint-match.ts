@@ -1,6 +1,6 @@
 /**
  * Matches the joints of two skeletons: those with the same name whose parents match. Siblings may be in any order, as
- * in exports of one figure by two programs; of siblings with the same name, the first match, then the second, and so
+ * in exports of one character by two programs; of siblings with the same name, the first match, then the second, and so
  * on.
  *
  * No guessing: `LeftArm` and `L_UpperArm` may be the same limb, but their distance would compare two rigs, not two

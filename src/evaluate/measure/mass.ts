@@ -11,7 +11,7 @@
  */
 import { perObject } from '../../model/per-object.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { distance, type RetargetFigure } from '../retarget/figure.ts';
+import { distance, type RetargetBody } from '../retarget/body.ts';
 import { LIMB_SIDES, type LimbPart, type Roles, rolesOf } from '../retarget/roles.ts';
 
 /** `segments`: by limb segments; `bones`: uniform over bones. */
@@ -76,7 +76,7 @@ function bySegments({ joints }: Skeleton, { single }: Roles): Float64Array | und
   return weights;
 }
 
-function byBones({ joints }: Skeleton, rest: RetargetFigure): Float64Array {
+function byBones({ joints }: Skeleton, rest: RetargetBody): Float64Array {
   const weights = new Float64Array(joints.length);
   let sum = 0;
   joints.forEach(({ parent }, j) => {

@@ -23,8 +23,8 @@ import { backMultiply3, copy3, multiply3, setIdentity3, turnVector } from '../..
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import type { JointPair } from '../../model/takes/retarget.ts';
+import { type RetargetBody, retargetBody } from './body.ts';
 import { type Foot, footDirection, footOf } from './feet.ts';
-import { figureOf, type RetargetFigure } from './figure.ts';
 import { fingerBases } from './fingers.ts';
 import { type BodyParts, type BodySide, LIMB_SIDES, partsOf, type Role, type Roles, rolesOf } from './roles.ts';
 import { alignSole, type FootSlope, slopeOf, turnOn } from './slopes.ts';
@@ -45,7 +45,7 @@ export interface Bodies {
 }
 
 /** A skeleton in its reference pose. */
-export interface Reference extends RetargetFigure {
+export interface Reference extends RetargetBody {
   /** Whether its soles are known to be flat. */
   readonly soles: boolean;
 }
@@ -74,7 +74,7 @@ export function bodiesOf(
   }
   const roles = rolesOf(target, targetSpace);
   const sourceParts = partsOf(source, sourceSpace?.up);
-  const sourceRest = figureOf(source, sourceSpace);
+  const sourceRest = retargetBody(source, sourceSpace);
   const feet = LIMB_SIDES.flatMap((side): FeetPair[] => {
     const ankle = driven({ roles, sourceOf }, `${side} foot`);
     const own = ankle < 0 ? undefined : footOf(target, targetSpace, roles.rest, roles, ankle);
@@ -96,7 +96,7 @@ const UP: readonly number[] = [0, 1, 0];
 const UPRIGHT = Math.cos(Math.PI / 9);
 
 /** Nine numbers: x from right to left, y up from the hips, z to the front, for the joints given by `at`. */
-export function bodyFrame({ points }: RetargetFigure, bodies: Bodies, at: (target: number) => number): Float64Array {
+export function bodyFrame({ points }: RetargetBody, bodies: Bodies, at: (target: number) => number): Float64Array {
   const sideways = new Float64Array(3);
   const upward = new Float64Array(3);
   const between = (a: number, b: number, out: Float64Array) => {
@@ -137,7 +137,7 @@ function normalize(v: Float64Array): boolean {
 }
 
 /** B: from the target's front and up to the source's. */
-export function bodyTurn(bodies: Bodies, reference: RetargetFigure): Float64Array {
+export function bodyTurn(bodies: Bodies, reference: RetargetBody): Float64Array {
   const own = bodyFrame(bodies.rest, bodies, (t) => t);
   const other = bodyFrame(reference, bodies, (t) => bodies.sourceOf[t]);
   const back = new Float64Array(9);
@@ -230,7 +230,7 @@ export function alignment(bodies: Bodies, reference: Reference): Alignment {
 /** Extends D of a joint so that its bone to another points like the source's. */
 function swingTo(
   { rest, sourceOf }: Bodies,
-  reference: RetargetFigure,
+  reference: RetargetBody,
   j: number,
   to: number,
   turns: Float64Array,
@@ -258,7 +258,7 @@ function alignHand(
   // The middle one says best where a hand points to.
   const fingers = shared.includes('middle') ? (['middle'] as const) : shared;
   const [from, to] = [new Float64Array(3), new Float64Array(3)];
-  const add = ({ points }: RetargetFigure, hand: number, finger: number | undefined, out: Float64Array) => {
+  const add = ({ points }: RetargetBody, hand: number, finger: number | undefined, out: Float64Array) => {
     if (finger === undefined) return;
     for (let k = 0; k < 3; k++) out[k] += points[3 * finger + k] - points[3 * hand + k];
   };
@@ -310,6 +310,6 @@ function onlyFollowers({ target, source, sourceOf }: Bodies): Int32Array {
  * The source in the scene, in a pose or in its file pose.
  * @param dofs all of the source's; absent: its file pose
  */
-export function sourceFigure({ source, sourceSpace }: Bodies, dofs?: Float64Array): RetargetFigure {
-  return figureOf(source, sourceSpace, dofs);
+export function sourceBody({ source, sourceSpace }: Bodies, dofs?: Float64Array): RetargetBody {
+  return retargetBody(source, sourceSpace, dofs);
 }

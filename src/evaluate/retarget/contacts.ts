@@ -14,8 +14,8 @@
 import { smoothstep } from '../../math/smoothstep.ts';
 import { contactSpans, type JointPaths, standingHeight } from '../foot-contacts.ts';
 import { worldMatrices } from '../kinematics.ts';
-import { type Bodies, driven, sourceFigure } from './align.ts';
-import type { RetargetFigure } from './figure.ts';
+import { type Bodies, driven, sourceBody } from './align.ts';
+import type { RetargetBody } from './body.ts';
 import { depthOfLowest, median, type Soles, shiftOfHips, soleHeight, soleOf } from './ground.ts';
 import { legLength } from './leg-length.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
@@ -34,7 +34,7 @@ const MAX_SAMPLES = 20000;
 const MEASURED = 5;
 
 /** The plan with its height above the ground and foot contacts. */
-export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: RetargetFigure): RetargetPlan {
+export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: RetargetBody): RetargetPlan {
   const legs = plain.limbs.filter(({ part }) => part === 'leg');
   const length = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
   if (!legs.length || !(length > 0)) return { ...plain, shift: shiftOfHips(plain, bodies, reference) };
@@ -42,7 +42,7 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Retar
     const { source, sourceSpace, target, targetSpace, sourceOf } = bodies;
     return {
       own: soleOf(target, targetSpace, bodies.roles.rest, end),
-      source: soleOf(source, sourceSpace, sourceFigure(bodies), sourceOf[end]),
+      source: soleOf(source, sourceSpace, sourceBody(bodies), sourceOf[end]),
     };
   });
   const balls = legs.map((limb) => {

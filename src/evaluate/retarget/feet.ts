@@ -7,7 +7,7 @@ import { copy3, multiply3, swing, turnAbout, turnVector } from '../../math/mat3.
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import { metresPerUnit } from '../space/metres.ts';
-import { distance, type RetargetFigure } from './figure.ts';
+import { distance, type RetargetBody } from './body.ts';
 import type { BodyParts } from './roles.ts';
 import { footTip, type PointTree, tipBelow } from './tip.ts';
 
@@ -32,7 +32,7 @@ export interface Foot extends PointedJoints {
 export function footOf(
   skeleton: Skeleton,
   space: Space | undefined,
-  rest: RetargetFigure,
+  rest: RetargetBody,
   parts: BodyParts,
   ankle: number,
 ): Foot | undefined {
@@ -65,17 +65,17 @@ function fromOn({ joints }: Skeleton, joint: number): number[] {
 }
 
 /** Unit vector from the joint to its tip. */
-export function footDirection(figure: RetargetFigure, foot: PointedJoints): Float64Array {
-  const way = wayToTip(figure, foot);
+export function footDirection(body: RetargetBody, foot: PointedJoints): Float64Array {
+  const way = wayToTip(body, foot);
   const length = Math.hypot(...way);
   return length > 0 ? way.map((v) => v / length) : way;
 }
 
-function footLength(figure: RetargetFigure, foot: PointedJoints): number {
-  return Math.hypot(...wayToTip(figure, foot));
+function footLength(body: RetargetBody, foot: PointedJoints): number {
+  return Math.hypot(...wayToTip(body, foot));
 }
 
-function wayToTip({ points, rotations }: RetargetFigure, { joints: [joint], tip }: PointedJoints): Float64Array {
+function wayToTip({ points, rotations }: RetargetBody, { joints: [joint], tip }: PointedJoints): Float64Array {
   const out = new Float64Array(3);
   if (typeof tip === 'number') for (let k = 0; k < 3; k++) out[k] = points[3 * tip + k] - points[3 * joint + k];
   else turnVector(rotations, 9 * joint, tip, 0, out, 0);
@@ -92,9 +92,9 @@ const DEGREE = Math.PI / 180;
 const FLATTEST = -5 * DEGREE;
 const STEEPEST = -60 * DEGREE;
 
-/** Whether a standing figure's foot can be believed to be flat. */
-export function looksFlat(figure: RetargetFigure, foot: Foot): boolean {
-  const pitch = pitchOf(footDirection(figure, foot));
+/** Whether a standing character's foot can be believed to be flat. */
+export function looksFlat(body: RetargetBody, foot: Foot): boolean {
+  const pitch = pitchOf(footDirection(body, foot));
   return pitch < FLATTEST && pitch > STEEPEST;
 }
 
@@ -109,18 +109,18 @@ const USUAL = -26 * DEGREE;
 const USUAL_TOES = -6 * DEGREE;
 
 /**
- * The figure with feet as flat as they are, on average, where they are lowest in these figures; undefined if a shin is
+ * The character with feet as flat as they are, on average, where they are lowest in these characters; undefined if a shin is
  * never steep. On tiptoe, ankles are high. Both feet get the same slopes, those of the one that is nearer to what is usual,
  * since the other may be on its toes all the time.
  */
 export function withFlatFeet(
-  figure: RetargetFigure,
-  all: readonly RetargetFigure[],
+  body: RetargetBody,
+  all: readonly RetargetBody[],
   feet: readonly Foot[],
-): RetargetFigure | undefined {
-  const out = { points: figure.points.slice(), rotations: figure.rotations.slice() };
+): RetargetBody | undefined {
+  const out = { points: body.points.slice(), rotations: body.rotations.slice() };
   const flat = feet.map((foot) => lowest(all, foot));
-  if (flat.some((figures) => figures.length === 0)) return undefined;
+  if (flat.some((bodies) => bodies.length === 0)) return undefined;
   flatten(out, feet, flat, USUAL);
   const withToes = feet.flatMap(({ toes }, i) => (toes ? [{ toes, flat: flat[i] }] : []));
   flatten(
@@ -132,11 +132,11 @@ export function withFlatFeet(
   return out;
 }
 
-/** Turns feet, or their toes, so that what is their lower side in these figures is down, and slopes alike. */
+/** Turns feet, or their toes, so that what is their lower side in these characters is down, and slopes alike. */
 function flatten(
-  out: RetargetFigure,
+  out: RetargetBody,
   feet: readonly PointedJoints[],
-  flat: readonly (readonly RetargetFigure[])[],
+  flat: readonly (readonly RetargetBody[])[],
   usual: number,
 ): void {
   const pitches = feet.map((foot, i) => {
@@ -149,10 +149,10 @@ function flatten(
   });
 }
 
-function lowest(all: readonly RetargetFigure[], foot: Foot): readonly RetargetFigure[] {
+function lowest(all: readonly RetargetBody[], foot: Foot): readonly RetargetBody[] {
   const { shin, joints } = foot;
   const [ankle] = joints;
-  const height = ({ points }: RetargetFigure) => points[3 * ankle + 1];
+  const height = ({ points }: RetargetBody) => points[3 * ankle + 1];
   const steep = all.filter(({ points }) => {
     const d = [0, 1, 2].map((k) => points[3 * shin + k] - points[3 * ankle + k]);
     return d[1] > STEEP * Math.hypot(...d);
@@ -164,26 +164,26 @@ function lowest(all: readonly RetargetFigure[], foot: Foot): readonly RetargetFi
 
 const DOWN = Float64Array.of(0, -1, 0);
 
-/** Turns joints, about the first of them, so that what is its lower side in these figures is down. */
-function turnDown(figure: RetargetFigure, joints: readonly number[], flat: readonly RetargetFigure[]): void {
+/** Turns joints, about the first of them, so that what is its lower side in these characters is down. */
+function turnDown(body: RetargetBody, joints: readonly number[], flat: readonly RetargetBody[]): void {
   const [first] = joints;
   const down = new Float64Array(3);
   for (const { rotations } of flat) {
     for (let k = 0; k < 3; k++) down[k] -= rotations[9 * first + 3 * k + 1];
   }
-  turnVector(figure.rotations, 9 * first, down, 0, down, 0);
+  turnVector(body.rotations, 9 * first, down, 0, down, 0);
   const turn = new Float64Array(9);
   swing(down, 0, DOWN, 0, turn, 0);
-  turnJoints(figure, joints, turn);
+  turnJoints(body, joints, turn);
 }
 
 /** Raises a tip by an angle. */
-function raise(figure: RetargetFigure, foot: PointedJoints, angle: number): void {
-  const axis = raisingAxis(footDirection(figure, foot));
+function raise(body: RetargetBody, foot: PointedJoints, angle: number): void {
+  const axis = raisingAxis(footDirection(body, foot));
   if (!axis) return;
   const turn = new Float64Array(9);
   turnAbout(axis[0], 0, axis[2], Math.cos(angle), Math.sin(angle), turn, 0);
-  turnJoints(figure, foot.joints, turn);
+  turnJoints(body, foot.joints, turn);
 }
 
 /** The horizontal unit vector about which a direction is raised; undefined if it points straight up or down. */
@@ -193,7 +193,7 @@ export function raisingAxis([x, , z]: Float64Array): Float64Array | undefined {
 }
 
 /** Turns joints about the first one's place. */
-function turnJoints({ points, rotations }: RetargetFigure, joints: readonly number[], turn: Float64Array): void {
+function turnJoints({ points, rotations }: RetargetBody, joints: readonly number[], turn: Float64Array): void {
   const turned = new Float64Array(9);
   const [x, y, z] = points.subarray(3 * joints[0], 3 * joints[0] + 3);
   for (const j of joints) {

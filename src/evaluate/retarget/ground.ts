@@ -9,7 +9,7 @@
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
-import type { RetargetFigure } from './figure.ts';
+import type { RetargetBody } from './body.ts';
 import type { RetargetPlan, SpaceRule } from './plan.ts';
 import { solveFreely } from './solve.ts';
 
@@ -22,7 +22,7 @@ export interface Sole {
   readonly depth: number;
 }
 
-/** A figure whose lowest point is within these fractions of its height around the scene's ground stands on it. */
+/** A character whose lowest point is within these fractions of its height around the scene's ground stands on it. */
 const BELOW = 0.01;
 const ABOVE = 0.1;
 
@@ -31,7 +31,7 @@ const ABOVE = 0.1;
  * @param rest the skeleton in its file pose: without a space of its own it may stand on the ground with its skin, so
  *   that its joints don't reach it
  */
-export function soleOf(skeleton: Skeleton, space: Space | undefined, rest: RetargetFigure, ankle: number): Sole {
+export function soleOf(skeleton: Skeleton, space: Space | undefined, rest: RetargetBody, ankle: number): Sole {
   const joints: number[] = [];
   const points: number[] = [];
   const below = new Set([ankle]);
@@ -101,7 +101,7 @@ export function median(values: readonly number[]): number {
 }
 
 /** Without legs: by the hips, from their position in the reference pose to that at rest. */
-export function shiftOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: RetargetFigure): number {
+export function shiftOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: RetargetBody): number {
   const [joint] = plan.carried;
   if (joint === undefined) return 0;
   return rest.points[3 * joint + 1] - plan.scale * reference.points[3 * sourceOf[joint] + 1];

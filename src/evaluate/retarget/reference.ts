@@ -11,9 +11,9 @@
  */
 import { turnVector } from '../../math/mat3.ts';
 import type { RetargetOptions } from '../../model/takes/retarget.ts';
-import { aims, type Bodies, bodyFrame, bodyTurn, driven, type Reference, sourceFigure } from './align.ts';
+import { aims, type Bodies, bodyFrame, bodyTurn, driven, type Reference, sourceBody } from './align.ts';
+import { type RetargetBody, retargetBody } from './body.ts';
 import { type Foot, looksFlat, withFlatFeet } from './feet.ts';
-import { figureOf, type RetargetFigure } from './figure.ts';
 import { LIMB_SIDES, type Role } from './roles.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
 
@@ -36,10 +36,10 @@ export function ownReference(bodies: Bodies, take: PlayedTake | undefined): Refe
   const { target, targetSpace, rest } = bodies;
   const at = (t: number) => t;
   const isStanding = stands(bodies, rest, at);
-  const figures = new Figures(take, (dofs) => figureOf(target, targetSpace, dofs));
-  const figure = isStanding ? rest : figures.closest(rest, (each) => slant(bodies, each, at));
+  const sampled = new SampledBodies(take, (dofs) => retargetBody(target, targetSpace, dofs));
+  const body = isStanding ? rest : sampled.closest(rest, (each) => slant(bodies, each, at));
   const feet = bodies.feet.map(({ own }) => own);
-  return onSoles(figure, isStanding, feet, figures);
+  return onSoles(body, isStanding, feet, sampled);
 }
 
 /** The source's pose that matches the one of `bodies.rest`. */
@@ -47,15 +47,15 @@ export function sourceReference(bodies: Bodies, take: PlayedTake, reference: Ret
   if (typeof reference === 'number') {
     const dofs = new Float64Array(take.played.dofCount);
     sourcePose(take.played, reference, dofs);
-    return { ...sourceFigure(bodies, dofs), soles: true };
+    return { ...sourceBody(bodies, dofs), soles: true };
   }
-  const rest = sourceFigure(bodies);
+  const rest = sourceBody(bodies);
   if (reference === 'rest') return { ...rest, soles: true };
   const isStanding = stands(bodies, rest, (t) => bodies.sourceOf[t]);
-  const figures = new Figures(take, (dofs) => sourceFigure(bodies, dofs));
-  const figure = isStanding ? rest : figures.closest(rest, (each) => unlikeness(bodies, each));
+  const sampled = new SampledBodies(take, (dofs) => sourceBody(bodies, dofs));
+  const body = isStanding ? rest : sampled.closest(rest, (each) => unlikeness(bodies, each));
   const feet = bodies.feet.map(({ source }) => source);
-  return onSoles(figure, isStanding, feet, figures);
+  return onSoles(body, isStanding, feet, sampled);
 }
 
 /** Whether the target's own take is asked how it stands. */
@@ -68,51 +68,51 @@ export function asksTake(bodies: Bodies): boolean {
  * A pose with flat soles. Those of a standing file pose are, unless its feet are level with their ankles, as in files whose
  * bones are along axes, or hang; then the take is asked, as for poses of a take.
  */
-function onSoles(figure: RetargetFigure, isStanding: boolean, feet: readonly Foot[], figures: Figures): Reference {
-  if (isStanding && feet.every((foot) => looksFlat(figure, foot))) return { ...figure, soles: true };
-  const flat = withFlatFeet(figure, figures.all, feet);
-  return flat ? { ...flat, soles: true } : { ...figure, soles: isStanding };
+function onSoles(body: RetargetBody, isStanding: boolean, feet: readonly Foot[], sampled: SampledBodies): Reference {
+  if (isStanding && feet.every((foot) => looksFlat(body, foot))) return { ...body, soles: true };
+  const flat = withFlatFeet(body, sampled.all, feet);
+  return flat ? { ...flat, soles: true } : { ...body, soles: isStanding };
 }
 
 /** A skeleton at times of a take, evenly over it. */
-class Figures {
-  private made: readonly RetargetFigure[] | undefined;
+class SampledBodies {
+  private made: readonly RetargetBody[] | undefined;
 
   constructor(
     private readonly take: PlayedTake | undefined,
-    private readonly figureAt: (dofs: Float64Array) => RetargetFigure,
+    private readonly bodyAt: (dofs: Float64Array) => RetargetBody,
   ) {}
 
   /** None without a take. */
-  get all(): readonly RetargetFigure[] {
+  get all(): readonly RetargetBody[] {
     this.made ??= this.take ? this.make(this.take) : [];
     return this.made;
   }
 
-  private make({ played, range: [start, end] }: PlayedTake): readonly RetargetFigure[] {
+  private make({ played, range: [start, end] }: PlayedTake): readonly RetargetBody[] {
     const dofs = new Float64Array(played.dofCount);
     return Array.from({ length: end > start ? MAX_MOMENTS : 1 }, (_, i) => {
       sourcePose(played, start + ((end - start) * i) / (MAX_MOMENTS - 1), dofs);
-      return this.figureAt(dofs);
+      return this.bodyAt(dofs);
     });
   }
 
   /** The one with the least of something; `otherwise` without a take, or if none has any. */
-  closest(otherwise: RetargetFigure, measure: (figure: RetargetFigure) => number): RetargetFigure {
+  closest(otherwise: RetargetBody, measure: (body: RetargetBody) => number): RetargetBody {
     let best = otherwise;
     let least = Infinity;
-    for (const figure of this.all) {
-      const off = measure(figure);
+    for (const body of this.all) {
+      const off = measure(body);
       if (off >= least) continue;
       least = off;
-      best = figure;
+      best = body;
     }
     return best;
   }
 }
 
 /** Whether legs point down and the trunk up, with distinct left and right. Bodies without legs are accepted. */
-export function stands(bodies: Bodies, { points }: RetargetFigure, jointAt: (target: number) => number): boolean {
+export function stands(bodies: Bodies, { points }: RetargetBody, jointAt: (target: number) => number): boolean {
   const at = (role: Role) => {
     const joint = driven(bodies, role);
     return joint < 0 ? undefined : jointAt(joint);
@@ -141,20 +141,20 @@ export function stands(bodies: Bodies, { points }: RetargetFigure, jointAt: (tar
 }
 
 /** Sum of the angles of thighs, shins and trunk to the vertical. */
-function slant(bodies: Bodies, figure: RetargetFigure, at: (target: number) => number): number {
-  const { points } = figure;
+function slant(bodies: Bodies, body: RetargetBody, at: (target: number) => number): number {
+  const { points } = body;
   let sum = 0;
   for (const { joint, to, role } of aims(bodies)) {
     if (!/thigh|shin/.test(role)) continue;
     const d = [0, 1, 2].map((k) => points[3 * at(joint) + k] - points[3 * at(to) + k]);
     sum += Math.acos(Math.min(1, Math.max(-1, d[1] / (Math.hypot(...d) || 1))));
   }
-  return sum + 4 * Math.acos(Math.min(1, Math.max(-1, bodyFrame(figure, bodies, at)[4])));
+  return sum + 4 * Math.acos(Math.min(1, Math.max(-1, bodyFrame(body, bodies, at)[4])));
 }
 
-/** Sum of the angles between the target's bones at rest, turned to face like the figure, and the figure's. */
-function unlikeness(bodies: Bodies, figure: RetargetFigure): number {
-  const turn = bodyTurn(bodies, figure);
+/** Sum of the angles between the target's bones at rest, turned to face like the character, and the character's. */
+function unlikeness(bodies: Bodies, body: RetargetBody): number {
+  const turn = bodyTurn(bodies, body);
   const own = new Float64Array(3);
   let sum = 0;
   for (const { joint, to } of aims(bodies)) {
@@ -164,14 +164,14 @@ function unlikeness(bodies: Bodies, figure: RetargetFigure): number {
     let dot = 0;
     let square = 0;
     for (let k = 0; k < 3; k++) {
-      const other = figure.points[3 * e + k] - figure.points[3 * s + k];
+      const other = body.points[3 * e + k] - body.points[3 * s + k];
       dot += own[k] * other;
       square += other * other;
     }
     const length = Math.hypot(...own) * Math.sqrt(square);
     if (length > 0) sum += Math.acos(Math.min(1, Math.max(-1, dot / length)));
   }
-  // A figure that lies or bows is not at rest, however its limbs are.
+  // A character that lies or bows is not at rest, however its limbs are.
   const tilt = Math.acos(Math.min(1, Math.max(-1, turn[4])));
   return sum + 4 * tilt;
 }

@@ -9,7 +9,7 @@
 import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type Space } from '../../model/space.ts';
-import { figureOf, type RetargetFigure } from './figure.ts';
+import { type RetargetBody, retargetBody } from './body.ts';
 import { type NameParts, readName, type Word } from './names.ts';
 import { rolesByShape } from './shape.ts';
 
@@ -36,14 +36,14 @@ export interface BodyParts {
   readonly names: readonly NameParts[];
 }
 
-/** The parts of a body by joint, with the figure in which they were recognised. */
+/** The parts of a body by joint, with the character in which they were recognised. */
 export interface Roles extends BodyParts {
-  readonly rest: RetargetFigure;
+  readonly rest: RetargetBody;
 }
 
 /** Which joint of a skeleton is which part of the body, in its file pose. */
 export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
-  return { ...partsOf(skeleton, space?.up), rest: figureOf(skeleton, space) };
+  return { ...partsOf(skeleton, space?.up), rest: retargetBody(skeleton, space) };
 }
 
 /** Cached. @param up by which shapes are recognised; default y */
@@ -95,7 +95,7 @@ function find(skeleton: Skeleton, up: Space['up']): BodyParts {
   } else take('hips', named, first('hips', 'middle'));
   take('head', first('head', 'middle'));
 
-  const shape = hasLimbs(single) ? undefined : rolesByShape(skeleton, figureOf(skeleton, { ...DEFAULT_SPACE, up }));
+  const shape = hasLimbs(single) ? undefined : rolesByShape(skeleton, retargetBody(skeleton, { ...DEFAULT_SPACE, up }));
   if (shape) {
     const guess = (role: Role, joint: number | undefined) => {
       if (joint === undefined || joint < 0 || single.has(role)) return;

@@ -5,7 +5,7 @@
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import type { Bodies } from './align.ts';
-import type { RetargetFigure } from './figure.ts';
+import type { RetargetBody } from './body.ts';
 
 /** How far two skeletons have the same bones. */
 export interface SameBones {
@@ -27,7 +27,7 @@ const NEITHER: SameBones = { directions: false, lengths: false };
  * Compares the bones of a target with those of its source, both in their file poses.
  * @param rest the source in its file pose; the bodies' must be the target's
  */
-export function sameBones({ target, source, sourceOf, rest: own }: Bodies, rest: RetargetFigure): SameBones {
+export function sameBones({ target, source, sourceOf, rest: own }: Bodies, rest: RetargetBody): SameBones {
   const bones: { readonly own: number; readonly other: number; readonly cos: number }[] = [];
   let paired = 0;
   for (let j = 0; j < target.joints.length; j++) {

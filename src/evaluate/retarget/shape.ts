@@ -5,10 +5,10 @@
  *     Pairs of branches of one joint, of similar length (within a quarter) and on opposite sides:
  *     the pair that reaches lowest is the legs, the widest one that starts above it the arms.
  *
- * Left is +x, since figures in files face +z, or −y if z is up.
+ * Left is +x, since characters in files face +z, or −y if z is up.
  */
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { distance, type RetargetFigure } from './figure.ts';
+import { distance, type RetargetBody } from './body.ts';
 
 /** Joints, from the body outwards. */
 export interface ShapeRoles {
@@ -47,7 +47,7 @@ interface Pair {
 const MAX_JOINTS = 2000;
 
 /** Undefined if there are no legs to be seen, or thousands of joints. */
-export function rolesByShape({ joints }: Skeleton, rest: RetargetFigure): ShapeRoles | undefined {
+export function rolesByShape({ joints }: Skeleton, rest: RetargetBody): ShapeRoles | undefined {
   if (joints.length > MAX_JOINTS) return undefined;
   const children: number[][] = joints.map(() => []);
   joints.forEach(({ parent }, j) => {
@@ -116,7 +116,7 @@ export function rolesByShape({ joints }: Skeleton, rest: RetargetFigure): ShapeR
 }
 
 /** The ankle is the first joint in the lowest quarter of the leg; the knee is the one nearest to half way. */
-function legOf(chain: readonly number[], rest: RetargetFigure): readonly number[] {
+function legOf(chain: readonly number[], rest: RetargetBody): readonly number[] {
   const y = (j: number) => rest.points[3 * j + 1];
   const [top] = chain;
   const bottom = Math.min(...chain.map(y));
@@ -129,7 +129,7 @@ function legOf(chain: readonly number[], rest: RetargetFigure): readonly number[
 }
 
 /** A collar is a first joint near the middle, followed by three more. */
-function armOf(chain: readonly number[], at: number, rest: RetargetFigure) {
+function armOf(chain: readonly number[], at: number, rest: RetargetBody) {
   const out = (j: number) => Math.abs(rest.points[3 * j] - rest.points[3 * at]);
   const hasCollar = chain.length >= 4 && out(chain[0]) < 0.6 * out(chain[1]);
   return { collar: hasCollar ? chain[0] : -1, chain: chain.slice(hasCollar ? 1 : 0).slice(0, 3) };

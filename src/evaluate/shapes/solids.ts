@@ -51,7 +51,7 @@ export function solidOf(character: Posed, values: ArrayLike<number>): Solid | un
   return skeleton && world ? bonesOf(skeleton, world) : undefined;
 }
 
-/** Fractions of a bone's length, and of the whole figure. */
+/** Fractions of a bone's length, and of the whole character. */
 const BONE_WIDTH = 0.09;
 const WIDEST = 0.032;
 const NARROWEST = 0.008;

@@ -1,11 +1,11 @@
-/** Positions and extents of a figure in frames of its take, in its own space; for guesses about the space. */
+/** Positions and extents of a character in frames of its take, in its own space; for guesses about the space. */
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Take } from '../../model/takes/take.ts';
-import { forFrames } from '../figure-frames.ts';
+import { forFrames } from '../bare-character.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 
-/** A figure in one frame: its bounding box with End Sites, and its joints, x y z each. */
+/** A character in one frame: its bounding box with End Sites, and its joints, x y z each. */
 export interface FrameShape {
   readonly min: readonly number[];
   readonly max: readonly number[];

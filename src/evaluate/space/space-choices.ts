@@ -1,21 +1,21 @@
-/** Other spaces that a figure could have, where its file doesn't state one, or states what can hardly be. */
+/** Other spaces that a character could have, where its file doesn't state one, or states what can hardly be. */
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Space } from '../../model/space.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { metresPerUnit } from './metres.ts';
 import { liftOntoGround } from './space.ts';
-import { COMMON_UNITS, figureHeight, metresForPerson, unitsByHeight } from './space-guess.ts';
+import { COMMON_UNITS, guessedHeight, metresForPerson, unitsByHeight } from './space-guess.ts';
 
-/** The height of a figure in its space, and what its space could be instead. */
+/** The height of a character in its space, and what its space could be instead. */
 export interface SpaceChoices {
-  /** Height of the figure, in its space; metres. */
+  /** Height of the character, in its space; metres. */
   readonly height: number;
   /** The most likely first; other units leave it at a credible height only. */
   readonly others: readonly Space[];
 }
 
-/** Metres that a unit may leave a figure at: people, and anything else, such as an insect or a ship. */
+/** Metres that a unit may leave a character at: people, and anything else, such as an insect or a ship. */
 const CREDIBLE = { person: [0.4, 4], other: [0.01, 30] } as const;
 
 /** Relative difference of heights that look the same. */
@@ -25,7 +25,7 @@ const SAME_HEIGHT = 0.1;
 export function spaceChoices(skeleton: Skeleton, take: Take | undefined, space: Space): SpaceChoices | undefined {
   const { known, up } = space;
   const isStated = known === 'stated';
-  const { height: own, isPerson } = figureHeight(skeleton, take, up, isStated);
+  const { height: own, isPerson } = guessedHeight(skeleton, take, up, isStated);
   const height = own * metresPerUnit(space);
   if (known === undefined || !(height > 0 && Number.isFinite(height))) return undefined;
   const [least, most] = CREDIBLE[isPerson ? 'person' : 'other'];

@@ -3,7 +3,7 @@
  * proportions, the shape of its file pose, and statistics over the take, which may be one of lying or crawling.
  */
 
-import type { CapturedFigure } from '../../model/files.ts';
+import type { Capture } from '../../model/files.ts';
 import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE, type FileSpace, type Space } from '../../model/space.ts';
@@ -13,7 +13,7 @@ import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
 import { METRES, metresPerUnit } from './metres.ts';
 import { GROUND_PERCENTILE } from './space.ts';
 
-/** Assumed height of a person, metres; figures get the unit that brings them closest. */
+/** Assumed height of a person, metres; characters get the unit that brings them closest. */
 const PERSON = 1.7;
 /** Candidate units, most common first, for ties. */
 const GUESSED_UNITS = ['centimetres', 'metres', 'inches', 'millimetres', 'cmu', 'decimetres'] as const;
@@ -21,23 +21,23 @@ type GuessedUnit = (typeof GUESSED_UNITS)[number];
 /** Units that most files are in. */
 export const COMMON_UNITS: ReadonlySet<GuessedUnit> = new Set(['centimetres', 'metres', 'millimetres']);
 /**
- * How far from a person's height a unit may leave a figure, as a factor: people are children, too, but few are in inches,
- * and figures that aren't recognised as people are animals of any size.
+ * How far from a person's height a unit may leave a character, as a factor: people are children, too, but few are in inches,
+ * and characters that aren't recognised as people are animals of any size.
  */
 const COMMON_DEVIATION = { person: 2, other: 5 } as const;
 const RARE_DEVIATION = { person: 1.3, other: 2 } as const;
-/** Percentile of the frames' heights: a figure that stands in one of ten frames is measured standing. */
+/** Percentile of the frames' heights: a character that stands in one of ten frames is measured standing. */
 const STANDING = 0.9;
 /** A ground level off by less than this fraction of the height is kept. */
 const BELIEVED = 0.006;
 
 /**
- * Guesses up axis, unit and lift of a figure.
+ * Guesses up axis, unit and lift of a character.
  *
  * - Up: see `upOf`.
- * - Unit: the one that brings the figure closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or the
+ * - Unit: the one that brings the character closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or the
  *   height of its frames if its parts are not recognised; of those too, a common unit that is near before a rare one that
- *   is nearer. If none is near (`COMMON_DEVIATION`), the figure is made 1.7 m tall (`own`): its true size is unknown, but it
+ *   is nearer. If none is near (`COMMON_DEVIATION`), the character is made 1.7 m tall (`own`): its true size is unknown, but it
  *   can be seen beside others.
  * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
  */
@@ -45,23 +45,23 @@ export function guessSpace(skeleton: Skeleton, take: Take | undefined): Space {
   return guessed(skeleton, take).space;
 }
 
-/** Figures of one file that are measured: what is cached of each takes a hundred times the bytes of a bare root. */
+/** Characters of one file that are measured: what is cached of each takes a hundred times the bytes of a bare root. */
 const MAX_MEASURED = 256;
 
-/** For figures in one file, which share a space: that of the tallest, of the first 256. */
-export function guessSharedSpace(figures: readonly CapturedFigure[]): FileSpace {
-  const all = figures.slice(0, MAX_MEASURED).map(({ skeleton, take }) => guessed(skeleton, take));
+/** For characters in one file, which share a space: that of the tallest, of the first 256. */
+export function guessSharedSpace(captures: readonly Capture[]): FileSpace {
+  const all = captures.slice(0, MAX_MEASURED).map(({ skeleton, take }) => guessed(skeleton, take));
   const none = { space: DEFAULT_SPACE, standing: 0, height: 0 };
   const { space, standing } = all.reduce((a, b) => (b.height > a.height ? b : a), all[0] ?? none);
   return { space, standing };
 }
 
 /**
- * How tall a figure is, in its own units, and whether its parts are recognised as those of a person.
+ * How tall a character is, in its own units, and whether its parts are recognised as those of a person.
  *
  * @param isUpKnown whether one whose trunk lies, in its file pose and in the take, is an animal with a person's names
  */
-export function figureHeight(skeleton: Skeleton, take: Take | undefined, up: Space['up'], isUpKnown = false) {
+export function guessedHeight(skeleton: Skeleton, take: Take | undefined, up: Space['up'], isUpKnown = false) {
   const axis = up === 'z' ? 2 : 1;
   const named = bodyOf(skeleton);
   const frames = frameShapes(skeleton, take);
@@ -79,9 +79,9 @@ function lies(skeleton: Skeleton, { hips, head }: Body, frames: readonly FrameSh
   return upright(restOf(skeleton)) < LYING && percentile(frames.map(upright), 0.5) < LYING;
 }
 
-/** Metres per unit that make a figure as tall as a person; parameters as of `figureHeight`. */
-export function metresForPerson(...figure: Parameters<typeof figureHeight>): number {
-  const { height } = figureHeight(...figure);
+/** Metres per unit that make a character as tall as a person; parameters as of `guessedHeight`. */
+export function metresForPerson(...capture: Parameters<typeof guessedHeight>): number {
+  const { height } = guessedHeight(...capture);
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 
@@ -114,7 +114,7 @@ interface Body {
   readonly crown: readonly number[];
 }
 
-/** By shape, figures are recognised upright. Cached. */
+/** By shape, characters are recognised upright. Cached. */
 const bodyOf = perSkeleton((skeleton): Body | undefined => bodyIn(skeleton, 'y') ?? bodyIn(skeleton, 'z'));
 
 /** The file pose. Cached. */
@@ -194,7 +194,7 @@ function heightOf(body: Body | undefined, frames: readonly FrameShape[], moving:
 /** Part of its width that the height of one must be who may be a person with arms held out. */
 const TALL = 0.8;
 
-/** Whether a figure is usually taller than it is long: animals seldom are. */
+/** Whether a character is usually taller than it is long: animals seldom are. */
 function isTall(frames: readonly FrameShape[], axis: 1 | 2): boolean {
   const ratios = frames.map(({ min, max }) => {
     const [x, y, z] = [0, 1, 2].map((k) => max[k] - min[k]);
@@ -213,7 +213,7 @@ function unitFor(height: number, isPerson: boolean): Pick<Space, 'unit' | 'metre
   return best ? { unit: best.unit } : { unit: 'own', metres: Number((PERSON / height).toPrecision(3)) };
 }
 
-/** Units by how near to a person's height they bring a figure, the nearest first; `off`: logarithm of the factor. */
+/** Units by how near to a person's height they bring a character, the nearest first; `off`: logarithm of the factor. */
 export function unitsByHeight(height: number): readonly { readonly unit: GuessedUnit; readonly off: number }[] {
   const units = GUESSED_UNITS.map((unit) => ({ unit, off: Math.abs(Math.log((METRES[unit] * height) / PERSON)) }));
   return units.sort((a, b) => a.off - b.off);
@@ -223,7 +223,7 @@ export function unitsByHeight(height: number): readonly { readonly unit: Guessed
 const ALONG = 0.8;
 /** Fraction of a leg's length: one who stands has nearly straight legs. */
 const STRETCHED = 0.85;
-/** Fraction of the frames in which a figure stands that make it a take with standing. */
+/** Fraction of the frames in which a character stands that make it a take with standing. */
 const OFTEN = 0.1;
 /** How much better the ground along an axis must be than along y, or than along the file pose's axis. */
 const CLEARLY = 0.05;
@@ -231,18 +231,18 @@ const CLEARLY = 0.05;
 /**
  * The up axis.
  *
- * - Along which axis does the figure stand: legs stretched, trunk in line with them, head up? In its file pose, and in
+ * - Along which axis does the character stand: legs stretched, trunk in line with them, head up? In its file pose, and in
  *   each frame of the take.
- * - Along which axis is there a ground: the figure's lowest point is always at one level, near 0?
+ * - Along which axis is there a ground: the character's lowest point is always at one level, near 0?
  *
  * The axis along which the file pose stands is believed, unless the take stands along the other one, and on a better
  * ground: one who lies does so too, but on a worse ground. Without a standing file pose (in LAFAN1 its bones lie along
  * x) the ground decides between axes along which the take stands, or between both. Most files are y up. Animals stand on
  * their legs in their file pose, whatever their trunk does.
  *
- * Of figures whose parts are not recognised, up is the axis along which nearly all is above the feet: along the others
+ * Of characters whose parts are not recognised, up is the axis along which nearly all is above the feet: along the others
  * there is a tail behind them, and a head in front. Without two feet up is from the one or the hips to the head, by their names, and
- * without names the axis along which the figure extends most, frame by frame.
+ * without names the axis along which the character extends most, frame by frame.
  */
 function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly FrameShape[], moving: boolean) {
   if (!body) return { up: upByNames(skeleton, frames), standing: 0 };
@@ -288,7 +288,7 @@ function onLegs(frame: FrameShape, { legs }: Body, axis: 1 | 2): boolean {
   return legs.every(([thigh, , foot]) => along(frame, axis, foot, thigh) > ALONG);
 }
 
-/** How little an axis has a ground: distance of the usual lowest point from 0, and its variation; in figure heights. */
+/** How little an axis has a ground: distance of the usual lowest point from 0, and its variation; in character heights. */
 function unevenness(frames: readonly FrameShape[], axis: 1 | 2, size: number): number {
   const lows = frames.map(({ min }) => min[axis]);
   const [low, high] = [percentile(lows, 0.15), percentile(lows, 0.85)];
@@ -298,7 +298,7 @@ function unevenness(frames: readonly FrameShape[], axis: 1 | 2, size: number): n
 const HEAD = /head/i;
 const FOOT = /foot|feet|ankle|toe|paw|hoof/i;
 const HIPS = /hip|pelvis/i;
-/** How much more of a figure must be above its feet along z than along y, of all of it. */
+/** How much more of a character must be above its feet along z than along y, of all of it. */
 const MORE = 0.1;
 
 function upByNames({ joints }: Skeleton, frames: readonly FrameShape[]): Space['up'] {

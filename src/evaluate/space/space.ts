@@ -40,7 +40,7 @@ export function applySpace(space: Space | undefined, x: number, y: number, z: nu
 /** Percentile of the frames' lowest points: noise and toes through the floor are below, jumps above. */
 export const GROUND_PERCENTILE = 0.15;
 
-/** The lift that puts a figure on the ground in a space with known up axis and unit. */
+/** The lift that puts a character on the ground in a space with known up axis and unit. */
 export function liftOntoGround(skeleton: Skeleton, take: Take | undefined, space: Space): number {
   const axis = upAxis(space);
   const lows = frameShapes(skeleton, take).map(({ min }) => min[axis]);

@@ -6,7 +6,7 @@ import { isUnlimited } from '../../model/skeleton/skeleton.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { attachmentSets } from './attachments.ts';
 import { type Bound, boundAsGiven, boundAsWritten, largestDisplacement } from './displacement.ts';
-import type { Figure } from './figure.ts';
+import type { FilePose } from './file-pose.ts';
 import { NODE_WIDTH, nodeWorlds } from './joint-nodes.ts';
 import type { GlbOptions } from './options.ts';
 import { displacementText, type Loss } from './report.ts';
@@ -16,7 +16,7 @@ import type { TakeMotion } from './take-motion.ts';
 export interface Written {
   readonly character: Character;
   readonly options: GlbOptions;
-  readonly figure: Figure;
+  readonly filePose: FilePose;
   readonly motions: readonly TakeMotion[];
   /** Names of textures that are not in the file. */
   readonly missing: readonly string[];
@@ -46,8 +46,8 @@ const POSES = 400;
 /** Vertices times poses, at most. */
 const MOST = 40_000_000;
 
-function attachmentLosses({ character, options, figure, motions }: Written): readonly Loss[] {
-  const { sets, skin, joints, size } = figure;
+function attachmentLosses({ character, options, filePose, motions }: Written): readonly Loss[] {
+  const { sets, skin, joints, size } = filePose;
   if (!sets || !skin?.attachments || !joints || !character.skins.length) return [];
   const resting = joints.skeleton.joints.length;
   const whole = sets.isTrimmed ? attachmentSets(skin, resting, resting) : sets;
@@ -60,7 +60,7 @@ function attachmentLosses({ character, options, figure, motions }: Written): rea
     return count > kept;
   });
   const losses: Loss[] = [];
-  const poses = matricesOf(character, figure, motions);
+  const poses = matricesOf(character, filePose, motions);
   const largest = (a: Bound, b: Bound) => {
     const every = Math.max(1, Math.ceil((poses.length * a.vertices.length) / MOST));
     let most = 0;
@@ -118,7 +118,7 @@ function verticesWhere(start: Uint32Array, holds: (v: number) => boolean): Uint3
 /** W·B⁻¹ of each joint, and the identity for one that never moves, in poses of all takes; or in the pose of the file. */
 function matricesOf(
   character: Character,
-  { skin, joints, restPose }: Figure,
+  { skin, joints, restPose }: FilePose,
   motions: readonly TakeMotion[],
 ): readonly Float64Array[] {
   if (!skin || !joints) return [];
@@ -155,7 +155,7 @@ function matricesOf(
 }
 
 /** Bones of Blender rest where bindings are, without their scale and shear: its vertices are off by these. */
-function bindings({ figure: { skin }, character }: Written): readonly Loss[] {
+function bindings({ filePose: { skin }, character }: Written): readonly Loss[] {
   if (!skin || character.skins.length === 0) return [];
   let count = 0;
   for (let at = 0; at < skin.bindings.length; at += 16) if (!isRigid(skin.bindings, at)) count++;
@@ -185,7 +185,7 @@ function isRigid(matrices: Float64Array, at: number): boolean {
   return true;
 }
 
-function chains({ figure: { joints } }: Written): readonly Loss[] {
+function chains({ filePose: { joints } }: Written): readonly Loss[] {
   if (!joints) return [];
   const { nodes, lastOf } = joints.nodes;
   const split = nodes.filter(({ place }, n) => place > 0 && lastOf[nodes[n].joint] === n);
@@ -214,7 +214,7 @@ function splines({ options, motions }: Written): readonly Loss[] {
 }
 
 /** Losses of what glTF has no place for. */
-function leftOut({ character, options, motions, figure }: Written): readonly Loss[] {
+function leftOut({ character, options, motions, filePose }: Written): readonly Loss[] {
   const { skeleton, skins, poses, placements, driver, takes, unkeyed, morphs } = character;
   const joints = skeleton?.joints ?? [];
   const endSites = joints.reduce((sum, joint) => sum + (joint.endSites?.length ?? 0), 0);
@@ -236,7 +236,7 @@ function leftOut({ character, options, motions, figure }: Written): readonly Los
     ...(driver ? count(takes.length, 'take of its own', 'takes of its own') : []),
     ...(options.take === undefined || driver ? [] : count(takes.length - motions.length, 'other take')),
     ...(unkeyed ? ['unkeyed changes'] : []),
-    ...(figure.joints ? [] : count(takes.length, 'take without a skeleton', 'takes without a skeleton')),
+    ...(filePose.joints ? [] : count(takes.length, 'take without a skeleton', 'takes without a skeleton')),
   ];
   if (things.length === 0) return [];
   return [{ code: 'parts-left-out', severity: 'info', message: `Not in the file: ${listed(things)}.` }];

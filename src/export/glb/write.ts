@@ -15,7 +15,7 @@ import { vertexCount } from '../../model/skin.ts';
 import type { AttachmentSets } from './attachments.ts';
 import { stubPoints } from './body.ts';
 import { BinaryChunk, type Json } from './container.ts';
-import { type Figure, type FigureJoints, figureOf } from './figure.ts';
+import { type FileJoints, type FilePose, filePoseOf } from './file-pose.ts';
 import { type FitOptions, fitTake, type TrackKeys } from './fit/fit-take.ts';
 import { type RigidPoint, WatchPoints } from './fit/watch-points.ts';
 import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from './joint-nodes.ts';
@@ -53,12 +53,12 @@ export function writeGlb(
   onProgress?: (progress: GlbProgress) => void,
 ): GlbFile {
   const chunk = new BinaryChunk();
-  const figure = figureOf(character, options);
-  const { skin, joints, sets } = figure;
+  const filePose = filePoseOf(character, options);
+  const { skin, joints, sets } = filePose;
   const placed = placementNode(character, isPlaced);
   const nodes: Json[] = [placed];
   const roots = [0];
-  const takes = takesOf(character, options, figure, onProgress);
+  const takes = takesOf(character, options, filePose, onProgress);
   const resting = joints && sets?.hasStatic;
   if (joints) {
     const children = joints.nodes.nodes.map((): number[] => []);
@@ -84,9 +84,9 @@ export function writeGlb(
   let meshes: readonly Json[] = [];
   if (skin && vertexCount(skin) > 0) {
     const morphs = character.skins.length ? character.morphs : [];
-    const morphWeights = figure.restPose.slice(figure.restPose.length - morphs.length);
+    const morphWeights = filePose.restPose.slice(filePose.restPose.length - morphs.length);
     meshes = [addMesh(chunk, { skin, morphs, ...(sets && { sets }), morphWeights })];
-    if (joints && sets) skins = [skinJson(chunk, figure, joints, sets)];
+    if (joints && sets) skins = [skinJson(chunk, filePose, joints, sets)];
     const meshNode = nodes.length;
     nodes.push({ name: skin.name, mesh: 0, ...(skins.length && { skin: 0 }) });
     // A skinned mesh is moved by its joints only, so it is a root; any other by what it hangs on.
@@ -94,7 +94,7 @@ export function writeGlb(
     else nodes[0] = { ...placed, children: [...childrenOf(nodes[0]), meshNode] };
   }
   const meshNode = nodes.length - 1;
-  const animations = animationsOf(chunk, takes, figure, meshNode);
+  const animations = animationsOf(chunk, takes, filePose, meshNode);
   const pieces = chunk.file({
     asset: { version: '2.0', generator: 'Marrow' },
     scene: 0,
@@ -105,7 +105,7 @@ export function writeGlb(
     ...materials?.json,
     ...(animations.length && { animations: animations.map(({ json }) => json) }),
   });
-  const { size, tolerance } = figure;
+  const { size, tolerance } = filePose;
   const report = {
     bytes: pieces.reduce((sum, { length }) => sum + length, 0),
     joints: joints?.skeleton.joints.length ?? 0,
@@ -118,7 +118,7 @@ export function writeGlb(
   const losses = lossesOf({
     character,
     options,
-    figure,
+    filePose,
     motions: takes.map(({ motion }) => motion),
     missing: materials?.missing ?? [],
   });
@@ -136,10 +136,10 @@ interface WrittenTake {
 function takesOf(
   character: Character,
   options: GlbOptions,
-  figure: Figure,
+  filePose: FilePose,
   onProgress?: (progress: GlbProgress) => void,
 ): readonly WrittenTake[] {
-  const { joints, skin, sets, size, tolerance } = figure;
+  const { joints, skin, sets, size, tolerance } = filePose;
   if (!joints) return [];
   const { driver, takes } = character;
   const every = driver ? [character] : takes.map((_, shown) => ({ ...character, shownTake: shown }));
@@ -222,7 +222,7 @@ function axisLength(size: number, tolerance: number): number {
 }
 
 /** Shapes of the body for joints that nothing else shows. */
-function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FigureJoints): readonly RigidPoint[] {
+function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FileJoints): readonly RigidPoint[] {
   const inverse = new Float64Array(16);
   return stubPoints(skeleton, worlds, lastOf).flatMap(({ joint, point: [x, y, z] }) => {
     invertAffine(worlds, 16 * lastOf[joint], inverse, 0);
@@ -232,8 +232,8 @@ function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FigureJoints): readonl
 }
 
 /** Animations of all takes: of each property of a node that changes in any of them. */
-function animationsOf(chunk: BinaryChunk, takes: readonly WrittenTake[], figure: Figure, meshNode: number) {
-  const { joints, restPose } = figure;
+function animationsOf(chunk: BinaryChunk, takes: readonly WrittenTake[], filePose: FilePose, meshNode: number) {
+  const { joints, restPose } = filePose;
   if (!joints) return [];
   const restOf = ({ at, width, path }: Track) =>
     path === 'weights' ? restPose.slice(restPose.length - width) : [...joints.rest.subarray(at, at + width)];
@@ -294,7 +294,7 @@ function isSame({ values, track }: TrackKeys, rest: readonly number[]): boolean 
   return first.every((v, k) => Math.abs(v - sign * rest[k]) <= 1e-6 * Math.max(1, Math.abs(v)));
 }
 
-function skinJson(chunk: BinaryChunk, { skin }: Figure, joints: FigureJoints, sets: AttachmentSets): Json {
+function skinJson(chunk: BinaryChunk, { skin }: FilePose, joints: FileJoints, sets: AttachmentSets): Json {
   const { lastOf, nodes } = joints.nodes;
   const inverse = new Float64Array(16);
   const count = lastOf.length + (sets.hasStatic ? 1 : 0);

@@ -13,7 +13,7 @@ import { charactersIn } from './contents.ts';
 export class OpenSpaces {
   /** Spaces of characters from before, by skeleton. */
   private readonly known = new Map<string, Space>();
-  /** The surest spaces of the figures in the files whose space was guessed, by skeleton. */
+  /** The surest spaces of the characters in the files whose space was guessed, by skeleton. */
   private readonly surest = new Map<string, FileSpace>();
 
   /** @param characters from before */

@@ -5,10 +5,10 @@
 
 import { CommandError } from '../../edit/command-error.ts';
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
-import { skelFigure, skelPose, skelTake } from '../../edit/convert/skel-figure.ts';
+import { skelForm, skelPose, skelTake } from '../../edit/convert/skel-form.ts';
 import { framesOf, MAX_FRAMES, ownFrames, playedTake } from '../../evaluate/bake.ts';
-import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
-import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
+import type { BvhCapture } from '../../evaluate/bvh-capture.ts';
+import { framesFor, toBvhCapture } from '../../evaluate/bvh-capture.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
@@ -21,7 +21,7 @@ const DEFAULT_FRAMES_PER_SECOND = 30;
 
 /** The character's skeleton as `.skel` can hold it, in its current pose as set. Undefined without a skeleton. */
 export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>): Skeleton | undefined {
-  return skeleton && inPose(skelFigure(skeleton).skeleton, skelPose(pose, skeleton));
+  return skeleton && inPose(skelForm(skeleton).skeleton, skelPose(pose, skeleton));
 }
 
 /** One of its takes as `.anim` can hold it: keys for the DOFs of `skelOf`. */
@@ -29,18 +29,18 @@ export function animOf({ skeleton }: Pick<Character, 'skeleton'>, take: Take, op
   return skeleton ? skelTake(take, skeleton, options) : take;
 }
 
-/** A take as a BVH figure, with the name of its file without extension. */
-export interface NamedFigure extends BvhFigure {
+/** A take as a BVH capture, with the name of its file without extension. */
+export interface NamedCapture extends BvhCapture {
   readonly name: string;
 }
 
 /**
- * A BVH figure for each take, or one in the pose as set if there are none. Throws a `CommandError` if there are too
+ * A BVH capture for each take, or one in the pose as set if there are none. Throws a `CommandError` if there are too
  * many frames to sample.
  * @param framesPerSecond for all takes; absent: each take's own (of its samples or evenly spaced keys), or else 30,
  * which is reported
  */
-export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
+export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedCapture[] {
   const { skeleton, takes, driver } = character;
   if (!skeleton) return [];
   // The retargeted take, whichever of its own is shown.
@@ -49,7 +49,7 @@ export function bvhOf(character: Character, framesPerSecond?: number): readonly 
   return takes.map((take, index) => named({ ...character, shownTake: index }, framesPerSecond, take.name));
 }
 
-function named(character: Character, framesPerSecond: number | undefined, name: string): NamedFigure {
+function named(character: Character, framesPerSecond: number | undefined, name: string): NamedCapture {
   const take = playedTake(character);
   const frames =
     framesPerSecond === undefined
@@ -61,7 +61,7 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
       `${name} would have ${count} frames, but the maximum is ${MAX_FRAMES.toLocaleString('en')}.`,
     );
   }
-  const made = toBvhFigure(character, frames, `${name}.bvh`);
+  const made = toBvhCapture(character, frames, `${name}.bvh`);
   const isAssumed = framesPerSecond === undefined && take !== undefined && !hasOwnRate(take) && frames.frameCount > 1;
   return { name, ...made, diagnostics: isAssumed ? [rateAssumed(take, name), ...made.diagnostics] : made.diagnostics };
 }

@@ -102,13 +102,13 @@ export function renamedTo(character: Character, skeleton: Skeleton, name: string
 /** A take of each character, as roots of one file if they have the same frames. */
 function bvhOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
   const all = characters.map((character) => bvhOf(character, options.framesPerSecond));
-  const first = all.map(([figure]) => figure);
-  const isOneFile = all.length > 1 && all.every((figures) => figures.length === 1);
-  if (isOneFile && sameSource(characters) && fitOneBvh(first.map(({ figure }) => figure))) {
+  const first = all.map(([capture]) => capture);
+  const isOneFile = all.length > 1 && all.every((captures) => captures.length === 1);
+  if (isOneFile && sameSource(characters) && fitOneBvh(first.map(({ capture }) => capture))) {
     const [source] = characters[0].sources;
     return [outputOf(bvhCopy(`${stemOf(source)}.bvh`, first))];
   }
-  return all.flat().map((figure) => outputOf(bvhCopy(`${figure.name}.bvh`, [figure])));
+  return all.flat().map((capture) => outputOf(bvhCopy(`${capture.name}.bvh`, [capture])));
 }
 
 function sameSource(characters: readonly Character[]): boolean {

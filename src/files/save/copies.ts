@@ -12,7 +12,7 @@ import type { Rig } from '../../model/rig.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { MARKERS_EXTENSION } from '../../model/takes/markers.ts';
-import { animOf, bvhOf, type NamedFigure, skelOf } from './character-files.ts';
+import { animOf, bvhOf, type NamedCapture, skelOf } from './character-files.ts';
 
 /** A file to be written, as a model. */
 export interface Copy {
@@ -59,15 +59,15 @@ export function animCopies(character: Character, options: ConversionOptions): re
 
 /** All takes, or the pose without one. Refuses, with a `CommandError`, more frames than can be sampled. */
 export function bvhCopies(character: Character, { framesPerSecond }: ConversionOptions): readonly Copy[] {
-  return bvhOf(character, framesPerSecond).map((figure) => bvhCopy(`${figure.name}.bvh`, [figure]));
+  return bvhOf(character, framesPerSecond).map((capture) => bvhCopy(`${capture.name}.bvh`, [capture]));
 }
 
-/** Several figures with the same frames as one file. */
-export function bvhCopy(name: string, figures: readonly NamedFigure[]): Copy {
+/** Several captures with the same frames as one file. */
+export function bvhCopy(name: string, captures: readonly NamedCapture[]): Copy {
   return {
     name,
-    content: () => ({ kind: 'bvh', figures: figures.map(({ figure }) => figure) }),
-    diagnostics: figures.flatMap(({ diagnostics }) => diagnostics),
+    content: () => ({ kind: 'bvh', captures: captures.map(({ capture }) => capture) }),
+    diagnostics: captures.flatMap(({ diagnostics }) => diagnostics),
   };
 }
 

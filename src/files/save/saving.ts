@@ -96,18 +96,18 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
 }
 
 function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }: SavingOptions): Output {
-  const figures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
+  const captures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
     if (part.kind !== 'bvh') return [];
     // The take itself, even while another one is retargeted to the character.
     const { take } = part.content;
     const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
     return bvhOf({ ...character, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
   });
-  if (!fitOneBvh(figures.map(({ figure }) => figure))) {
+  if (!fitOneBvh(captures.map(({ capture }) => capture))) {
     throw new Error(
       `The skeletons in ${name} now have different frames, but one .bvh file needs the same frames for all: ` +
         'trim and resample them to match, or rename the takes to save each one separately.',
     );
   }
-  return outputOf(bvhCopy(name, figures));
+  return outputOf(bvhCopy(name, captures));
 }

@@ -36,7 +36,7 @@ export interface Root {
 
 const KEYWORDS = new Set(['hierarchy', 'root', 'joint', 'end', 'offset', 'channels', 'motion']);
 
-/** Figures may walk any distance in any unit. */
+/** Characters may walk any distance in any unit. */
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
 
 /** A joint that is not closed yet. */

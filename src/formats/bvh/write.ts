@@ -13,7 +13,7 @@
 
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import type { CapturedFigure } from '../../model/files.ts';
+import type { Capture } from '../../model/files.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/skeleton/joint-types.ts';
 import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -29,27 +29,27 @@ const PIECE = 1 << 16;
 /** The frame time in a file without frames. */
 const NO_FRAME_SECONDS = 1 / 30;
 
-/** Whether figures can be roots of one file: all that move have the same number of frames and frame time. */
-export function fitOneBvh(figures: readonly CapturedFigure[]): boolean {
-  const moving = figures.flatMap(({ take }) => take?.samples ?? []);
+/** Whether characters can be roots of one file: all that move have the same number of frames and frame time. */
+export function fitOneBvh(captures: readonly Capture[]): boolean {
+  const moving = captures.flatMap(({ take }) => take?.samples ?? []);
   return moving.every((s) => s.frameCount === moving[0].frameCount && s.frameSeconds === moving[0].frameSeconds);
 }
 
 /**
- * Each figure becomes a root. All joints must have `bvh` motions, and channels must be sampled or at rest.
+ * Each character becomes a root. All joints must have `bvh` motions, and channels must be sampled or at rest.
  * @param fileName appears in diagnostics
- * @throws Error for figures with different frames (see `fitOneBvh`), other motions, and keyed channels
+ * @throws Error for characters with different frames (see `fitOneBvh`), other motions, and keyed channels
  */
-export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): WrittenPieces {
-  if (!fitOneBvh(figures))
+export function writeBvh(captures: readonly Capture[], fileName = ''): WrittenPieces {
+  if (!fitOneBvh(captures))
     throw new Error('Skeletons in one .bvh file must have the same frames. Write one file per skeleton.');
   const text = new Text(fileName);
   text.line(0, 'HIERARCHY');
-  for (const { skeleton } of figures) writeTree(text, skeleton.joints);
-  const columns = figures.flatMap((figure) => columnsOf(figure));
-  const samples = figures.find(({ take }) => take?.samples)?.take?.samples;
+  for (const { skeleton } of captures) writeTree(text, skeleton.joints);
+  const columns = captures.flatMap((capture) => columnsOf(capture));
+  const samples = captures.find(({ take }) => take?.samples)?.take?.samples;
   // A take at rest is one frame.
-  const frameCount = samples?.frameCount ?? (figures.some(({ take }) => take) ? 1 : 0);
+  const frameCount = samples?.frameCount ?? (captures.some(({ take }) => take) ? 1 : 0);
   text.line(0, 'MOTION');
   text.line(0, `Frames: ${frameCount}`);
   text.about('the frame time');
@@ -108,7 +108,7 @@ interface Column {
   readonly plus: number;
 }
 
-function columnsOf({ skeleton, take }: CapturedFigure): readonly Column[] {
+function columnsOf({ skeleton, take }: Capture): readonly Column[] {
   const starts = firstDofs(skeleton);
   return skeleton.joints.flatMap((joint, j) =>
     dofsOf(joint.motion).map(({ name, unit }, d): Column => {

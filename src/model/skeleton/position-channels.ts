@@ -1,6 +1,6 @@
 /**
  * The meaning of BVH position channels: they replace the OFFSET of their joint, as in nearly all real files, or are
- * added to it, as an old Blender exporter wrote them (MakeHuman files). Under the wrong rule a figure collapses, or
+ * added to it, as an old Blender exporter wrote them (MakeHuman files). Under the wrong rule a character collapses, or
  * comes apart with every bone twice as long.
  */
 import type { Take } from '../takes/take.ts';
@@ -25,7 +25,7 @@ export function positionsTaken({ joints }: Skeleton): Positions | undefined {
 
 /**
  * The meaning that fits the take's values: `add` if most joints below the root have channels that stay at 0 although
- * their OFFSETs don't. (Roots tell nothing: theirs move the figure.)
+ * their OFFSETs don't. (Roots tell nothing: theirs move the character.)
  */
 export function positionsMeant(skeleton: Skeleton, take: Take | undefined): Positions {
   const first = firstDofs(skeleton);

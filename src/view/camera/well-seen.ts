@@ -11,15 +11,15 @@ const MIN_SIZE = 2 / 3;
  * The character is fully in view and at least a third of its height, and the centre of its motion is near the middle. A
  * lying character counts by its length.
  *
- * @param figure bounds of its current pose, in the world; not empty
+ * @param character bounds of its current pose, in the world; not empty
  * @param room bounds of its motion over the playback range
  * @param covered part of the view's height, at its top, covered by overlays
  */
-export function isWellSeen(figure: Box3, room: Box3, camera: Camera, covered = 0): boolean {
+export function isWellSeen(character: Box3, room: Box3, camera: Camera, covered = 0): boolean {
   camera.updateMatrixWorld();
   const at = new Vector3();
   if (!project(room.getCenter(at), camera) || Math.max(Math.abs(at.x), Math.abs(at.y)) > MIDDLE) return false;
-  const { min, max } = figure;
+  const { min, max } = character;
   const top = covered > 0 ? 1 - 2 * covered : EDGE;
   let [left, right, low, high] = [EDGE, -EDGE, EDGE, -EDGE];
   for (let corner = 0; corner < 8; corner++) {

@@ -12,13 +12,13 @@ import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 import { memoryStore } from './memory-store.ts';
 
 const SKELETON = { name: 'walk', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx'], { endSites: [[0, 2, 0]] })] };
 const ROWS = Array.from({ length: 20_000 }, (_, f) => [f, 1, 2, f / 7]);
-const BLOB: GivenBlob = { path: 'walk.bvh', blob: new Blob([writeBvh([bvhFigure(SKELETON, ROWS)]).text]) };
+const BLOB: GivenBlob = { path: 'walk.bvh', blob: new Blob([writeBvh([captureOf(SKELETON, ROWS)]).text]) };
 
 const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
 const worker = { run: (_job: 'parse', { files }: { files: readonly GivenBlob[] }) => read(files) };

@@ -13,7 +13,7 @@ import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 import { memoryStore } from './memory-store.ts';
 
@@ -27,7 +27,7 @@ const skeleton = (name: string) => ({
 });
 const file = (name: string, nod: number): GivenBlob => {
   const rows = Array.from({ length: 200 }, (_, f) => [0, 1, 0, 0, nod * Math.sin(f / 9), 0, 0]);
-  return { path: `${name}.bvh`, blob: new Blob([writeBvh([bvhFigure(skeleton(name), rows)]).text]) };
+  return { path: `${name}.bvh`, blob: new Blob([writeBvh([captureOf(skeleton(name), rows)]).text]) };
 };
 const FILES = [file('dancer', 30), file('other', 0)];
 

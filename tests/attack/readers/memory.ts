@@ -63,7 +63,7 @@ export function heldBy(content: FileContent, bytes: Uint8Array): Held {
     case 'skel':
       return { things: sumOf(content.skeletons, thingsOf), rows: 0 };
     case 'bvh':
-      return { things: sumOf(content.figures, ({ skeleton, take }) => thingsOf(skeleton) + (take ? 1 : 0)), rows: 0 };
+      return { things: sumOf(content.captures, ({ skeleton, take }) => thingsOf(skeleton) + (take ? 1 : 0)), rows: 0 };
     case 'pose':
       return { things: sumOf(content.poses, ({ joints }) => 1 + joints.length), rows: 0 };
     case 'dump': {

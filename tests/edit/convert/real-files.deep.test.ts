@@ -3,14 +3,14 @@ import { expect, it } from 'vitest';
 import { formatOf } from '../../../src/files/readers.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/files/save/character-files.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
-import type { CapturedFigure, FileContent } from '../../../src/model/files.ts';
+import type { Capture, FileContent } from '../../../src/model/files.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
-import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
+import { BVH_FILES, readCaptures, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { writeFile } from '../../helpers/write-file.ts';
 import { characterOf, frameTimes, heightOf, worstDistance } from './round-trip.ts';
 
-/** Of the figure's height: how far any joint may be off, in any frame. */
+/** Of the capture's height: how far any joint may be off, in any frame. */
 const TOLERANCE = 1e-9;
 
 /** Frames compared of each file; the last one is among them. */
@@ -29,7 +29,7 @@ function throughFile(content: FileContent, name: string): FileContent {
   return value;
 }
 
-function asSkelAndAnim({ skeleton, take }: CapturedFigure): CapturedFigure {
+function asSkelAndAnim({ skeleton, take }: Capture): Capture {
   const own = skelOf({ skeleton, pose: filePose(skeleton, 0) });
   if (!own) throw new Error('There is a skeleton.');
   const skel = throughFile({ kind: 'skel', skeletons: [own] }, 'x.skel');
@@ -38,14 +38,14 @@ function asSkelAndAnim({ skeleton, take }: CapturedFigure): CapturedFigure {
   return { skeleton: skel.skeletons[0], ...(anim && { take: anim.take }) };
 }
 
-function throughBvh(figure: CapturedFigure, framesPerSecond: number): CapturedFigure {
-  const [{ figure: bvh }] = bvhOf(characterOf(figure), framesPerSecond);
-  const written = writeFile({ kind: 'bvh', figures: [bvh] }, 'x.bvh');
-  return readFigures('x.bvh', written?.text ?? '')[0];
+function throughBvh(capture: Capture, framesPerSecond: number): Capture {
+  const [{ capture: bvh }] = bvhOf(characterOf(capture), framesPerSecond);
+  const written = writeFile({ kind: 'bvh', captures: [bvh] }, 'x.bvh');
+  return readCaptures('x.bvh', written?.text ?? '')[0];
 }
 
-function someFrames(figure: CapturedFigure): readonly number[] {
-  const times = frameTimes(figure);
+function someFrames(capture: Capture): readonly number[] {
+  const times = frameTimes(capture);
   const step = Math.ceil(times.length / MAX_FRAMES);
   return times.filter((_, f) => f % step === 0 || f === times.length - 1);
 }
@@ -54,19 +54,19 @@ describeShared('a real .bvh as .skel and .anim', () => {
   it.each(BVH_FILES)(
     '%s has every joint and End Site where it was, there and back',
     (name) => {
-      for (const figure of sharedFigures(name)) {
-        const height = heightOf(figure);
-        const times = someFrames(figure);
-        const there = asSkelAndAnim(figure);
-        const toSkel = worstDistance(characterOf(figure), characterOf(there), times) / height;
-        const back = throughBvh(there, 1 / (figure.take?.samples?.frameSeconds ?? 1));
-        const roundTrip = worstDistance(characterOf(figure), characterOf(back), times) / height;
+      for (const capture of sharedCaptures(name)) {
+        const height = heightOf(capture);
+        const times = someFrames(capture);
+        const there = asSkelAndAnim(capture);
+        const toSkel = worstDistance(characterOf(capture), characterOf(there), times) / height;
+        const back = throughBvh(there, 1 / (capture.take?.samples?.frameSeconds ?? 1));
+        const roundTrip = worstDistance(characterOf(capture), characterOf(back), times) / height;
         const again = asSkelAndAnim(back);
         const secondTrip = worstDistance(characterOf(there), characterOf(again), times) / height;
         if (process.env.SAY_ERRORS) console.log(name, toSkel, roundTrip, secondTrip);
         expect(Math.max(toSkel, roundTrip, secondTrip)).toBeLessThan(TOLERANCE);
-        expect(back.take?.samples?.frameCount).toBe(figure.take?.samples?.frameCount);
-        expect(back.skeleton.joints).toHaveLength(figure.skeleton.joints.length);
+        expect(back.take?.samples?.frameCount).toBe(capture.take?.samples?.frameCount);
+        expect(back.skeleton.joints).toHaveLength(capture.skeleton.joints.length);
       }
     },
     SLOW_MS,

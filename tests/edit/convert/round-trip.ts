@@ -2,12 +2,12 @@
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character } from '../../../src/model/document.ts';
-import type { CapturedFigure } from '../../../src/model/files.ts';
+import type { Capture } from '../../../src/model/files.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { character } from '../../helpers/builders.ts';
 
-/** A character that plays the figure's take. */
-export function characterOf({ skeleton, take }: CapturedFigure): Character {
+/** A character that plays the character's take. */
+export function characterOf({ skeleton, take }: Capture): Character {
   return character({
     name: skeleton.name,
     skeleton,
@@ -35,7 +35,7 @@ export function positionsAt(who: Character, seconds: number): readonly (readonly
 }
 
 /** The longest side of the box around the joints as the skeleton's file poses them. */
-export function heightOf({ skeleton }: CapturedFigure): number {
+export function heightOf({ skeleton }: Capture): number {
   const points = positionsAt({ ...characterOf({ skeleton }), pose: filePose(skeleton, 0) }, 0);
   return Math.max(...[0, 1, 2].map((k) => Math.max(...points.map((p) => p[k])) - Math.min(...points.map((p) => p[k]))));
 }
@@ -54,7 +54,7 @@ export function worstDistance(a: Character, b: Character, seconds: readonly numb
 }
 
 /** The times of a take's frames; only frame 0 if it has none. */
-export function frameTimes({ take }: CapturedFigure): readonly number[] {
+export function frameTimes({ take }: Capture): readonly number[] {
   const samples = take?.samples;
   if (!samples) return [0];
   return Array.from({ length: samples.frameCount }, (_, f) => samples.startSeconds + f * samples.frameSeconds);

@@ -1,4 +1,4 @@
-/** A figure on two legs whose feet slide on the ground. */
+/** A character on two legs whose feet slide on the ground. */
 import type { Character } from '../../../src/model/document.ts';
 import type { BvhChannel, Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { DEFAULT_BOX, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';

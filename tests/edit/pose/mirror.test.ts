@@ -184,7 +184,7 @@ describe('a mirrored pose', () => {
   });
 });
 
-describe('a figure that is mirrored in place', () => {
+describe('a character that is mirrored in place', () => {
   const stays = { way: 'swap', stays: true } as const;
   const turningRig = symmetricRig(anyMotion, turningMotion).filter(({ skeleton }) => skeleton.joints.length > 1);
   /** Where the root's sides lie, in the ground: cosine and sine. */
@@ -195,7 +195,7 @@ describe('a figure that is mirrored in place', () => {
   /** Fits of fits; lengths here are a few units. */
   const TWICE_FITTED = 1e-6;
 
-  it('a figure that is mirrored in place keeps its position and heading, and is otherwise the mirrored figure', () => {
+  it('a character that is mirrored in place keeps its position and heading, and is otherwise the mirrored character', () => {
     fc.assert(
       fc.property(turningRig, seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -217,7 +217,7 @@ describe('a figure that is mirrored in place', () => {
     );
   });
 
-  it('a figure that is mirrored in place is restored when mirrored again', () => {
+  it('a character that is mirrored in place is restored when mirrored again', () => {
     fc.assert(
       fc.property(turningRig, seeds, ({ skeleton }, values) => {
         const pose = somePose(skeleton, values);
@@ -235,7 +235,7 @@ describe('a figure that is mirrored in place', () => {
     side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,
   ).skeleton;
 
-  it('a figure that is mirrored in place is mirrored exactly if it faces along the plane, however it leans', () => {
+  it('a character that is mirrored in place is mirrored exactly if it faces along the plane, however it leans', () => {
     const pose = somePose(figure, [0.1, 0.9, 0.4, 0.7, 0.2]);
     pose[4] = 0;
     const { dofs } = mirroredPose(figure, pose, false, stays);
@@ -255,7 +255,7 @@ describe('a figure that is mirrored in place', () => {
     expect(mirroredPose(figure, pose, false, up).dofs.subarray(0, 3)).toEqual(Float64Array.of(-1.1, 0.9, 2.5));
   });
 
-  it('a figure that is mirrored in place keeps its place by its own DOFs too, as motion capture has it', () => {
+  it('a character that is mirrored in place keeps its place by its own DOFs too, as motion capture has it', () => {
     const motion: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'add' };
     const captured = rigOf([{ motion, offset: [0, 0, 0] }], [{ at: 0, joints: [part, part] }], (side, i) =>
       side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,

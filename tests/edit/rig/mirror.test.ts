@@ -15,7 +15,7 @@ import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { diceOf, randomBvhMotion, randomMotion, randomValue, seeds } from './random-rig.ts';
 
 const EXACT = 1e-12;
-/** Of places, in units of a figure that is a few of them large. */
+/** Of places, in units of a character that is a few of them large. */
 const NEAR = 1e-9;
 
 const mirrors = fc.constantFrom(0, 1, 2);

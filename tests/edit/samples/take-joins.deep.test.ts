@@ -8,12 +8,12 @@ import { type Character, type Document, shownTake } from '../../../src/model/doc
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
+import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
-import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 
-const WALKER = figure();
+const WALKER = personSkeleton();
 /** 20 frames at 10 FPS that walk along z. */
 const walk = (from: readonly [number, number], perFrame: readonly [number, number], name = 'walk'): Take => ({
   ...takeOfRoots(
@@ -194,7 +194,7 @@ describe('changing the speed', () => {
 describeShared('joining real takes', () => {
   for (const name of BVH_FILES) {
     it(`the halves of ${name} joined are the take, and joined with itself it doesn't jump`, () => {
-      for (const { skeleton, take: whole } of sharedFigures(name)) {
+      for (const { skeleton, take: whole } of sharedCaptures(name)) {
         const samples = whole?.samples;
         if (!whole || !samples || samples.frameCount < 8) continue;
         const count = Math.min(240, samples.frameCount);

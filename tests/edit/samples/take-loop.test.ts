@@ -8,9 +8,9 @@ import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
+import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
-import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 
 const takes = [{ characterId: 'c1', take: 0 }];
@@ -45,7 +45,7 @@ function facingOf(carrier: Carrier, samples: Samples, frame: number, like: numbe
 const apart = (a: readonly number[], b: readonly number[]) => Math.max(...a.map((v, i) => Math.abs(v - b[i])));
 
 describe('making a take loop', () => {
-  const WALKER = figure();
+  const WALKER = personSkeleton();
 
   it('a take with frames for some DOFs only is refused, not filled with numbers that are none', () => {
     const { samples, ...walk } = takeOfRoots(WALKER, [[0, 90, 0] as const, [0, 91, 12] as const, [0, 90, 24] as const]);
@@ -84,7 +84,7 @@ describe('making a take loop', () => {
 describeShared('loops of real takes', () => {
   for (const name of BVH_FILES) {
     it(`${name} made a loop ends in the pose it begins with, at the speed it begins with`, () => {
-      for (const { skeleton, take: whole } of sharedFigures(name)) {
+      for (const { skeleton, take: whole } of sharedCaptures(name)) {
         if (!whole?.samples || whole.samples.frameCount < 20) continue;
         const take = takeOfFrames(whole, framesBetween(whole.samples, 0, Math.min(80, whole.samples.frameCount)));
         const { frameSeconds } = whole.samples;

@@ -11,9 +11,9 @@ import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
+import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
-import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { channelOf } from '../keys/channels.ts';
 
@@ -88,7 +88,7 @@ function lopsided(skeleton: Skeleton): number {
   return partner.reduce((sum, t, s) => (t >= 0 && s > 0 ? sum + apart(s, t) : sum), 0);
 }
 
-const WALKER = figure();
+const WALKER = personSkeleton();
 const WALK = takeOfRoots(
   WALKER,
   Array.from({ length: 20 }, (_, f) => [3 * f, 90, 20 * f] as const),
@@ -175,7 +175,7 @@ describe('mirroring a take', () => {
 describeShared('mirroring real takes', () => {
   for (const name of BVH_FILES) {
     it(`${name} mirrored shows each side where the other was, and mirrored twice is itself`, () => {
-      for (const { skeleton, take: whole } of sharedFigures(name)) {
+      for (const { skeleton, take: whole } of sharedCaptures(name)) {
         if (!whole?.samples) continue;
         const take = { ...whole, samples: framesBetween(whole.samples, 0, Math.min(60, whole.samples.frameCount)) };
         const { size } = reflectionOf(skeleton);

@@ -136,9 +136,9 @@ describe('a comparison of two rigs relative to their roots', () => {
 describeShared('captures of different programs', () => {
   const read = (name: string) => {
     const { value } = readBvh(sharedBytes(`data/bvh/${name}.bvh`), `${name}.bvh`);
-    const figure = value?.[0];
-    if (!figure) throw new Error(`${name} was not read`);
-    return named(name, figure.skeleton);
+    const capture = value?.[0];
+    if (!capture) throw new Error(`${name} was not read`);
+    return named(name, capture.skeleton);
   };
 
   it('captures of different programs are compared by the parts of the body', () => {

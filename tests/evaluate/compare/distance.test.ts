@@ -10,8 +10,8 @@ import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import { SAMPLED, type Take } from '../../../src/model/takes/take.ts';
 import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
-import { sharedFigures } from '../../helpers/bvh-files.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
+import { sharedCaptures } from '../../helpers/bvh-files.ts';
 import { captured } from '../../helpers/mocap.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 
@@ -83,7 +83,7 @@ describe('the distance of two takes', () => {
         const swing = 30 * Math.sin(f);
         return [0, 0, 0, x + 5 * f * sin, 9, 5 * f * cos, heading, f, swing, -swing];
       });
-      const { skeleton: made, take } = bvhFigure(own, rows);
+      const { skeleton: made, take } = captureOf(own, rows);
       if (!take) throw new Error('no take was made');
       return captured(made, take, { id });
     };
@@ -143,9 +143,9 @@ describe('the distance of two takes', () => {
 describeShared('the distance of a real take and itself', () => {
   it('a real take is at distance 0 from itself at the same offset, and at that of its motion at another', () => {
     const { value } = readBvh(sharedBytes('data/bvh/cmu-daz-pirouette.bvh'), 'pirouette.bvh');
-    const figure = value?.[0];
-    if (!figure?.take) throw new Error('the file has no motion');
-    const { skeleton: own, take } = figure;
+    const capture = value?.[0];
+    if (!capture?.take) throw new Error('the file has no motion');
+    const { skeleton: own, take } = capture;
     const base = { skeleton: own, pose: filePose(own, 0), takes: [take], shownTake: 0 };
     const same = measured(character(base), character({ ...base, id: 'c2' }));
     expect(same.frameCount).toBe(take.samples?.frameCount);
@@ -155,7 +155,7 @@ describeShared('the distance of a real take and itself', () => {
     expect(later.match.first).toHaveLength(own.joints.length);
   });
   it('a real take whose root stays at the origin is at distance 0 from itself, moved and turned as a whole', () => {
-    const [{ skeleton: own, take }] = sharedFigures('bandai-namco-bow-normal.bvh');
+    const [{ skeleton: own, take }] = sharedCaptures('bandai-namco-bow-normal.bvh');
     if (!take?.samples) throw new Error('the file has no motion');
     const { samples } = take;
     const compiled = compileSkeleton(own);

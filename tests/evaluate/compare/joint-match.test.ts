@@ -3,11 +3,11 @@ import { isSameSize, isSameSkeleton, matchJoints } from '../../../src/evaluate/c
 import { skeleton } from '../../ui/builders.ts';
 
 describe('joints of two skeletons', () => {
-  const figure = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_r', 0], ['foot', 3]);
+  const capture = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_r', 0], ['foot', 3]);
 
   it('match by name and parent, whatever the order of siblings', () => {
     const other = skeleton(['hips', -1], ['leg_r', 0], ['foot', 1], ['leg_l', 0], ['foot', 3]);
-    const match = matchJoints(figure, other);
+    const match = matchJoints(capture, other);
     expect(match).toEqual({ first: [0, 1, 2, 3, 4], second: [0, 3, 4, 1, 2], onlyFirst: [], onlySecond: [] });
     expect(isSameSkeleton(match)).toBe(true);
   });
@@ -19,19 +19,19 @@ describe('joints of two skeletons', () => {
 
   it('joints of two skeletons without a partner are listed, with the whole limb below them', () => {
     const other = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_x', 0], ['foot', 3]);
-    const match = matchJoints(figure, other);
+    const match = matchJoints(capture, other);
     expect(match).toEqual({ first: [0, 1, 2], second: [0, 1, 2], onlyFirst: [3, 4], onlySecond: [3, 4] });
     expect(isSameSkeleton(match)).toBe(false);
   });
 
   it('joints of skeletons with other names don’t match', () => {
-    expect(matchJoints(figure, skeleton(['pelvis', -1], ['leg_l', 0])).first).toEqual([]);
+    expect(matchJoints(capture, skeleton(['pelvis', -1], ['leg_l', 0])).first).toEqual([]);
   });
 
   it('skeletons are of one size if the bones that match are about as long, wherever their roots are', () => {
     const sized = (by: number, root = 0) => ({
-      ...figure,
-      joints: figure.joints.map((j, i) => ({ ...j, offset: [i === 0 ? root : 0, by, 0] as const })),
+      ...capture,
+      joints: capture.joints.map((j, i) => ({ ...j, offset: [i === 0 ? root : 0, by, 0] as const })),
     });
     const isSame = (a: number, b: number) => isSameSize(sized(a), sized(b, 900), matchJoints(sized(a), sized(b, 900)));
     expect([isSame(1, 1.04), isSame(1, 1.2), isSame(1, 2.54), isSame(0, 0), isSame(0, 1)]).toEqual([
@@ -42,6 +42,6 @@ describe('joints of two skeletons', () => {
       false,
     ]);
     const strangers = skeleton(['pelvis', -1], ['leg_l', 0]);
-    expect(isSameSize(figure, strangers, matchJoints(figure, strangers))).toBe(false);
+    expect(isSameSize(capture, strangers, matchJoints(capture, strangers))).toBe(false);
   });
 });

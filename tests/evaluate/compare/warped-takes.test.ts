@@ -6,7 +6,7 @@ import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
-import { sharedFigures } from '../../helpers/bvh-files.ts';
+import { sharedCaptures } from '../../helpers/bvh-files.ts';
 import { captured } from '../../helpers/mocap.ts';
 import { describeShared } from '../../helpers/shared.ts';
 
@@ -41,10 +41,10 @@ describe('the distance of two takes with time warp', () => {
 });
 
 describeShared('the distance of real takes with time warp', () => {
-  const [figure] = sharedFigures('cmu-01_01.bvh');
+  const [capture] = sharedCaptures('cmu-01_01.bvh');
   const one = () => {
-    if (!figure.take) throw new Error('The file has no take.');
-    return captured(figure.skeleton, figure.take);
+    if (!capture.take) throw new Error('The file has no take.');
+    return captured(capture.skeleton, capture.take);
   };
 
   it('a take is at distance 0 from itself', () => {
@@ -53,7 +53,7 @@ describeShared('the distance of real takes with time warp', () => {
 
   it('a take that is re-timed smoothly is near with the warp and far without', () => {
     const later = retimed(one(), (f, count) => f - 0.02 * count * Math.sin((Math.PI * f) / (count - 1)) ** 2);
-    const match = matchJoints(figure.skeleton, figure.skeleton);
+    const match = matchJoints(capture.skeleton, capture.skeleton);
     const times = commonFrames(one(), later, 30, match.first.length);
     if (!times) throw new Error('The takes do not overlap.');
     const { mean } = runToEnd(measureDistances(one(), later, match, times, 'world'));

@@ -8,7 +8,7 @@ import { measuredFrames, trackJoints } from '../../../src/evaluate/measure/track
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../../src/model/document.ts';
 import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedFigures } from '../../helpers/bvh-files.ts';
+import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { captured } from '../../helpers/mocap.ts';
 import { conformance, describeShared } from '../../helpers/shared.ts';
 
@@ -25,7 +25,7 @@ function tracked(of: Character) {
 }
 
 function opened(name: string): readonly Character[] {
-  return sharedFigures(name).flatMap(({ skeleton: own, take }) => (take ? [captured(own, take)] : []));
+  return sharedCaptures(name).flatMap(({ skeleton: own, take }) => (take ? [captured(own, take)] : []));
 }
 
 interface Expected {

@@ -9,7 +9,7 @@ import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { positionsMeant, withPositions } from '../../../src/model/skeleton/position-channels.ts';
 import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
 import { character, documentOf } from '../../helpers/builders.ts';
-import { sharedFigures } from '../../helpers/bvh-files.ts';
+import { sharedCaptures } from '../../helpers/bvh-files.ts';
 
 /** Joints of the left side in each humanoid: arm, forearm, hand, thigh, shin, foot, and the toe or nothing. */
 const LIMBS: Readonly<Record<string, readonly string[]>> = {
@@ -49,9 +49,9 @@ const FINGERS: Readonly<Record<string, string>> = {
 
 export const HUMANOIDS: readonly string[] = Object.keys(LIMBS);
 
-/** Its first figure as a character, position channels as its writer meant them. */
+/** Its first character as a character, position channels as its writer meant them. */
 export function captured(file: string, id = file): Character {
-  const [{ skeleton: read, take }] = sharedFigures(file);
+  const [{ skeleton: read, take }] = sharedCaptures(file);
   const skeleton = withPositions(read, positionsMeant(read, take));
   return {
     ...character({ id, name: id, skeleton, takes: take ? [take] : [], shownTake: take ? 0 : -1 }),
@@ -148,7 +148,7 @@ export function frameTimes(character: Character, most = Infinity): readonly numb
 }
 
 export interface Departure {
-  /** Distance of the worst point, metres, and as a fraction of the figure's height. */
+  /** Distance of the worst point, metres, and as a fraction of the character's height. */
   readonly metres: number;
   readonly share: number;
   readonly point: string;

@@ -108,17 +108,17 @@ describeShared('the files of data/bvh, on the walker', () => {
   const files = hasShared ? readdirSync(sharedPath('data/bvh')).filter((f) => f.endsWith('.bvh')) : [];
 
   it.each(files.filter((f) => !f.startsWith('dialect')))('%s: hips, knees, feet, elbows, hands and head', (file) => {
-    const { figure } = read(file);
-    const pairs = automaticPairs(figure.skeleton, WALKER_SKELETON, guessSpace(figure.skeleton, figure.take));
+    const { figure: capture } = read(file);
+    const pairs = automaticPairs(capture.skeleton, WALKER_SKELETON, guessSpace(capture.skeleton, capture.take));
     const follows = new Map(
-      pairs.map((p) => [WALKER_SKELETON.joints[p.target].name, figure.skeleton.joints[p.source].name]),
+      pairs.map((p) => [WALKER_SKELETON.joints[p.target].name, capture.skeleton.joints[p.source].name]),
     );
     expect(['hips', 'shin_l', 'foot_r', 'forearm_l', 'hand_r', 'head'].map((name) => follows.get(name))).toEqual(
       ESSENTIAL[file],
     );
     // The other side is the mirror image.
     const source = new Map(
-      pairs.map((p) => [WALKER_SKELETON.joints[p.target].name, readName(figure.skeleton.joints[p.source].name)]),
+      pairs.map((p) => [WALKER_SKELETON.joints[p.target].name, readName(capture.skeleton.joints[p.source].name)]),
     );
     for (const joint of ['upper_arm', 'forearm', 'hand', 'thigh', 'shin', 'foot']) {
       expect(source.get(`${joint}_l`)?.side).toBe('left');
@@ -130,7 +130,7 @@ describeShared('the files of data/bvh, on the walker', () => {
 
 function read(file: string) {
   const { value } = readBvh(sharedBytes(`data/bvh/${file}`), file);
-  const figure = value?.[0];
-  if (!figure) throw new Error(`${file} has no figure`);
-  return { figure };
+  const capture = value?.[0];
+  if (!capture) throw new Error(`${file} has no figure`);
+  return { figure: capture };
 }

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton } from '../../../src/evaluate/kinematics.ts';
-import { figureOf } from '../../../src/evaluate/retarget/figure.ts';
+import { retargetBody } from '../../../src/evaluate/retarget/body.ts';
 import { planRetarget } from '../../../src/evaluate/retarget/make-plan.ts';
 import { automaticPairs } from '../../../src/evaluate/retarget/match.ts';
 import { retargetPose } from '../../../src/evaluate/retarget/retarget-pose.ts';
@@ -32,7 +32,7 @@ interface Case {
   readonly clamps?: boolean;
 }
 
-/** Both figures in the scene, at the first frame of a one-frame take. */
+/** Both characters in the scene, at the first frame of a one-frame take. */
 function put({ source, target, sourceSpace, targetSpace, options, clamps = true }: Case, row: readonly number[]) {
   const pairs = automaticPairs(source, target, sourceSpace, targetSpace);
   const driver = driverOf(source, takeOfRows(source, [row, row]), pairs, options, sourceSpace);
@@ -40,8 +40,8 @@ function put({ source, target, sourceSpace, targetSpace, options, clamps = true 
   const dofs = Float64Array.from(plan.restDofs);
   retargetPose(plan, 0, dofs);
   return {
-    own: figureOf(target, targetSpace, dofs),
-    other: figureOf(source, sourceSpace, Float64Array.from(row)),
+    own: retargetBody(target, targetSpace, dofs),
+    other: retargetBody(source, sourceSpace, Float64Array.from(row)),
     plan,
     dofs,
     pairs,
@@ -249,10 +249,10 @@ describe('planted feet', () => {
       const dofs = Float64Array.from(plan.restDofs);
       const at = rows.map((_, f) => {
         retargetPose(plan, f * 0.1, dofs);
-        return figureOf(target, undefined, dofs).points[3 * PARTS.indexOf('left toe') + 2];
+        return retargetBody(target, undefined, dofs).points[3 * PARTS.indexOf('left toe') + 2];
       });
       const sourceAt = rows.map(
-        (row) => figureOf(source, undefined, Float64Array.from(row)).points[3 * PARTS.indexOf('left toe') + 2],
+        (row) => retargetBody(source, undefined, Float64Array.from(row)).points[3 * PARTS.indexOf('left toe') + 2],
       );
       return at.map((z, f) => z - plan.scale * sourceAt[f]);
     };

@@ -149,7 +149,7 @@ describe('sizes of joints', () => {
     );
   });
 
-  it('thousands of long bones, side by side, cover their place a few times, and bones of any figure are as thick as ever', () => {
+  it('thousands of long bones, side by side, cover their place a few times, and bones of any character are as thick as ever', () => {
     const star = (rays: number) => {
       const ray = (r: number) => joint(0, { offset: [Math.sin(r), 0, Math.cos(r)] });
       return jointSizes({ name: '', joints: [joint(-1), ...Array.from({ length: rays }, (_, r) => ray(r))] });

@@ -5,18 +5,18 @@ import { applySpace, liftOntoGround } from '../../../src/evaluate/space/space.ts
 import { guessSpace, metresForPerson } from '../../../src/evaluate/space/space-guess.ts';
 import type { Joint } from '../../../src/model/skeleton/skeleton.ts';
 import type { LengthUnit } from '../../../src/model/space.ts';
-import { type FigureOptions, figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { type PersonOptions, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 
 /** Standing with its soles `over` the ground of its file. */
-function standing(options: FigureOptions, over = 0) {
-  const skeleton = figure(options);
+function standing(options: PersonOptions, over = 0) {
+  const skeleton = personSkeleton(options);
   const { height = 170, up = 'y' } = options;
   const hips = 0.5 * height + over;
   const take = takeOfRoots(skeleton, up === 'y' ? [[0, hips, 0]] : [[0, 0, hips]]);
   return { skeleton, take };
 }
 
-describe('the unit of a figure that does not say', () => {
+describe('the unit of a character that does not say', () => {
   it.each([
     [1.75, 'metres'],
     [1.4, 'metres'],
@@ -33,7 +33,7 @@ describe('the unit of a figure that does not say', () => {
     expect(guessSpace(skeleton, take).unit).toBe(unit);
   });
 
-  it('the unit of a figure that does not say is a person’s height where no unit comes near one', () => {
+  it('the unit of a character that does not say is a person’s height where no unit comes near one', () => {
     const { skeleton, take } = standing({ height: 5 });
     const space = guessSpace(skeleton, take);
     expect(space.unit).toBe('own');
@@ -48,7 +48,7 @@ describe('the unit of a figure that does not say', () => {
     expect(height * metresPerUnit(space)).toBeCloseTo(1.7, 2);
   });
 
-  it('the unit of a figure that is no person is a common one, if that leaves it at any size of animals', () => {
+  it('the unit of a character that is no person is a common one, if that leaves it at any size of animals', () => {
     for (const [height, unit] of [
       [40, 'centimetres'],
       [0.5, 'metres'],
@@ -61,7 +61,7 @@ describe('the unit of a figure that does not say', () => {
     }
   });
 
-  it('leaves every figure between half a person’s height and twice of it', () => {
+  it('leaves every character between half a person’s height and twice of it', () => {
     fc.assert(
       fc.property(fc.double({ min: 0.01, max: 1e5, noNaN: true }), (height) => {
         const { skeleton, take } = standing({ height });
@@ -72,8 +72,8 @@ describe('the unit of a figure that does not say', () => {
     );
   });
 
-  it('the unit of a figure is that of its standing height, though it sits most of the time', () => {
-    const skeleton = figure({ height: 170 });
+  it('the unit of a character is that of its standing height, though it sits most of the time', () => {
+    const skeleton = personSkeleton({ height: 170 });
     // Folded: the head's channels are rotations, so the hips and head come down together.
     const take = takeOfRoots(
       skeleton,
@@ -83,7 +83,7 @@ describe('the unit of a figure that does not say', () => {
   });
 });
 
-describe('the up axis of a figure that does not say', () => {
+describe('the up axis of a character that does not say', () => {
   it.each(['y', 'z'] as const)('%s leads from the feet to the head, by their names', (up) => {
     const { skeleton, take } = standing({ up });
     expect(guessSpace(skeleton, take).up).toBe(up);
@@ -95,7 +95,7 @@ describe('the up axis of a figure that does not say', () => {
   });
 
   it.each(['y', 'z'] as const)('%s is seen in a rest pose alone', (up) => {
-    expect(guessSpace(figure({ up }), undefined).up).toBe(up);
+    expect(guessSpace(personSkeleton({ up }), undefined).up).toBe(up);
   });
 });
 
@@ -103,7 +103,7 @@ describe('the up axis of a figure that does not say', () => {
 function animal(height: number, up: 'y' | 'z', isNamed = true, sunk = 0) {
   const at = (x: number, y: number, z: number): readonly [number, number, number] =>
     up === 'y' ? [x * height, y * height, z * height] : [x * height, -z * height, y * height];
-  const { joints } = figure({ height, up });
+  const { joints } = personSkeleton({ height, up });
   const [root, , leg] = joints;
   const part = (name: string, parent: number, offset: readonly [number, number, number]): Joint => ({
     ...leg,
@@ -137,28 +137,28 @@ describe('the up axis of an animal', () => {
   });
 });
 
-describe('the ground under a figure', () => {
+describe('the ground under a character', () => {
   it.each([
     ['y', 90],
     ['z', -40],
-  ] as const)('the ground under a figure is where its soles are: %s up, %d above the file’s', (up, over) => {
+  ] as const)('the ground under a character is where its soles are: %s up, %d above the file’s', (up, over) => {
     const { skeleton, take } = standing({ up }, over);
     expect(guessSpace(skeleton, take).lift).toBeCloseTo(-over / 100, 3);
   });
 
-  it('the ground under a figure is believed where the file’s is as good', () => {
+  it('the ground under a character is believed where the file’s is as good', () => {
     const { skeleton, take } = standing({}, 0.5);
     expect(guessSpace(skeleton, take).lift).toBe(0);
     expect(liftOntoGround(skeleton, take, { up: 'y', unit: 'centimetres', lift: 0 })).toBeCloseTo(-0.005, 6);
   });
 
-  it('the ground under a figure is not where a jump takes it, nor one toe that sank in', () => {
-    const skeleton = figure();
+  it('the ground under a character is not where a jump takes it, nor one toe that sank in', () => {
+    const skeleton = personSkeleton();
     const rows = Array.from({ length: 30 }, (_, i) => [0, i < 12 ? 185 : i === 20 ? 60 : 105, 0] as const);
     expect(guessSpace(skeleton, takeOfRoots(skeleton, rows)).lift).toBeCloseTo(-0.2, 3);
   });
 
-  it('the ground under a figure is below an empty skeleton nowhere, and nothing breaks', () => {
+  it('the ground under a character is below an empty skeleton nowhere, and nothing breaks', () => {
     expect(guessSpace({ name: 'none', joints: [] }, undefined)).toMatchObject({ up: 'y', unit: 'asIs', lift: 0 });
   });
 });

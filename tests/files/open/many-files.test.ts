@@ -1,4 +1,4 @@
-/** Thousands of files, figures and parts opened at once. */
+/** Thousands of files, captures and parts opened at once. */
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { extentOf, Placing, placeBeside } from '../../../src/edit/place-beside.ts';
@@ -9,9 +9,9 @@ import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { character, file, joint, skeleton, skelFile, takeOfValues } from '../../helpers/builders.ts';
 import { expectLinearTime } from '../../helpers/growth.ts';
-import { figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 
-const SKELETON = figure();
+const SKELETON = personSkeleton();
 const TAKE = takeOfRoots(SKELETON, [[0, 85, 0]]);
 const ONE = capturedContent([{ skeleton: SKELETON, take: TAKE }], 't.bvh').value;
 
@@ -24,11 +24,11 @@ it('the time to open captures grows with their number, in files of their own and
   expectLinearTime((n) => openFiles(EMPTY_DOCUMENT, captures(n)), 250, 'files');
   expectLinearTime(
     (n) => {
-      const figures = Array.from({ length: n }, () => ({ skeleton: SKELETON, take: TAKE }));
-      openFiles(EMPTY_DOCUMENT, [file('crowd.bvh', capturedContent(figures, 'crowd.bvh').value)]);
+      const captures = Array.from({ length: n }, () => ({ skeleton: SKELETON, take: TAKE }));
+      openFiles(EMPTY_DOCUMENT, [file('crowd.bvh', capturedContent(captures, 'crowd.bvh').value)]);
     },
     1000,
-    'figures',
+    'captures',
   );
 });
 
@@ -67,7 +67,7 @@ it('characters placed one after the other are where each is placed beside all be
         const joints = [joint(-1), joint(0, { offset: [width, 1, 0] })];
         const made = character({
           ...{ id: `c${i}`, skeleton: { ...skeleton(), joints } },
-          // Some are figures of one file.
+          // Some are captures of one file.
           ...(space && sources[file] && { space, sources: [sources[file]] }),
         });
         const placement = placing.place(made, scale);

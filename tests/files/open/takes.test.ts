@@ -5,7 +5,7 @@ import type { ParsedFile } from '../../../src/model/files.ts';
 import { keysOf, type Take } from '../../../src/model/takes/take.ts';
 import { read } from '../../formats/read-in-pieces.ts';
 import { animFile, file, skeleton, skelFile, takeOfValues } from '../../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
 import { only, open } from './opening.ts';
 
 describe('a take goes to the only character', () => {
@@ -15,10 +15,10 @@ describe('a take goes to the only character', () => {
       kind: 'character',
       characters: [{ skeleton: skeleton(2, 'fox'), skins: [], morphs: [], takes: [], textures: [] }],
     });
-  const figure = bvhFigure({ name: 'cap', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'])] }, [
+  const captured = captureOf({ name: 'cap', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'])] }, [
     [0, 0, 0, 0, 0, 0],
   ]);
-  const capture = file('cap.bvh', { kind: 'bvh', figures: [figure] });
+  const capture = file('cap.bvh', { kind: 'bvh', captures: [captured] });
   const turn = animFile('turn.anim', takeOfValues('turn', [1, 2, 3, 0.1, 0.2, 0.3]));
 
   it.each([

@@ -7,7 +7,7 @@ import type { Samples } from '../../../src/model/takes/samples.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import { pageWith } from '../../app/disk.ts';
 import { character, takeOfValues } from '../../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 
 const FIGURE: Skeleton = {
@@ -18,10 +18,10 @@ const FIGURE: Skeleton = {
   ],
 };
 const ROWS = [0, 1, 2, 3].map((f) => [f, 90, 0.1, 1, 2, 3, f / 7]);
-const BVH = writeBvh([bvhFigure(FIGURE, ROWS)]).text;
+const BVH = writeBvh([captureOf(FIGURE, ROWS)]).text;
 const TWO = writeBvh([
-  bvhFigure({ name: 'a', joints: [bvhJoint(-1, ['tx', 'ty', 'tz'], { name: 'A' })] }, [[1, 2, 3]]),
-  bvhFigure({ name: 'b', joints: [bvhJoint(-1, ['tx', 'ty', 'tz'], { name: 'B' })] }, [[4, 5, 6]]),
+  captureOf({ name: 'a', joints: [bvhJoint(-1, ['tx', 'ty', 'tz'], { name: 'A' })] }, [[1, 2, 3]]),
+  captureOf({ name: 'b', joints: [bvhJoint(-1, ['tx', 'ty', 'tz'], { name: 'B' })] }, [[4, 5, 6]]),
 ]).text;
 
 /** Other samples in the shown take, as trimming makes them. */
@@ -45,7 +45,7 @@ describe('saving motion capture', () => {
     page.change(trimmed);
     expect(page.unsaved.current()).toEqual([{ characterId: 'c1', kind: 'bvh', index: 0, name: 'walk.bvh' }]);
     await page.saver.saveChanged();
-    expect(page.text('walk.bvh')).toBe(writeBvh([bvhFigure(FIGURE, ROWS.slice(0, 2))]).text);
+    expect(page.text('walk.bvh')).toBe(writeBvh([captureOf(FIGURE, ROWS.slice(0, 2))]).text);
     expect(page.names()).toEqual([]);
     expect(page.messages.list.get()).toEqual([]);
   });
@@ -57,7 +57,7 @@ describe('saving motion capture', () => {
     await page.saver.saveChanged();
     expect(page.text('walk.bvh')).toBe(
       writeBvh([
-        bvhFigure(
+        captureOf(
           FIGURE,
           ROWS.map((row) => row.with(6, 180)),
         ),
@@ -106,7 +106,7 @@ describe('saving motion capture', () => {
     const { name, bytes } = zipCharacter(before);
     const { files } = await parse({ files: [{ path: name, blob: new Blob([bytes]) }] }, () => undefined);
     expect(files.map(({ source }) => source.name)).toEqual(['walk.bvh']);
-    const figures = files[0].kind === 'bvh' ? files[0].figures : [];
-    expect(figures).toEqual([{ skeleton: before.skeleton, take: before.takes[0] }]);
+    const captures = files[0].kind === 'bvh' ? files[0].captures : [];
+    expect(captures).toEqual([{ skeleton: before.skeleton, take: before.takes[0] }]);
   });
 });

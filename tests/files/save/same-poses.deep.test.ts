@@ -8,7 +8,7 @@ import { expect, it } from 'vitest';
 import { CommandError } from '../../../src/edit/command-error.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { Store } from '../../../src/edit/store.ts';
-import { framesFor } from '../../../src/evaluate/bvh-figure.ts';
+import { framesFor } from '../../../src/evaluate/bvh-capture.ts';
 import { type SavedFile, savedFileOf } from '../../../src/files/save/output.ts';
 import { jointPose } from '../../../src/files/save/saved-poses.ts';
 import { writeParts } from '../../../src/files/save/saving.ts';
@@ -82,15 +82,15 @@ function savedAndRead(character: Character): Saved {
   const saved = partsOf(character).map((part) =>
     again(savedFileOf(writeParts(`x.${part.kind}`, [{ character, part, pose }]))),
   );
-  const figures = saved.flatMap((content) => (content.kind === 'bvh' ? content.figures : []));
+  const captures = saved.flatMap((content) => (content.kind === 'bvh' ? content.captures : []));
   const skeletons = saved.flatMap((content) => (content.kind === 'skel' ? content.skeletons : []));
-  const skeleton = skeletons[0] ?? figures[0]?.skeleton;
+  const skeleton = skeletons[0] ?? captures[0]?.skeleton;
   return {
     ...(skeleton && { skeleton }),
     skins: saved.flatMap((content) => (content.kind === 'skin' ? [content.skin] : [])),
     morphs: saved.flatMap((content) => (content.kind === 'morph' ? [content.morph] : [])),
     takes: [
-      ...figures.flatMap(({ take }) => take ?? []),
+      ...captures.flatMap(({ take }) => take ?? []),
       ...saved.flatMap((content) => (content.kind === 'anim' ? [content.take] : [])),
     ],
   };

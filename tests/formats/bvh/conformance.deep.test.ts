@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
-import type { CapturedFigure } from '../../../src/model/files.ts';
+import type { Capture } from '../../../src/model/files.ts';
 import { withPositions } from '../../../src/model/skeleton/position-channels.ts';
 import type { BvhChannel } from '../../../src/model/skeleton/skeleton.ts';
 import { character } from '../../helpers/builders.ts';
@@ -42,14 +42,11 @@ const CHANNELS: Readonly<Record<string, BvhChannel>> = {
 };
 
 /** Where joints and End Sites are, joint by joint, at a frame or at rest. */
-function positionsOf(
-  { skeleton, take }: CapturedFigure,
-  frame: number | 'rest',
-): { joints: Point[]; endSites: Point[][] } {
+function positionsOf({ skeleton, take }: Capture, frame: number | 'rest'): { joints: Point[]; endSites: Point[][] } {
   const moving = take && frame !== 'rest';
-  const figure = character({ skeleton, ...(moving && { takes: [take], shownTake: 0 }) });
-  const dofs = new Float64Array(dofCountOf(figure));
-  poseAt(figure, moving ? frame * (take.samples?.frameSeconds ?? 0) : 0, dofs);
+  const capture = character({ skeleton, ...(moving && { takes: [take], shownTake: 0 }) });
+  const dofs = new Float64Array(dofCountOf(capture));
+  poseAt(capture, moving ? frame * (take.samples?.frameSeconds ?? 0) : 0, dofs);
   const world = new Float64Array(16 * skeleton.joints.length);
   worldMatrices(compileSkeleton(skeleton), dofs, world);
   const at = (j: number, [x, y, z]: Point) =>
@@ -91,13 +88,13 @@ function farthest(got: readonly Point[], expected: readonly Point[]): number {
 }
 
 function expectPositions(
-  figures: readonly CapturedFigure[],
+  captures: readonly Capture[],
   frame: number | 'rest',
   file: FileCase,
   points: readonly Point[],
 ) {
   const expected = expectedOf(file.nodes, points);
-  const got = figures.map((figure) => positionsOf(figure, frame));
+  const got = captures.map((capture) => positionsOf(capture, frame));
   const off = farthest(
     got.flatMap(({ joints }) => joints),
     expected.joints,
@@ -109,25 +106,25 @@ function expectPositions(
   expect(Math.max(off, offEnds), `frame ${frame}`).toBeLessThanOrEqual(file.tolerance);
 }
 
-const taking = (figures: readonly CapturedFigure[], positions: 'replace' | 'add') =>
-  figures.map((figure) => ({ ...figure, skeleton: withPositions(figure.skeleton, positions) }));
+const taking = (captures: readonly Capture[], positions: 'replace' | 'add') =>
+  captures.map((capture) => ({ ...capture, skeleton: withPositions(capture.skeleton, positions) }));
 
 describeShared('the motion capture files of the reference', () => {
   const { files } = conformance<{ files: Readonly<Record<string, FileCase>> }>('bvh-positions.json');
 
   describe.each(Object.entries(files))('%s', (name, file) => {
-    const { value: figures = [], diagnostics } = readBvh(sharedBytes(`data/bvh/${name}`), name);
+    const { value: captures = [], diagnostics } = readBvh(sharedBytes(`data/bvh/${name}`), name);
 
     it(`${name} has the hierarchy, the channels and the frames that are written`, () => {
-      const parents = figures.flatMap(({ skeleton }) => skeleton.joints.map(({ parent }) => parent));
-      const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
+      const parents = captures.flatMap(({ skeleton }) => skeleton.joints.map(({ parent }) => parent));
+      const joints = captures.flatMap(({ skeleton }) => skeleton.joints);
       const nodes = file.nodes.filter(([, , channels]) => channels !== null);
       expect(joints.map((joint) => joint.name)).toEqual(nodes.map(([jointName]) => jointName));
       expect(joints.map(({ motion }) => motion.kind === 'bvh' && motion.channels)).toEqual(
         nodes.map(([, , channels]) => channels?.split(' ').flatMap((channel) => CHANNELS[channel] ?? [])),
       );
       expect(parents.filter((parent) => parent < 0)).toHaveLength(nodes.filter(([, parent]) => parent < 0).length);
-      const samples = figures.map(({ take }) => take?.samples);
+      const samples = captures.map(({ take }) => take?.samples);
       expect(samples.reduce((sum, own) => sum + (own?.scales.length ?? 0), 0)).toBe(file.channels);
       for (const own of samples) {
         expect(own?.frameCount).toBe(file.frames);
@@ -143,16 +140,16 @@ describeShared('the motion capture files of the reference', () => {
 
     it(`${name} rests as the offsets say, however position channels are taken`, () => {
       for (const positions of ['replace', 'add'] as const) {
-        expectPositions(taking(figures, positions), 'rest', file, file.rest);
+        expectPositions(taking(captures, positions), 'rest', file, file.rest);
       }
     });
 
     it.each(Object.keys(file.positions))(`${name} has joints and End Sites where they belong, frame %s`, (frame) => {
-      expectPositions(taking(figures, 'replace'), Number(frame), file, file.positions[frame]);
+      expectPositions(taking(captures, 'replace'), Number(frame), file, file.positions[frame]);
       const added = file.positions_add?.[frame];
-      if (added) expectPositions(taking(figures, 'add'), Number(frame), file, added);
+      if (added) expectPositions(taking(captures, 'add'), Number(frame), file, added);
       // As it was read.
-      expectPositions(figures, Number(frame), file, file.positions[frame]);
+      expectPositions(captures, Number(frame), file, file.positions[frame]);
     });
 
     it(`${name} reads the same in pieces of any size`, () => {

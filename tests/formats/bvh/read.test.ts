@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { bvhReader, readBvh } from '../../../src/formats/bvh/read.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
-import type { CapturedFigure } from '../../../src/model/files.ts';
+import type { Capture } from '../../../src/model/files.ts';
 import { bytesOf, read, readInPieces, told } from '../read-in-pieces.ts';
 
 const END = 'End Site\n{\nOFFSET 0 5 0\n}\n';
@@ -15,7 +15,7 @@ const rows = (text: string, frames = 2) => bvh(THREE + motion(text, frames));
 /** The line of the first row in such a file. */
 const ROW = 15;
 
-function valuesOf({ value }: { readonly value?: readonly CapturedFigure[] }): number[] | undefined {
+function valuesOf({ value }: { readonly value?: readonly Capture[] }): number[] | undefined {
   const samples = value?.[0].take?.samples;
   return samples && Array.from(samples.values);
 }
@@ -145,7 +145,7 @@ describe('the hierarchy of a .bvh', () => {
 describe('several roots in a .bvh', () => {
   const root = (name: string, channels: string) => `ROOT ${name}\n{\nOFFSET 0 0 0\nCHANNELS ${channels}\n}\n`;
 
-  it('several roots in a .bvh are figures of their own, each with its columns of the rows', () => {
+  it('several roots in a .bvh are characters of their own, each with its columns of the rows', () => {
     const { value } = bvh(
       `HIERARCHY\n${root('a', '2 Zrotation Xposition')}${root('b', '0')}${root('a', '1 Xrotation')}${motion('1 2 3\n4 5 6\n')}`,
     );

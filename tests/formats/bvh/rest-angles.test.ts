@@ -1,7 +1,7 @@
 /** `OFFSET x y z rx ry rz`, as SOMA writes it. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
+import { skelForm } from '../../../src/edit/convert/skel-form.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import { writeSkel } from '../../../src/formats/skel/write.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
@@ -27,14 +27,14 @@ describe('six numbers after OFFSET', () => {
       ['info', 'rest-orientation', 4, 15],
     ]);
     const plain = readBvh(bvh('0 1 0', '0 -0.5 0', '0 -0.25 0'), 'x.bvh').value ?? [];
-    const figures = value?.kind === 'bvh' ? value.figures : [];
-    const joints = figures[0].skeleton.joints;
+    const captures = value?.kind === 'bvh' ? value.captures : [];
+    const joints = captures[0].skeleton.joints;
     expect(joints.map(({ restAngles: _, ...joint }) => joint)).toEqual(plain[0].skeleton.joints);
     expect(joints.map(({ restAngles }) => restAngles)).toEqual([
       { own: [10, 20, 30] },
       { own: [-1.5, 0.002, 0], ends: [[7, 8, 9]] },
     ]);
-    expect(figures[0].take).toEqual(plain[0].take);
+    expect(captures[0].take).toEqual(plain[0].take);
   });
 
   it('are kept when they are written, and only where they were', () => {
@@ -55,7 +55,7 @@ describe('six numbers after OFFSET', () => {
 
   it('are left out of a .skel, which is said', () => {
     const [{ skeleton }] = readBvh(SIX, 'x.bvh').value ?? [];
-    const { text, diagnostics } = writeSkel([skelFigure(skeleton).skeleton]);
+    const { text, diagnostics } = writeSkel([skelForm(skeleton).skeleton]);
     expect(diagnostics.map(({ code }) => code)).toContain('rest-orientations-left-out');
     expect(text).not.toContain('10 20 30');
   });

@@ -1,20 +1,20 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { CapturedFigure } from '../../../src/model/files.ts';
-import { anyFigure } from '../../edit/convert/figures.ts';
-import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
+import type { Capture } from '../../../src/model/files.ts';
+import { anyCapture } from '../../edit/convert/captures.ts';
+import { BVH_FILES, readCaptures, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { finite } from '../arbitraries.ts';
 
 /** Without channels there are no frames. */
-function hasChannels({ take }: CapturedFigure): boolean {
+function hasChannels({ take }: Capture): boolean {
   return take?.samples?.scales.length !== 0;
 }
 
 /** What a file says, without what reading adds to it. */
-function content(figures: readonly CapturedFigure[]) {
-  return figures.map(({ skeleton, take }) => ({
+function content(captures: readonly Capture[]) {
+  return captures.map(({ skeleton, take }) => ({
     joints: skeleton.joints.map(({ name, parent, offset, motion, endSites }) => {
       return { name, parent, offset, motion, endSites: endSites ?? [] };
     }),
@@ -24,13 +24,13 @@ function content(figures: readonly CapturedFigure[]) {
   }));
 }
 
-describe('a figure of BVH written and read', () => {
-  it('a figure of BVH written and read is the same to the last bit, and written again the same bytes', () => {
+describe('a capture of BVH written and read', () => {
+  it('a capture of BVH written and read is the same to the last bit, and written again the same bytes', () => {
     fc.assert(
-      fc.property(anyFigure(finite).filter(hasChannels), (figure) => {
-        const { text } = writeBvh([figure], 'x.bvh');
-        const again = readFigures('x.bvh', text);
-        expect(content(again)).toEqual(content([figure]));
+      fc.property(anyCapture(finite).filter(hasChannels), (capture) => {
+        const { text } = writeBvh([capture], 'x.bvh');
+        const again = readCaptures('x.bvh', text);
+        expect(content(again)).toEqual(content([capture]));
         expect(writeBvh(again, 'x.bvh').text).toBe(text);
       }),
     );
@@ -39,15 +39,15 @@ describe('a figure of BVH written and read', () => {
 
 describeShared('a real .bvh', () => {
   it.each(BVH_FILES)('%s reads back the same after writing, and writes the same bytes', (name) => {
-    const figures = sharedFigures(name);
-    const { text, diagnostics } = writeBvh(figures, name);
+    const captures = sharedCaptures(name);
+    const { text, diagnostics } = writeBvh(captures, name);
     expect(diagnostics).toEqual([]);
-    const again = readFigures(name, text);
+    const again = readCaptures(name, text);
     // Everything, and not only what the file says.
-    expect(again.map(({ skeleton }) => skeleton)).toEqual(figures.map(({ skeleton }) => skeleton));
+    expect(again.map(({ skeleton }) => skeleton)).toEqual(captures.map(({ skeleton }) => skeleton));
     again.forEach(({ take }, i) => {
       const { samples, ...rest } = take ?? {};
-      const { samples: before, ...restBefore } = figures[i].take ?? {};
+      const { samples: before, ...restBefore } = captures[i].take ?? {};
       expect(rest).toEqual(restBefore);
       expect({ ...samples, values: [] }).toEqual({ ...before, values: [] });
       // Bit by bit, −0 too; `toEqual` takes seconds for a million numbers.

@@ -122,16 +122,16 @@ describeShared('the lines of parts in real files', () => {
 
   it('the row of a frame has its samples, the lines of a joint of a capture its offset', () => {
     for (const { name, text } of files('bvh')) {
-      const figures = readBvh(text, name).value ?? [];
+      const captures = readBvh(text, name).value ?? [];
       const map = mapSource(bytesOf(text), name);
       const lines = linesIn(text);
-      const samples = figures[0]?.take?.samples;
-      const width = figures.length === 1 && samples ? samples.values.length / samples.frameCount : 0;
+      const samples = captures[0]?.take?.samples;
+      const width = captures.length === 1 && samples ? samples.values.length / samples.frameCount : 0;
       for (const frame of samples && width ? some(samples.frameCount) : []) {
         const row = [...(samples?.values.subarray(frame * width, (frame + 1) * width) ?? [])];
         expect(numbersAt(lines, map, { kind: 'frame', frame }), `${name} ${frame}`).toEqual(row);
       }
-      figures.forEach(({ skeleton }, root) => {
+      captures.forEach(({ skeleton }, root) => {
         skeleton.joints.forEach(({ offset }, joint) => {
           const found = numbersAt(lines, map, { kind: 'joint', root, joint });
           expect(found, `${name} ${joint}`).toEqual(expect.arrayContaining([...offset]));

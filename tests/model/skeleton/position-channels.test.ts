@@ -8,10 +8,10 @@ import {
   withPositions,
 } from '../../../src/model/skeleton/position-channels.ts';
 import { skeleton } from '../../helpers/builders.ts';
-import { figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 
 describe('what position channels mean', () => {
-  const everywhere = figure({ positionsEverywhere: true });
+  const everywhere = personSkeleton({ positionsEverywhere: true });
 
   it('what position channels mean is to replace OFFSETs where they repeat them', () => {
     expect(positionsMeant(everywhere, takeOfRoots(everywhere, [[0, 90, 0]]))).toBe('replace');
@@ -21,15 +21,15 @@ describe('what position channels mean', () => {
     expect(positionsMeant(everywhere, takeOfRoots(everywhere, [[0, 90, 0]], 0))).toBe('add');
   });
 
-  it('says a root alone nothing about: it moves the figure', () => {
-    const plain = figure();
+  it('says a root alone nothing about: it moves the character', () => {
+    const plain = personSkeleton();
     expect(positionsMeant(plain, takeOfRoots(plain, [[0, 0, 0]]))).toBe('replace');
     expect(positionsMeant(everywhere, undefined)).toBe('replace');
   });
 });
 
 describe('another meaning of position channels', () => {
-  const before = figure({ positionsEverywhere: true });
+  const before = personSkeleton({ positionsEverywhere: true });
 
   it('another meaning of position channels keeps rest pose and set pose in place', () => {
     const pose = filePose(before, 0).map((value, dof) => value + dof / 100);

@@ -6,12 +6,12 @@ import { type ComparedSide, ComparedSkeleton, type JointVerdict } from '../../..
 import { AGREES, INHERITED, LIT, NO_LOOK, OWN, THEIRS } from '../../../src/view/compare/node-looks.ts';
 import { nodesFor, sizesFor } from '../../../src/view/skeleton/drawn-skeletons.ts';
 import { NodeMesh } from '../../../src/view/skeleton/node-buffer.ts';
-import { figure } from '../../helpers/mocap.ts';
+import { personSkeleton } from '../../helpers/mocap.ts';
 
-/** Floats, for a figure some 170 units high. */
+/** Floats, for a character some 170 units high. */
 const SAME = 1e-3;
 
-const skeleton = figure();
+const skeleton = personSkeleton();
 const nodes = nodesFor(skeleton);
 const [HIPS, HEAD, LEG, FOOT] = [0, 1, 2, 3];
 const ours = new Float64Array(16 * nodes.jointCount);

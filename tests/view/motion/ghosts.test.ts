@@ -4,7 +4,7 @@ import type { Character } from '../../../src/model/document.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
 import { Ghosts, ghostStepSeconds, ghostSteps } from '../../../src/view/motion/ghosts.ts';
 import { character, takeOfValues } from '../../helpers/builders.ts';
-import { captured, figure, takeOfRoots } from '../../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 
 const ON: Display = { ...DEFAULT_DISPLAY, ghosts: true, ghostsBefore: 2, ghostsAfter: 2, ghostStep: 0.1 };
 
@@ -20,7 +20,7 @@ function roots(ghosts: Ghosts, nodes: number): number[][] {
 
 describe('how far apart ghosts are', () => {
   it('ghosts are seconds apart, or frames of the take, or of the transport if the take has none', () => {
-    const mocap = captured(figure(), takeOfRoots(figure(), [[0, 85, 0]]));
+    const mocap = captured(personSkeleton(), takeOfRoots(personSkeleton(), [[0, 85, 0]]));
     const keyed = character({ takes: [takeOfValues('walk', [0])], shownTake: 0 });
     const frames: Display = { ...ON, ghostStepIn: 'frames', ghostStep: 3 };
     expect(ghostStepSeconds(mocap, ON, 24)).toBe(0.1);
@@ -42,7 +42,7 @@ describe('which ghosts there are', () => {
 });
 
 describe('ghosts', () => {
-  const skeleton = figure();
+  const skeleton = personSkeleton();
   const rows = Array.from({ length: 11 }, (_, i) => [10 * i, 85, 5 * i] as const);
   const walking: Character = captured(skeleton, takeOfRoots(skeleton, rows), {
     space: { up: 'y', unit: 'centimetres', lift: 0.25 },

@@ -10,9 +10,9 @@ import {
   type PosedSkeleton,
 } from '../../../src/view/skeleton/drawn-skeletons.ts';
 import { skeleton } from '../../helpers/builders.ts';
-import { figure } from '../../helpers/mocap.ts';
+import { personSkeleton } from '../../helpers/mocap.ts';
 
-function posed(characterId: string, of = figure(), placements = 1): PosedSkeleton {
+function posed(characterId: string, of = personSkeleton(), placements = 1): PosedSkeleton {
   return {
     characterId,
     skeleton: of,
@@ -24,20 +24,20 @@ function posed(characterId: string, of = figure(), placements = 1): PosedSkeleto
 
 describe('the nodes of a skeleton', () => {
   it('the nodes of a skeleton are its joints, and after them its End Sites', () => {
-    const { count, jointCount, owners, ends } = nodesFor(figure({ height: 100 }));
+    const { count, jointCount, owners, ends } = nodesFor(personSkeleton({ height: 100 }));
     expect([jointCount, count]).toEqual([6, 9]);
     expect([...owners]).toEqual([1, 3, 5]);
     expect([...ends.subarray(0, 3)]).toEqual([0, 15, 0]);
   });
 
   it('the nodes of a skeleton are no End Sites where their joint is already', () => {
-    const [root] = figure().joints;
+    const [root] = personSkeleton().joints;
     expect(nodesFor({ name: 'none', joints: [{ ...root, endSites: [[0, 0, 0]] }] }).count).toBe(1);
   });
 });
 
 describe('instances of skeletons', () => {
-  const drawn = assignInstances([posed('a', figure(), 2), posed('b', skeleton(3))]);
+  const drawn = assignInstances([posed('a', personSkeleton(), 2), posed('b', skeleton(3))]);
 
   it('instances of skeletons are one for each node of each placement', () => {
     expect(instancesOf(drawn)).toBe(2 * 9 + 3);

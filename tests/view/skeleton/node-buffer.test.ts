@@ -3,12 +3,12 @@ import { describe, expect, it } from 'vitest';
 import { nodesFor, sizesFor } from '../../../src/view/skeleton/drawn-skeletons.ts';
 import { NODE_STRIDE, NodeBuffer, NodeMesh, type NodeShape } from '../../../src/view/skeleton/node-buffer.ts';
 import { fillBones, fillNodes, placePoints, placePositions } from '../../../src/view/skeleton/node-matrices.ts';
-import { figure } from '../../helpers/mocap.ts';
+import { personSkeleton } from '../../helpers/mocap.ts';
 
 /** Floats against doubles, for a character some 100 units high. */
 const SAME_ELEMENT = 1e-4;
 
-const skeleton = figure();
+const skeleton = personSkeleton();
 const nodes = nodesFor(skeleton);
 const sizes = sizesFor(skeleton);
 const world = new Float64Array(16 * nodes.jointCount);

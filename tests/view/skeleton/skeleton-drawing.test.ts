@@ -9,7 +9,7 @@ import type { PosedSkeleton } from '../../../src/view/skeleton/drawn-skeletons.t
 import { SkeletonDrawing } from '../../../src/view/skeleton/skeleton-drawing.ts';
 import { STAGE_THEMES } from '../../../src/view/theme.ts';
 import { joint, skeleton } from '../../helpers/builders.ts';
-import { figure } from '../../helpers/mocap.ts';
+import { personSkeleton } from '../../helpers/mocap.ts';
 
 function posed(characterId: string, of: Skeleton): PosedSkeleton {
   const world = new Float64Array(16 * of.joints.length);
@@ -56,7 +56,7 @@ function seen(mesh: InstancedMesh): number[] {
 
 describe('a skeleton without boxes', () => {
   it('a skeleton without boxes is drawn as balls and bones, End Sites included', () => {
-    const [balls, bones] = calls(drawn([figure()]));
+    const [balls, bones] = calls(drawn([personSkeleton()]));
     expect(seen(balls)).toHaveLength(9);
     // One for each joint but the root, one for each End Site.
     expect(seen(bones)).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
@@ -71,7 +71,7 @@ describe('a skeleton without boxes', () => {
   });
 
   it('costs two draw calls for fifty characters of seventy joints', () => {
-    const [first, ...others] = figure().joints;
+    const [first, ...others] = personSkeleton().joints;
     const seventy: Skeleton = {
       name: 'seventy',
       joints: [first, ...others, ...Array.from({ length: 64 }, (_, i) => ({ ...others[0], parent: 5 + i }))],
@@ -83,10 +83,10 @@ describe('a skeleton without boxes', () => {
   });
 
   it('a skeleton without boxes is drawn with a third of the triangles among many, under a skin too, and as before once they are gone', () => {
-    const drawing = drawn([figure()]);
+    const drawing = drawn([personSkeleton()]);
     const alone = triangles(drawing);
     const show = (count: number, display: Partial<Display>) => {
-      const all = Array.from({ length: count }, (_, i) => ({ ...posed(`c${i}`, figure()), hasSkin: true }));
+      const all = Array.from({ length: count }, (_, i) => ({ ...posed(`c${i}`, personSkeleton()), hasSkin: true }));
       drawing.show(all, { ...DEFAULT_DISPLAY, bones: true, ...display }, {}, STAGE_THEMES.dark);
     };
     show(60, { skin: 'hidden' });
@@ -103,21 +103,21 @@ describe('a skeleton without boxes', () => {
   });
 
   it('twenty thousand joints are drawn with fewer than half a million triangles, and few again as before', () => {
-    const drawing = drawn([figure()]);
+    const drawing = drawn([personSkeleton()]);
     const alone = triangles(drawing);
     const star = { name: 'star', joints: Array.from({ length: 20_000 }, (_, j) => joint(j ? 0 : -1)) };
     drawing.show([posed('star', star)], { ...DEFAULT_DISPLAY, boxes: 'hidden', bones: true }, {}, STAGE_THEMES.dark);
     const [ball, bone] = triangles(drawing);
     expect(drawing.instanceCount).toBe(20_000);
     expect(20_000 * (ball + bone)).toBeLessThan(500_000);
-    drawing.show([posed('c0', figure())], DEFAULT_DISPLAY, {}, STAGE_THEMES.dark);
+    drawing.show([posed('c0', personSkeleton())], DEFAULT_DISPLAY, {}, STAGE_THEMES.dark);
     expect(triangles(drawing)).toEqual(alone);
   });
 
   it('leaves boxes to those that have them, side by side', () => {
     const box = { min: [0, 0, 0], max: [1, 1, 1] } as const;
     const boxed = { name: 'boxed', joints: skeleton(3).joints.map((j) => ({ ...j, box })) };
-    const drawing = drawn([figure(), boxed]);
+    const drawing = drawn([personSkeleton(), boxed]);
     const [edges, faces, balls, bones] = calls(drawing);
     expect(seen(edges)).toEqual([9, 10, 11]);
     expect(seen(faces)).toEqual([9, 10, 11]);
@@ -126,14 +126,14 @@ describe('a skeleton without boxes', () => {
   });
 
   it('a skeleton without boxes is not drawn where boxes are hidden, but for the bones that were asked for', () => {
-    expect(calls(drawn([figure()], { boxes: 'hidden' }))).toHaveLength(0);
-    expect(calls(drawn([figure()], { boxes: 'hidden', bones: true }))).toHaveLength(2);
+    expect(calls(drawn([personSkeleton()], { boxes: 'hidden' }))).toHaveLength(0);
+    expect(calls(drawn([personSkeleton()], { boxes: 'hidden', bones: true }))).toHaveLength(2);
   });
 });
 
 describe('the bone to an End Site', () => {
   it('leads from its joint to it', () => {
-    const root = figure().joints[0];
+    const root = personSkeleton().joints[0];
     const one: Skeleton = { name: 'one', joints: [{ ...root, endSites: [[0, 20, 0]] }] };
     const [, bones] = calls(drawn([one]));
     const matrix = new Matrix4();

@@ -1,10 +1,10 @@
 import { expect, it } from 'vitest';
 import { insertOnCurve } from '../../../../src/ui/editors/curves/insert.ts';
-import { captured, figure, takeOfRoots } from '../../../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../../../helpers/mocap.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 it('a key inserted on a sampled curve is refused in words', () => {
-  const skeleton = figure();
+  const skeleton = personSkeleton();
   const { wb } = workbench(
     documentOf(
       captured(

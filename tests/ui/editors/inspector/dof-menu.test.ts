@@ -1,10 +1,10 @@
 import { expect, it, vi } from 'vitest';
 import { dofEntries } from '../../../../src/ui/editors/inspector/dof-menu.ts';
-import { captured, figure, takeOfRoots } from '../../../helpers/mocap.ts';
+import { captured, personSkeleton, takeOfRoots } from '../../../helpers/mocap.ts';
 import { documentOf, workbench } from '../../builders.ts';
 
 it('a key on a sampled curve is offered with converting it by the menu of its value', async () => {
-  const skeleton = figure();
+  const skeleton = personSkeleton();
   const rows = [0, 1].map((z) => [0, 1, z] as const);
   const { wb } = workbench(documentOf(captured(skeleton, takeOfRoots(skeleton, rows))));
   const before = wb.store.document;

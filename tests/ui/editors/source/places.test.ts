@@ -31,8 +31,8 @@ function opened(): Document {
 }
 
 const document = opened();
-const [figure, capture] = ['a', 'b'].map((name) => document.characters.find((c) => c.name === name));
-const id = figure?.id ?? '';
+const [character, capture] = ['a', 'b'].map((name) => document.characters.find((c) => c.name === name));
+const id = character?.id ?? '';
 
 /** The lines in a file of what is selected. */
 function lit(name: string, selection: Selection, dof?: number) {

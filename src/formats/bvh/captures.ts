@@ -1,7 +1,7 @@
-/** Makes figures from the content of a `.bvh`: for each root its skeleton, and its columns of the rows. */
+/** Makes characters from the content of a `.bvh`: for each root its skeleton, and its columns of the rows. */
 
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
-import type { CapturedFigure } from '../../model/files.ts';
+import type { Capture } from '../../model/files.ts';
 import { rootDofCount } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -11,7 +11,7 @@ import type { Root } from './hierarchy.ts';
 import type { MotionRows } from './motion.ts';
 
 /** Named after the file; if there are several, also after their roots. */
-export function figuresOf(stem: string, roots: readonly Root[], motion: MotionRows): readonly CapturedFigure[] {
+export function capturesOf(stem: string, roots: readonly Root[], motion: MotionRows): readonly Capture[] {
   const names = roots.length === 1 ? [stem] : namesOf(stem, roots);
   if (motion.frameCount === 0) return roots.map(({ joints }, r) => ({ skeleton: { name: names[r], joints } }));
   const width = motion.values.length / motion.frameCount;

@@ -1,20 +1,20 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { keyedTake } from '../../../src/edit/convert/keys-of-samples.ts';
-import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
+import { skelForm } from '../../../src/edit/convert/skel-form.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/files/save/character-files.ts';
-import type { CapturedFigure } from '../../../src/model/files.ts';
+import type { Capture } from '../../../src/model/files.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { keysOf } from '../../../src/model/takes/take.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
-import { anyFigure } from './figures.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
+import { anyCapture } from './captures.ts';
 import { characterOf, frameTimes, worstDistance } from './round-trip.ts';
 
-/** `.skel` and `.anim` of a figure, as a character. */
-function skelAndAnim(figure: CapturedFigure) {
-  const skeleton = skelOf({ skeleton: figure.skeleton, pose: filePose(figure.skeleton, 0) });
-  if (!skeleton || !figure.take) throw new Error('There is a skeleton and a take.');
-  return characterOf({ skeleton, take: animOf(figure, figure.take) });
+/** `.skel` and `.anim` of a capture, as a character. */
+function skelAndAnim(capture: Capture) {
+  const skeleton = skelOf({ skeleton: capture.skeleton, pose: filePose(capture.skeleton, 0) });
+  if (!skeleton || !capture.take) throw new Error('There is a skeleton and a take.');
+  return characterOf({ skeleton, take: animOf(capture, capture.take) });
 }
 
 const angle = fc.double({ min: -400, max: 400, noNaN: true });
@@ -28,7 +28,7 @@ describe('BVH as .skel and .anim', () => {
       bvhJoint(0, ['ry', 'rz']),
       bvhJoint(0, ['rx', 'tz']),
     ];
-    expect(skelFigure({ name: 'x', joints }).skeleton.joints.map(({ motion }) => motion)).toEqual([
+    expect(skelForm({ name: 'x', joints }).skeleton.joints.map(({ motion }) => motion)).toEqual([
       { kind: 'free', order: 'yxz' },
       { kind: 'ball', order: 'xyz' },
       { kind: 'fixed' },
@@ -42,7 +42,7 @@ describe('BVH as .skel and .anim', () => {
       bvhJoint(-1, ['rx'], { endSites: [[1, 2, 3]] }),
       bvhJoint(0, ['rx'], { name: 'tip', endSites: [[4, 5, 6]] }),
     ];
-    const { skeleton } = skelFigure({ name: 'x', joints });
+    const { skeleton } = skelForm({ name: 'x', joints });
     expect(skeleton.joints.map(({ name, parent, offset }) => [name, parent, offset])).toEqual([
       ['joint0', -1, [0, 1, 0]],
       ['End_Site', 0, [1, 2, 3]],
@@ -53,14 +53,14 @@ describe('BVH as .skel and .anim', () => {
   });
 
   it('leaves a skeleton of .skel unchanged', () => {
-    const { skeleton } = skelFigure(bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[0]]).skeleton);
-    expect(skelFigure(skeleton).skeleton).toBe(skeleton);
+    const { skeleton } = skelForm(captureOf({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[0]]).skeleton);
+    expect(skelForm(skeleton).skeleton).toBe(skeleton);
   });
 
   it('moves every joint and End Site as before, at every frame, for channels of any kind', () => {
     fc.assert(
-      fc.property(anyFigure(angle), (figure) => {
-        const worst = worstDistance(characterOf(figure), skelAndAnim(figure), frameTimes(figure));
+      fc.property(anyCapture(angle), (capture) => {
+        const worst = worstDistance(characterOf(capture), skelAndAnim(capture), frameTimes(capture));
         expect(worst).toBeLessThan(1e-9);
       }),
     );
@@ -68,28 +68,28 @@ describe('BVH as .skel and .anim', () => {
 
   it('converts back to BVH with every joint and End Site in place', () => {
     fc.assert(
-      fc.property(anyFigure(angle), (figure) => {
-        const there = skelAndAnim(figure);
-        const [{ figure: back }] = bvhOf(there, 1 / (figure.take?.samples?.frameSeconds ?? 1));
+      fc.property(anyCapture(angle), (capture) => {
+        const there = skelAndAnim(capture);
+        const [{ capture: back }] = bvhOf(there, 1 / (capture.take?.samples?.frameSeconds ?? 1));
         expect(worstDistance(there, characterOf(back), frameTimes(back))).toBeLessThan(1e-7);
       }),
     );
   });
 
   it('gives keys that do not spin: an angle that jumps by a whole turn is unrolled', () => {
-    const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[170], [-175], [-160]]);
-    if (!figure.take) throw new Error('There is a take.');
-    const { channels, samples } = keyedTake(figure.take, figure.skeleton);
+    const capture = captureOf({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[170], [-175], [-160]]);
+    if (!capture.take) throw new Error('There is a take.');
+    const { channels, samples } = keyedTake(capture.take, capture.skeleton);
     expect(samples).toBeUndefined();
     expect(Array.from(keysOf(channels[3]).values, (v) => Math.round((v * 180) / Math.PI))).toEqual([170, 185, 200]);
   });
 
   it('BVH as .skel and .anim keeps only the keys that a tolerance asks for', () => {
     const rows = Array.from({ length: 100 }, (_, f) => [10 * Math.sin(f / 20)]);
-    const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, rows);
-    if (!figure.take) throw new Error('There is a take.');
-    const all = keyedTake(figure.take, figure.skeleton);
-    const few = keyedTake(figure.take, figure.skeleton, { tolerance: 0.001 });
+    const capture = captureOf({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, rows);
+    if (!capture.take) throw new Error('There is a take.');
+    const all = keyedTake(capture.take, capture.skeleton);
+    const few = keyedTake(capture.take, capture.skeleton, { tolerance: 0.001 });
     expect(keysOf(all.channels[3]).times).toHaveLength(100);
     expect(keysOf(few.channels[3]).times.length).toBeLessThan(20);
   });

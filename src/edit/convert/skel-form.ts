@@ -1,5 +1,5 @@
 /**
- * Converts a BVH figure to a skeleton that `.skel` can store, and its takes to what `.anim` can.
+ * Converts a BVH capture to a skeleton that `.skel` can store, and its takes to what `.anim` can.
  *
  *     three rotations                    balljoint, of their order
  *     … and all three positions          freejoint
@@ -10,7 +10,7 @@
  * Where position channels replace the offset, the offset along them becomes 0, since here they are added to it.
  *
  * `.skel` has no End Sites. Boxes that extend to them would show them, but could not be converted back; a joint without
- * DOFs is exact, changes no channel, and becomes an End Site again (`evaluate/bvh-figure.ts`).
+ * DOFs is exact, changes no channel, and becomes an End Site again (`evaluate/bvh-capture.ts`).
  */
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -30,24 +30,24 @@ import { type Channel, restChannel, type Take } from '../../model/takes/take.ts'
 import { keyedTake, type SampleKeyOptions } from './keys-of-samples.ts';
 
 /** A skeleton that `.skel` can store, and which old channel each of its channels comes from. */
-export interface SkelFigure {
+export interface SkelForm {
   readonly skeleton: Skeleton;
   /** For each channel of a take of the new skeleton, that of the old one; -1 for none. */
   readonly channelMap: readonly number[];
 }
 
-/** Thickness of the boxes relative to the figure's extent. */
+/** Thickness of the boxes relative to the character's extent. */
 const THICKNESS = 1 / 80;
 
 /** Name of a leaf that represents an End Site; a single token, as `.skel` requires. */
 const END_SITE = 'End_Site';
 
 /** Returns the skeleton itself if it has no BVH joints. Cached per skeleton. */
-export const skelFigure = perObject(make);
+export const skelForm = perObject(make);
 
 /** A take as `.anim` can store it: keys for the DOFs of `skelFigure(skeleton)`. */
 export function skelTake(take: Take, skeleton: Skeleton, options: SampleKeyOptions = {}): Take {
-  const { channelMap } = skelFigure(skeleton);
+  const { channelMap } = skelForm(skeleton);
   const keyed = keyedTake(take, skeleton, options);
   if (channelMap.every((c, i) => c === i)) return keyed;
   const none = restChannel();
@@ -58,7 +58,7 @@ export function skelTake(take: Take, skeleton: Skeleton, options: SampleKeyOptio
 
 /** A character's pose for the new skeleton's joints: one value per DOF. */
 export function skelPose(pose: readonly number[], skeleton: Skeleton): readonly number[] {
-  const { skeleton: to, channelMap } = skelFigure(skeleton);
+  const { skeleton: to, channelMap } = skelForm(skeleton);
   return channelMap.slice(rootDofCount(to)).map((c) => (c < 0 ? 0 : (pose[c] ?? 0)));
 }
 
@@ -66,7 +66,7 @@ function dofCount({ joints }: Skeleton): number {
   return joints.reduce((sum, { motion }) => sum + dofsOf(motion).length, 0);
 }
 
-function make(skeleton: Skeleton): SkelFigure {
+function make(skeleton: Skeleton): SkelForm {
   const identity = () => Array.from({ length: rootDofCount(skeleton) + dofCount(skeleton) }, (_, c) => c);
   if (!skeleton.joints.some(({ motion }) => isOfBvh(motion))) return { skeleton, channelMap: identity() };
   const thickness = THICKNESS * extentOf(skeleton);
@@ -129,7 +129,7 @@ function channelMapOf(from: Skeleton, to: Skeleton, origins: readonly number[]):
   return map;
 }
 
-/** Boxes around the bones that start at each joint, so that the figure looks right drawn as boxes. */
+/** Boxes around the bones that start at each joint, so that the character looks right drawn as boxes. */
 function boxesOf({ joints }: Skeleton, thickness: number): readonly Box[] {
   const least = joints.map(() => [0, 0, 0]);
   const most = joints.map(() => [0, 0, 0]);

@@ -10,10 +10,10 @@ import { type GlbOptions, TOLERANCE_OF_SIZE } from './options.ts';
 import { sizeOf } from './size.ts';
 
 /** The parts of a character that are written, apart from its motion. */
-export interface Figure {
+export interface FilePose {
   readonly skin: Skin | undefined;
   /** Absent without a skeleton. */
-  readonly joints: FigureJoints | undefined;
+  readonly joints: FileJoints | undefined;
   /** Absent without a skeleton or a skin. */
   readonly sets: AttachmentSets | undefined;
   /** All DOFs in the pose of the nodes. */
@@ -23,7 +23,7 @@ export interface Figure {
 }
 
 /** The joints of a character as nodes in the file pose. */
-export interface FigureJoints {
+export interface FileJoints {
   readonly skeleton: NonNullable<Character['skeleton']>;
   readonly nodes: JointNodes;
   /** The nodes' numbers in the pose of the file. */
@@ -33,12 +33,12 @@ export interface FigureJoints {
 }
 
 /** A character in its file pose, with its skin, or a body of bones if it has none and options ask for it. */
-export function figureOf(character: Character, { body, influences, tolerance }: GlbOptions): Figure {
+export function filePoseOf(character: Character, { body, influences, tolerance }: GlbOptions): FilePose {
   const { skeleton } = character;
   const { unkeyed: _unkeyed, driver: _driver, ...plain } = character;
   const rest = new Float64Array(dofCountOf(character));
   poseAt({ ...plain, shownTake: -1 }, 0, rest);
-  let joints: FigureJoints | undefined;
+  let joints: FileJoints | undefined;
   if (skeleton) {
     const compiled = compileSkeleton(skeleton);
     const nodes = jointNodes(compiled);

@@ -1,4 +1,4 @@
-/** Frames of a figure that is no character yet, evenly over its take; used for guesses when a file is opened. */
+/** Frames of a character that is not in the document yet, evenly over its take; used for guesses when a file is opened. */
 
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
 import { filePose } from '../model/skeleton/dofs.ts';
@@ -7,7 +7,7 @@ import type { Take } from '../model/takes/take.ts';
 import { poseFrom, poseSource } from './pose.ts';
 
 /** A character with nothing but a skeleton and perhaps a take; its limits are not enforced. */
-export function bareFigure(skeleton: Skeleton, take: Take | undefined): Character {
+export function bareCharacter(skeleton: Skeleton, take: Take | undefined): Character {
   return {
     id: '',
     name: '',
@@ -27,7 +27,7 @@ export function bareFigure(skeleton: Skeleton, take: Take | undefined): Characte
 }
 
 /**
- * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
+ * Calls `visit` with the character's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
  * file pose, if there is no take. The array is reused.
  */
 export function forFrames(
@@ -36,8 +36,8 @@ export function forFrames(
   most: number,
   visit: (dofs: Float64Array) => void,
 ): void {
-  const figure = bareFigure(skeleton, take);
-  const source = poseSource(figure);
+  const character = bareCharacter(skeleton, take);
+  const source = poseSource(character);
   const dofs = new Float64Array(source.count);
   const [start, end] = take?.range ?? [0, 0];
   const count = end > start ? Math.max(2, Math.min(most, take?.samples?.frameCount ?? most)) : 1;

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { bakeTake, framesOf, ownFrames } from '../../src/evaluate/bake.ts';
-import { framesFor, toBvhFigure } from '../../src/evaluate/bvh-figure.ts';
+import { framesFor, toBvhCapture } from '../../src/evaluate/bvh-capture.ts';
 import { zxyAngles } from '../../src/evaluate/rotations/euler-angles.ts';
 import { writeRotationPart } from '../../src/math/mat3.ts';
 import type { Character } from '../../src/model/document.ts';
@@ -10,7 +10,7 @@ import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { AXIS_PAIRS, COMPOUND_DOFS, EULER_ORDERS, type Motion, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
 import { characterOf, positionsAt } from '../edit/convert/round-trip.ts';
 import { character, joint, takeOfValues } from '../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../helpers/bvh.ts';
 
 const axis = fc
   .tuple(fc.integer({ min: -3, max: 3 }), fc.integer({ min: -3, max: 3 }), fc.integer({ min: -3, max: 3 }))
@@ -62,12 +62,12 @@ function moving(motions: fc.Arbitrary<Motion>): fc.Arbitrary<Character> {
   });
 }
 
-/** The largest distance between a joint of a character and that of its figure, over some frames. */
+/** The largest distance between a joint of a character and that of its character, over some frames. */
 function worst(who: Character): number {
-  const { figure } = toBvhFigure(who, framesOf([0, 1], 10));
+  const { capture } = toBvhCapture(who, framesOf([0, 1], 10));
   let most = 0;
   for (let frame = 0; frame <= 10; frame++) {
-    const there = positionsAt(characterOf(figure), frame / 10);
+    const there = positionsAt(characterOf(capture), frame / 10);
     positionsAt(who, frame / 10).forEach((p, j) => {
       most = Math.max(most, Math.hypot(...p.map((v, k) => v - there[j][k])));
     });
@@ -75,8 +75,8 @@ function worst(who: Character): number {
   return most;
 }
 
-describe('any character as a figure of BVH', () => {
-  it('any character as a figure of BVH keeps the places of joints of every rigid type', () => {
+describe('any character as a capture of BVH', () => {
+  it('any character as a capture of BVH keeps the places of joints of every rigid type', () => {
     fc.assert(
       fc.property(moving(rigid), (who) => {
         expect(worst(who)).toBeLessThan(1e-8);
@@ -84,7 +84,7 @@ describe('any character as a figure of BVH', () => {
     );
   });
 
-  it('any character as a figure of BVH keeps the positions of joints that scale and shear, and reports what it can not store', () => {
+  it('any character as a capture of BVH keeps the positions of joints that scale and shear, and reports what it can not store', () => {
     const of = fc.oneof(rigid, stretching);
     fc.assert(
       fc.property(
@@ -95,7 +95,7 @@ describe('any character as a figure of BVH', () => {
       ),
     );
     const skeleton = { name: 'x', joints: [joint(-1, { motion: { kind: 'shear' }, pose: [0, 0, 0] })] };
-    const { diagnostics } = toBvhFigure(character({ skeleton }), framesOf([0, 0], 1), 'x.bvh');
+    const { diagnostics } = toBvhCapture(character({ skeleton }), framesOf([0, 0], 1), 'x.bvh');
     expect(diagnostics).toMatchObject([{ severity: 'info', code: 'scale-not-held', file: 'x.bvh' }]);
   });
 
@@ -106,23 +106,23 @@ describe('any character as a figure of BVH', () => {
       takes: [takeOfValues('x', [1, 2, 3, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6])],
       shownTake: 0,
     });
-    const { figure } = toBvhFigure(who, framesOf([0, 0], 30));
-    expect(figure.skeleton.joints.map(({ motion }) => motion)).toEqual([
+    const { capture } = toBvhCapture(who, framesOf([0, 0], 30));
+    expect(capture.skeleton.joints.map(({ motion }) => motion)).toEqual([
       { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'ry', 'rx'], positions: 'replace' },
       { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' },
     ]);
     const degrees = [0.3, 0.2, 0.1, 0.6, 0.4, 0.5].map((v) => (v * 180) / Math.PI);
-    const row = Array.from(figure.take?.samples?.values ?? []);
+    const row = Array.from(capture.take?.samples?.values ?? []);
     expect(row.slice(0, 3)).toEqual([1, 3, 3]);
     row.slice(3).forEach((v, i) => {
       expect(v).toBeCloseTo(degrees[i], 12);
     });
   });
 
-  it('any character as a figure of BVH is the very samples of a take that nobody changed', () => {
-    const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx'])] }, [[1, 2, 3, 4]]);
+  it('any character as a capture of BVH is the very samples of a take that nobody changed', () => {
+    const own = captureOf({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx'])] }, [[1, 2, 3, 4]]);
     const who = characterOf(own);
-    expect(toBvhFigure(who, framesFor(who, 30)).figure.take).toBe(own.take);
+    expect(toBvhCapture(who, framesFor(who, 30)).capture.take).toBe(own.take);
   });
 
   it('writes what is still sampled to the last bit where other channels have keys', () => {
@@ -130,21 +130,21 @@ describe('any character as a figure of BVH', () => {
       [1, 2, 3, 0.1, 45.678901234567],
       [1, 2, 4, 0.7, 5.4321],
     ];
-    const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx', 'rz'])] }, rows);
+    const own = captureOf({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx', 'rz'])] }, rows);
     if (!own.take) throw new Error('There is a take.');
     const channels = own.take.channels.map((c, i) => (i === 3 ? takeOfValues('', [Math.PI]).channels[0] : c));
     const who = characterOf({ ...own, take: { ...own.take, channels } });
-    const { figure } = toBvhFigure(who, framesFor(who, 30));
-    expect(Array.from(figure.take?.samples?.values ?? [])).toEqual([
+    const { capture } = toBvhCapture(who, framesFor(who, 30));
+    expect(Array.from(capture.take?.samples?.values ?? [])).toEqual([
       1, 2, 3, 180, 45.678901234567, 1, 2, 4, 180, 5.4321,
     ]);
   });
 
-  it('any character as a figure of BVH is one frame of the pose as set where there is no take', () => {
+  it('any character as a capture of BVH is one frame of the pose as set where there is no take', () => {
     const who = character({ pose: [5, 0, 0, 0, 0, Math.PI / 2, 0, 0, 0] });
-    const { figure } = toBvhFigure(who, framesFor(who, 30));
-    expect(figure.take?.samples?.frameCount).toBe(1);
-    expect(Array.from(figure.take?.samples?.values ?? []).slice(0, 4)).toEqual([5, 1, 0, 90]);
+    const { capture } = toBvhCapture(who, framesFor(who, 30));
+    expect(capture.take?.samples?.frameCount).toBe(1);
+    expect(Array.from(capture.take?.samples?.values ?? []).slice(0, 4)).toEqual([5, 1, 0, 90]);
   });
 });
 
@@ -176,7 +176,7 @@ describe('the frames of a take', () => {
   });
 
   it('the frames of a take are the samples’ own where there are some', () => {
-    const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[1], [2]], 0.25);
+    const own = captureOf({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[1], [2]], 0.25);
     expect(ownFrames(characterOf(own))).toEqual({ startSeconds: 0, frameSeconds: 0.25, frameCount: 2 });
     expect(ownFrames(character())).toBeUndefined();
   });

@@ -1,8 +1,8 @@
-/** Figures of BVH of any shape, for fast-check. */
+/** Characters of BVH of any shape, for fast-check. */
 import fc from 'fast-check';
-import type { CapturedFigure } from '../../../src/model/files.ts';
+import type { Capture } from '../../../src/model/files.ts';
 import type { BvhChannel, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { bvhJoint, captureOf } from '../../helpers/bvh.ts';
 
 const CHANNELS: readonly BvhChannel[] = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz'];
 
@@ -35,7 +35,7 @@ export const anySkeleton: fc.Arbitrary<Skeleton> = fc
   });
 
 /** With the values that a `.bvh` can hold. */
-export function anyFigure(value: fc.Arbitrary<number>): fc.Arbitrary<CapturedFigure> {
+export function anyCapture(value: fc.Arbitrary<number>): fc.Arbitrary<Capture> {
   return fc
     .tuple(anySkeleton, fc.integer({ min: 1, max: 5 }), fc.constantFrom(0.04, 1 / 30, 0.0083333))
     .chain(([skeleton, frames, frameSeconds]) => {
@@ -43,6 +43,6 @@ export function anyFigure(value: fc.Arbitrary<number>): fc.Arbitrary<CapturedFig
       const row = fc.array(value, { minLength: width, maxLength: width });
       return fc
         .array(row, { minLength: frames, maxLength: frames })
-        .map((rows) => bvhFigure(skeleton, rows, frameSeconds));
+        .map((rows) => captureOf(skeleton, rows, frameSeconds));
     });
 }

@@ -10,7 +10,7 @@ import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../space/metres.ts';
 
 /** A posed skeleton in the scene. */
-export interface RetargetFigure {
+export interface RetargetBody {
   /** 9 numbers per joint. */
   readonly rotations: Float64Array;
   /** x y z per joint; metres, y up. */
@@ -30,7 +30,7 @@ export function upRotation(space: Space | undefined): Float64Array {
  * A posed skeleton in the scene: metres, y up.
  * @param dofs all of the character's; absent: the file pose
  */
-export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Float64Array): RetargetFigure {
+export function retargetBody(skeleton: Skeleton, space: Space | undefined, dofs?: Float64Array): RetargetBody {
   const compiled = compileSkeleton(skeleton);
   const { jointCount } = compiled;
   const world = new Float64Array(16 * jointCount);
@@ -52,7 +52,7 @@ export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Fl
 }
 
 /** Distance of joints `a` and `b`, in metres. */
-export function distance({ points }: RetargetFigure, a: number, b: number): number {
+export function distance({ points }: RetargetBody, a: number, b: number): number {
   return Math.hypot(
     points[3 * a] - points[3 * b],
     points[3 * a + 1] - points[3 * b + 1],

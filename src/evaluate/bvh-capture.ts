@@ -1,11 +1,11 @@
 /**
- * Converts any character to a BVH figure: its joints with rotation channels (and position channels if they move), and
+ * Converts any character to a BVH capture: its joints with rotation channels (and position channels if they move), and
  * its shown take as rows of values.
  *
  * Positions are taken from the joints' matrices, since BVH position channels replace the offset; angles are the joints'
  * own DOFs wherever these are such angles (`bvh-joints.ts`). The root always has all six channels, or those it had.
  *
- * `.skel` has no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-figure.ts`), which
+ * `.skel` has no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-form.ts`), which
  * become End Sites again here.
  */
 
@@ -15,7 +15,7 @@ import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, isBvh, shownTake } from '../model/document.ts';
-import type { CapturedFigure } from '../model/files.ts';
+import type { Capture } from '../model/files.ts';
 import { boneEnds } from '../model/skeleton/bone-ends.ts';
 import { firstDofs, rootDofCount } from '../model/skeleton/dofs.ts';
 import { bvhChannelsOf, dofsOf, isOfBvh, replacesOffset, stretches } from '../model/skeleton/joint-types.ts';
@@ -28,9 +28,9 @@ import { zxyAngles } from './rotations/euler-angles.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints } from './samples/bvh-joints.ts';
 import { framesOfTake } from './samples/key-frames.ts';
 
-/** A character as a BVH figure, with what was lost on the way. */
-export interface BvhFigure {
-  readonly figure: CapturedFigure;
+/** A character as a BVH capture, with what was lost on the way. */
+export interface BvhCapture {
+  readonly capture: Capture;
   /** Messages about everything that BVH can't store. */
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -61,18 +61,18 @@ export function framesFor(character: Character, framesPerSecond: number): Frames
 }
 
 /**
- * Converts a character and its shown take to a BVH figure, sampled at the frames; one that is such a figure already is
+ * Converts a character and its shown take to a BVH capture, sampled at the frames; one that is such a character already is
  * returned as it is.
  * @param character with a skeleton
  * @param frames seconds of the take
  * @param file the name used in diagnostics
  * @throws Error without a skeleton
  */
-export function toBvhFigure(character: Character, frames: Frames, file = ''): BvhFigure {
+export function toBvhCapture(character: Character, frames: Frames, file = ''): BvhCapture {
   const { skeleton } = character;
   if (!skeleton) throw new Error(`${character.name} has no skeleton.`);
   const take = shownTake(character);
-  if (isUntouched(character, take, frames)) return { figure: { skeleton, ...(take && { take }) }, diagnostics: [] };
+  if (isUntouched(character, take, frames)) return { capture: { skeleton, ...(take && { take }) }, diagnostics: [] };
   return new Figuring(character, skeleton, frames, file).result();
 }
 
@@ -129,7 +129,7 @@ class Figuring {
     this.world = new Float64Array(16 * joints.length);
   }
 
-  result(): BvhFigure {
+  result(): BvhCapture {
     const { skeleton, frames, kept } = this;
     const offsets = this.offsets();
     const channels = this.channels(offsets);
@@ -158,13 +158,13 @@ class Figuring {
         ...(ends.length && { endSites: ends }),
       };
     });
-    const figure = { name: skeleton.name, joints };
+    const converted = { name: skeleton.name, joints };
     const { frameSeconds, frameCount } = frames;
     const scales = joints.flatMap(({ motion }) =>
       dofsOf(motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1)),
     );
     // Without a root translation before them, or with one that stays 0.
-    const firstChannel = rootDofCount(figure);
+    const firstChannel = rootDofCount(converted);
     const take: Take = {
       name: shownTake(this.character)?.name ?? this.character.name,
       range: [0, (frameCount - 1) * frameSeconds],
@@ -179,7 +179,7 @@ class Figuring {
         interpolation: shownTake(this.character)?.samples?.interpolation ?? 'linear',
       },
     };
-    return { figure: { skeleton: figure, take }, diagnostics: this.diagnostics() };
+    return { capture: { skeleton: converted, take }, diagnostics: this.diagnostics() };
   }
 
   /** Computes each joint relative to its parent, as a rotation and a position. */

@@ -10,7 +10,7 @@ import type { Samples } from '../../model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../../model/takes/take.ts';
 
 /** For each file with several roots, all of them as one. */
-export function joinedFigures(characters: readonly Character[]): readonly Character[] {
+export function joinedCharacters(characters: readonly Character[]): readonly Character[] {
   const byFile = new Map<string, Character[]>();
   for (const character of characters) {
     if (!isBvh(character)) continue;
