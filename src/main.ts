@@ -7,6 +7,7 @@ import { fetchOpening, fetchSample, listSamples } from './app/examples.ts';
 import { Faults } from './app/faults.ts';
 import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
+import { makeTakesWhenIdle } from './app/idle-takes.ts';
 import { offerInstalling } from './app/installing.ts';
 import { markUnsaved } from './app/leaving.ts';
 import { Opener } from './app/opening.ts';
@@ -134,6 +135,7 @@ const workbench: Workbench = {
 
 const faults = new Faults(workbench);
 followRange(store, transport);
+makeTakesWhenIdle(store, (run) => whenIdle(workbench, run));
 opener.subscribe(({ given, files }) => {
   handles.note(given);
   const replaced = unsaved.opened(files);

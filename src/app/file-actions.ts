@@ -6,6 +6,7 @@ import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MAX_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
+import { forMessage } from '../worker/tracked-takes.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { SampleSwitches } from './example-display.ts';
 import { type BundledExample, fetchSample } from './examples.ts';
@@ -129,7 +130,7 @@ export function fileActions(parts: Parts): FileActions {
     makeGlb: (character, options, { signal, onProgress }) =>
       parts.glbWorker.run(
         'glb',
-        { character, options },
+        { character: forMessage(character), options },
         { signal, onProgress: ({ done, of }) => onProgress(done / of) },
       ),
     saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),

@@ -9,6 +9,7 @@
  * joints.
  */
 import type { Document } from '../model/document.ts';
+import { trackedOf } from '../model/takes/tracked-take.ts';
 import type { History, StoredDelta } from './history.ts';
 
 /** The memory that a value consists of. */
@@ -77,7 +78,7 @@ function weigh(value: unknown): Weight {
     else if (typeof next === 'object' && next !== null && !seen.has(next)) {
       seen.add(next);
       // Lists may be longer than a call takes arguments.
-      for (const inside of Array.isArray(next) ? next : Object.values(next)) open.push(inside);
+      for (const inside of Array.isArray(next) ? next : Object.values(trackedOf(next) ?? next)) open.push(inside);
     }
   }
   return { bytes, buffers };

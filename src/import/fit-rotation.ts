@@ -7,9 +7,9 @@
  */
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
 import { type Channel, FIXED_TANGENT, LINEAR, NO_EXTRAPOLATION, restChannel } from '../model/takes/take.ts';
-import { hermite, normalize, rotationAt, rotationWithin } from './quaternion-curve.ts';
+import type { RotationForm, TrackedRotation } from '../model/takes/tracked-take.ts';
+import { curveOf, hermite, normalize, type QuaternionCurve, rotationAt, rotationWithin } from './quaternion-curve.ts';
 import { writeAnglesNear, writeQuaternion } from './rotations.ts';
-import type { QuaternionCurve } from './scene.ts';
 
 /**
  * Radians. A fiftieth of a 2000th: along a chain of as many joints the sum stays within a 2000th of the size.
@@ -20,9 +20,12 @@ const MAX_HALVINGS = 16;
 /** Fitted keys of a curve for each of its own; what it needs beyond is spare. */
 const MAX_PER_KEY = 8;
 
-/** Fitted keys that the curves of a character may need beyond the usual, together. */
+/** Fitted keys that the curves of a character may need beyond the usual, in all of its takes together. */
+export const SPARE_KEYS = 20_000;
+
+/** Fitted keys that the curves of a take may still need beyond the usual. */
 export class SpareKeys {
-  left = 20_000;
+  constructor(public left: number) {}
 }
 /** Fraction of that time, for slopes. */
 const STEP = 1e-3;
@@ -37,7 +40,7 @@ export interface RotationDofs {
 }
 
 /** Angles about x, y and z. */
-export function eulerRotation(order: EulerOrder): RotationDofs {
+function eulerRotation(order: EulerOrder): RotationDofs {
   return {
     count: 3,
     write: (q, dofs) => writeAnglesNear(order, q, dofs),
@@ -46,7 +49,7 @@ export function eulerRotation(order: EulerOrder): RotationDofs {
 }
 
 /** The rotation of a quaternion joint: four DOFs, with the sign nearer to those before. */
-export const QUATERNION_ROTATION: RotationDofs = {
+const QUATERNION_ROTATION: RotationDofs = {
   count: 4,
   write(q, dofs) {
     const sign = q[0] * dofs[0] + q[1] * dofs[1] + q[2] * dofs[2] + q[3] * dofs[3] < 0 ? -1 : 1;
@@ -144,17 +147,18 @@ function doubled<A extends Float64Array | Uint8Array>(column: A): A {
 const THREE = new FittedKeys(3);
 const FOUR = new FittedKeys(4);
 
+/** The DOFs of a form. */
+export function rotationDofs(form: RotationForm): RotationDofs {
+  return form === 'quaternion' ? QUATERNION_ROTATION : eulerRotation(form);
+}
+
 /**
- * Channels for the DOFs.
- * @param rest DOFs to be near to at the first key
+ * Channels for the DOFs of a rotation.
  * @param spare less by what this curve takes of it; where it runs out, fitted keys are further apart
  */
-export function fitRotation(
-  curve: QuaternionCurve,
-  dofs: RotationDofs,
-  rest: Float64Array,
-  spare: SpareKeys,
-): readonly Channel[] {
+export function fitRotation({ track, form, rest }: TrackedRotation, spare: SpareKeys): readonly Channel[] {
+  const curve = curveOf(track);
+  const dofs = rotationDofs(form);
   const usual = MAX_PER_KEY * curve.times.length;
   const most = usual + spare.left;
   const keys = dofs.count === 4 ? FOUR : THREE;

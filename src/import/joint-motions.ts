@@ -12,9 +12,10 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton/skeleton.ts';
 import { type Channel, keysOf, restChannel } from '../model/takes/take.ts';
-import { eulerRotation, fitRotation, QUATERNION_ROTATION, type RotationDofs, type SpareKeys } from './fit-rotation.ts';
+import type { RotationForm, TrackedDof } from '../model/takes/tracked-take.ts';
+import { type RotationDofs, rotationDofs } from './fit-rotation.ts';
 import { NOISE } from './noise.ts';
-import { visited } from './quaternion-curve.ts';
+import { curveOf, visited } from './quaternion-curve.ts';
 import { lockedness } from './rotations.ts';
 import type { AxisCurves, SceneMove, SceneNode } from './scene.ts';
 
@@ -23,8 +24,8 @@ export interface JointMotion {
   readonly motion: Motion;
   readonly offset: Vec3;
   readonly pose: readonly number[];
-  /** The channels of its DOFs in a take; a take may leave the node alone. */
-  channels(move: SceneMove | undefined): readonly Channel[];
+  /** The channels of its DOFs in a take; a take may leave the node alone. Those of quaternions are yet to be fitted. */
+  channels(move: SceneMove | undefined): readonly (Channel | TrackedDof)[];
 }
 
 /** Middle angles up to 80° are clear of gimbal lock. */
@@ -35,9 +36,8 @@ const LOCKED = Math.sin((88 * Math.PI) / 180);
 /**
  * The type of joint that a node becomes, from its rest and all that its takes do.
  * @param size of the character, in the space of the node's parent
- * @param spare for rotations that need many keys
  */
-export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number, spare: SpareKeys): JointMotion {
+export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: number): JointMotion {
   const { translation, euler, role } = node;
   const scale = withoutNoise(node.scale);
   const rest = Float64Array.from(node.rotation);
@@ -46,7 +46,7 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
     curves?.some((curve, axis) => curve !== undefined && departs(curve, values[axis], tolerance)) ?? false;
   const isTranslated = role === 'hips' || moves.some((move) => movesBy(move.translation, translation, lengthNoise));
   const isScaled = scale.some((s) => s !== 1) || moves.some((move) => movesBy(move.scale, scale, scaleNoise));
-  const paths = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [visited(rotation.curve)] : []));
+  const paths = moves.flatMap(({ rotation }) => (rotation?.kind === 'turns' ? [visited(curveOf(rotation.track))] : []));
   const isTurning =
     paths.some((path) => turns(path, rest)) ||
     moves.some(
@@ -60,15 +60,16 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
   const clearest = euler?.order ?? clearestOrder(rest, paths);
   const isLocked = !euler && isTurning && worstOf(rest, paths, clearest) > LOCKED;
   const isQuaternion = isLocked && !isTranslated && !isScaled;
-  const dofs: RotationDofs = isQuaternion ? QUATERNION_ROTATION : eulerRotation(clearest);
-  const angles = restDofs(node, rest, dofs);
+  const form: RotationForm = isQuaternion ? 'quaternion' : clearest;
+  const angles = restDofs(node, rest, rotationDofs(form));
 
   const translated = (move: SceneMove | undefined) => axisChannels(move?.translation, translation, lengthNoise);
-  const turnedBy = (move: SceneMove | undefined): readonly Channel[] => {
+  const turnedBy = (move: SceneMove | undefined): readonly (Channel | TrackedDof)[] => {
     const rotation = move?.rotation;
-    if (!rotation) return [...angles].map((value) => restChannel(value));
+    if (!rotation) return angles.map((value) => restChannel(value));
     if (rotation.kind === 'euler') return axisChannels(rotation.angles, euler?.angles ?? [0, 0, 0], NOISE);
-    return fitRotation(rotation.curve, dofs, angles, spare);
+    const tracked = { track: rotation.track, form, rest: angles };
+    return angles.map((_, index) => ({ kind: 'tracked', rotation: tracked, index }));
   };
   const scaledBy = (move: SceneMove | undefined) => axisChannels(move?.scale, scale, scaleNoise);
 
@@ -104,16 +105,16 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
   }
   if (!isTurned) return { motion: { kind: 'fixed' }, offset: translation, pose: [], channels: () => [] };
   const motion: Motion = isQuaternion ? { kind: 'quaternion' } : { kind: 'ball', order: clearest };
-  return { motion, offset: translation, pose: [...angles], channels: turnedBy };
+  return { motion, offset: translation, pose: angles, channels: turnedBy };
 }
 
 /** The rest as the joint's DOFs. */
-function restDofs({ euler }: SceneNode, rest: Float64Array, dofs: RotationDofs): Float64Array {
-  if (euler) return Float64Array.from(euler.angles);
+function restDofs({ euler }: SceneNode, rest: Float64Array, dofs: RotationDofs): readonly number[] {
+  if (euler) return euler.angles;
   const out = new Float64Array(dofs.count);
   if (dofs.count === 4) out.set(rest);
   else dofs.write(rest, out);
-  return out;
+  return [...out];
 }
 
 function withoutNoise(scale: Vec3): Vec3 {

@@ -1,6 +1,28 @@
 /** Rotations on a curve of quaternions, at and between its keys. */
 import { slerp } from '../math/slerp.ts';
-import type { QuaternionCurve } from './scene.ts';
+import type { QuaternionTrack } from '../model/takes/tracked-take.ts';
+
+/** A track in doubles, with columns of its own for slopes. */
+export interface QuaternionCurve {
+  readonly times: Float64Array;
+  /** x y z w per key, of any length. */
+  readonly values: Float64Array;
+  readonly interpolation: QuaternionTrack['interpolation'];
+  /** Slopes of `cubic`: x y z w per key, per second. */
+  readonly slopesIn?: Float64Array;
+  readonly slopesOut?: Float64Array;
+}
+
+/** The curve of a track. */
+export function curveOf({ times, values, interpolation }: QuaternionTrack): QuaternionCurve {
+  if (interpolation !== 'cubic') return { times, values: new Float64Array(values), interpolation };
+  const part = (p: number) => {
+    const out = new Float64Array(4 * times.length);
+    for (let i = 0; i < out.length; i++) out[i] = values[(3 * (i >> 2) + p) * 4 + (i & 3)];
+    return out;
+  };
+  return { times, interpolation, values: part(1), slopesIn: part(0), slopesOut: part(2) };
+}
 
 const from = new Float64Array(4);
 const to = new Float64Array(4);

@@ -14,6 +14,7 @@ import type { MorphRows } from '../model/morph.ts';
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
 import type { Attachments } from '../model/skin.ts';
 import type { Channel } from '../model/takes/take.ts';
+import type { QuaternionTrack } from '../model/takes/tracked-take.ts';
 
 /** All that is read of a file. */
 export interface Scene {
@@ -141,26 +142,10 @@ export interface SceneMove {
 /** Curves of x, y and z, in absolute values: keys and tangents are kept. Absent where an axis rests. */
 export type AxisCurves = readonly [Channel | undefined, Channel | undefined, Channel | undefined];
 
-/** Euler angles are kept with their keys and tangents; quaternions are fitted. */
+/** Euler angles are kept with their keys and tangents; quaternions are fitted once something asks for them. */
 export type SceneRotation =
   /** In the order of the node's `euler`, which must be there. */
-  { readonly kind: 'euler'; readonly angles: AxisCurves } | { readonly kind: 'turns'; readonly curve: QuaternionCurve };
-
-/** Before the first and after the last key it is constant. */
-export interface QuaternionCurve {
-  /** Ascending seconds; at least one. */
-  readonly times: Float64Array;
-  /** x y z w per key, of any length. */
-  readonly values: Float64Array;
-  /**
-   * Up to the next key: `step` holds, `linear` turns along the shortest arc (slerp), `cubic` interpolates components by a
-   * Hermite cubic and normalises.
-   */
-  readonly interpolation: 'step' | 'linear' | 'cubic';
-  /** Slopes of `cubic`: x y z w per key, per second. */
-  readonly slopesIn?: Float64Array;
-  readonly slopesOut?: Float64Array;
-}
+  { readonly kind: 'euler'; readonly angles: AxisCurves } | { readonly kind: 'turns'; readonly track: QuaternionTrack };
 
 /** How a take drives the weight of a morph target. */
 export interface SceneWeight {

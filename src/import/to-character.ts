@@ -12,13 +12,15 @@ import { carriesCharacter } from '../model/skeleton/joint-types.ts';
 import { type Joint, NO_BOX, type Skeleton, UNLIMITED } from '../model/skeleton/skeleton.ts';
 import type { Attachments, Material, Skin, Surface } from '../model/skin.ts';
 import { type Channel, restChannel, type Take } from '../model/takes/take.ts';
+import type { TrackedDof } from '../model/takes/tracked-take.ts';
 import { type Binding, type BoundMesh, bindMeshes, inverted } from './bind.ts';
 import { cleanFileName, cleanName } from './clean-names.ts';
 import { firstNotFinite } from './finite.ts';
-import { SpareKeys } from './fit-rotation.ts';
+import { SPARE_KEYS } from './fit-rotation.ts';
+import { takeOfTracks } from './fit-take.ts';
 import { ImportError } from './imported.ts';
 import { type JointMotion, jointMotion } from './joint-motions.ts';
-import type { Scene, SceneMesh, SceneTake } from './scene.ts';
+import type { Scene, SceneMesh, SceneMove, SceneTake } from './scene.ts';
 
 /** A joint to be: of a node, a further one below it, or the one above several roots. */
 interface Slot {
@@ -45,11 +47,10 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
   if (slots.length === 0) return undefined;
   const size = sizeOf(scene, worlds, binding);
   const movesOf = takes.map(({ moves }) => new Map(moves.map((move) => [move.node, move])));
-  const spare = new SpareKeys();
   const motions = slots.map(({ node }): JointMotion | undefined => {
     if (node < 0) return undefined;
     const moves = movesOf.flatMap((own) => own.get(node) ?? []);
-    return jointMotion(nodes[node], moves, size / stretchOf(worlds, nodes[node].parent), spare);
+    return jointMotion(nodes[node], moves, size / stretchOf(worlds, nodes[node].parent));
   });
   const joints = slots.map((slot, j): Joint => {
     const { motion, offset, pose } = motions[j] ?? FIXED;
@@ -70,14 +71,16 @@ export function toCharacter(scene: Scene): WholeCharacter | undefined {
   const skins = meshes.length ? [skinOf(scene, binding, jointsOf, bindingsOf(slots, worlds))] : [];
   const { morphs, weightsOf } = morphsOf(meshes, binding);
   const takeNames = new DistinctNames();
-  const animations = takes.map(
-    (take, t): Take => ({
+  const spareKeys = Math.floor(SPARE_KEYS / takes.length);
+  const animations = takes.map((take, t): Take => {
+    const head = {
       name: takeNames.add(cleanFileName(take.name) || `animation_${t}`),
       range: take.range,
       ...(take.framesPerSecond !== undefined && { framesPerSecond: take.framesPerSecond }),
-      channels: [...jointChannels(joints, slots, motions, take), ...weightsOf(take)],
-    }),
-  );
+    };
+    const channels = [...jointChannels(joints, slots, motions, movesOf[t]), ...weightsOf(take)];
+    return channels.every(isChannel) ? { ...head, channels } : takeOfTracks({ ...head, tracked: channels, spareKeys });
+  });
   return { skeleton, skins, morphs, takes: animations, textures: scene.textures, space: statedSpace(metres) };
 }
 
@@ -343,9 +346,12 @@ function jointChannels(
   joints: readonly Joint[],
   slots: readonly Slot[],
   motions: readonly (JointMotion | undefined)[],
-  { moves }: SceneTake,
-): readonly Channel[] {
-  const byNode = new Map(moves.map((move) => [move.node, move]));
+  moves: ReadonlyMap<number, SceneMove>,
+): readonly (Channel | TrackedDof)[] {
   const root = carriesCharacter(joints[0].motion) ? [] : [restChannel(), restChannel(), restChannel()];
-  return [...root, ...slots.flatMap(({ node }, j) => motions[j]?.channels(byNode.get(node)) ?? [])];
+  return [...root, ...slots.flatMap(({ node }, j) => motions[j]?.channels(moves.get(node)) ?? [])];
+}
+
+function isChannel(channel: Channel | TrackedDof): channel is Channel {
+  return channel.kind !== 'tracked';
 }

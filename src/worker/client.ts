@@ -6,6 +6,7 @@
 import { sentenceOf } from '../model/failure.ts';
 import { UserError } from '../model/user-error.ts';
 import type { FromWorker, JobName, Jobs, ParsedPart, ParseOutput, Progress, ToWorker } from './protocol.ts';
+import { fromMessage, withCharacters } from './tracked-takes.ts';
 
 /** The part of `Worker` that the client uses; tests pass one without a thread. */
 export interface WorkerLike {
@@ -157,6 +158,6 @@ export class WorkerClient {
 function whole(output: ParseOutput, parts: readonly ParsedPart[]): ParseOutput {
   if (parts.length === 0) return output;
   const files = [...output.files];
-  for (const part of parts) for (const [file, index] of part.files) files[index] = file;
+  for (const part of parts) for (const [file, index] of part.files) files[index] = withCharacters(file, fromMessage);
   return { ...output, files, facts: parts.flatMap(({ facts }) => facts) };
 }

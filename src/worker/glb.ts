@@ -1,13 +1,14 @@
 /** Writes a character as GLB, with progress. Loaded on first use. */
 import { writeGlb } from '../export/glb/write.ts';
 import type { GlbInput, GlbOutput, Progress } from './protocol.ts';
+import { fromMessage } from './tracked-takes.ts';
 
 /** Between two messages of progress, in milliseconds. */
 const INTERVAL = 100;
 
 export function glbOf({ character, options }: GlbInput, onProgress: (progress: Progress) => void): GlbOutput {
   let last = performance.now();
-  const { pieces, report } = writeGlb(character, options, true, ({ label, fraction }) => {
+  const { pieces, report } = writeGlb(fromMessage(character), options, true, ({ label, fraction }) => {
     const now = performance.now();
     if (now - last < INTERVAL) return;
     last = now;

@@ -11,6 +11,7 @@ import { perObject } from '../model/per-object.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import { passageOf } from './passage.ts';
 import type { GivenBlob } from './protocol.ts';
+import { settledTakes, withCharacters } from './tracked-takes.ts';
 
 export interface ImportedBlob {
   readonly files: readonly ParsedFile[];
@@ -110,7 +111,8 @@ async function importOne(
         return undefined;
       },
     });
-    const { value, diagnostics = [], beside = [] } = read ?? {};
+    const { diagnostics = [], beside = [] } = read ?? {};
+    const value = read?.value && withCharacters(read.value, settledTakes);
     const tooLarge = value && tooLargeToPost(source, passageOf(value).transfer);
     const told = tooLarge ? [...diagnostics, tooLarge] : diagnostics;
     if (!value || tooLarge) return { ...broken, parts, diagnostics: told };

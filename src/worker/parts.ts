@@ -2,6 +2,7 @@
 import type { ParsedFile } from '../model/files.ts';
 import { passageOf } from './passage.ts';
 import type { KnownSkin, ParsedPart, ParseOutput } from './protocol.ts';
+import { forMessage, withCharacters } from './tracked-takes.ts';
 
 /** Of a part, unless a single file has more: 5 to 10 ms to clone. */
 const MAX_WEIGHT = 8192;
@@ -29,7 +30,7 @@ export function partsOf(output: Pick<ParseOutput, 'files' | 'facts'>): readonly 
     }
     weight += passage.weight;
     const { part, buffers } = posted[posted.length - 1];
-    part.files.push(...family.files);
+    for (const [file, index] of family.files) part.files.push([withCharacters(file, forMessage), index]);
     part.facts.push(...family.facts);
     for (const buffer of passage.transfer) buffers.add(buffer);
   }

@@ -1,4 +1,5 @@
 /** What it takes to pass a message on. */
+import { trackedOf } from '../model/takes/tracked-take.ts';
 
 /**
  * Buffers of fewer bytes are cloned: handing one over takes both sides some 20 µs, in which this much is copied several
@@ -31,7 +32,8 @@ export function passageOf(message: unknown): Passage {
       if (typeof item[0] === 'number') weight += (8 * item.length) / BYTES_PER_OBJECT;
       else for (const each of item) if (typeof each === 'object') stack.push(each);
     } else if (typeof item === 'object' && item !== null) {
-      for (const each of Object.values(item)) if (typeof each === 'object' && each !== null) stack.push(each);
+      for (const each of Object.values(trackedOf(item) ?? item))
+        if (typeof each === 'object' && each !== null) stack.push(each);
     }
   }
   return { transfer: [...transfer], weight };

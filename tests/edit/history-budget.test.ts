@@ -5,7 +5,7 @@ import { stepsToForget } from '../../src/edit/history-budget.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Document } from '../../src/model/document.ts';
 import type { Samples } from '../../src/model/takes/samples.ts';
-import { character, documentOf, takeOfValues } from '../helpers/builders.ts';
+import { character, documentOf, takeOfValues, trackedTake } from '../helpers/builders.ts';
 
 const MEGABYTE = 1e6;
 
@@ -38,6 +38,15 @@ function undone(store: Store): number {
 }
 
 describe('memory of undo', () => {
+  it('weighs what the channels of a take will be made of, without making them', () => {
+    let made = 0;
+    const store = new Store(EMPTY);
+    store.apply(set, documentOf(character({ takes: [trackedTake('walk', () => made++)] })));
+    store.undo();
+    expect(limited(store, 1e-6)).toBe(0);
+    expect(made).toBe(0);
+  });
+
   it('takes that are opened and removed one after another leave no more than the budget behind', () => {
     const store = new Store(EMPTY);
     for (let i = 0; i < 6; i++) {

@@ -13,7 +13,8 @@ import {
   UNLIMITED,
 } from '../../src/model/skeleton/skeleton.ts';
 import { type Material, oneSurface, type Skin } from '../../src/model/skin.ts';
-import type { Take } from '../../src/model/takes/take.ts';
+import { type Channel, NO_EXTRAPOLATION, type Take } from '../../src/model/takes/take.ts';
+import { withTracks } from '../../src/model/takes/tracked-take.ts';
 
 export function joint(parent: number, more: Partial<Joint> = {}): Joint {
   return {
@@ -83,6 +84,29 @@ export function takeOfValues(name: string, values: readonly number[], range: rea
       tangentsOut: { kinds: Uint8Array.of(0), slopes: Float64Array.of(0) },
     })),
   };
+}
+
+/** A take that moves, whose channels are yet to be made; tells when they are. */
+export function trackedTake(name: string, onMade: () => void = () => undefined): Take {
+  const still = { kinds: Uint8Array.of(0, 0), slopes: Float64Array.of(0, 0) };
+  const moving: Channel = {
+    kind: 'keys',
+    ...NO_EXTRAPOLATION,
+    times: Float64Array.of(0, 1),
+    values: Float64Array.of(0, 2),
+    tangentsIn: still,
+    tangentsOut: still,
+  };
+  const channels = takeOfValues(name, [0, 0, 0, 0, 0, 0, 0, 0, 0]).channels.map((channel, i) =>
+    i === 3 ? moving : channel,
+  );
+  const track = { times: Float64Array.of(0), values: Float64Array.of(0, 0, 0, 1), interpolation: 'linear' } as const;
+  const rotation = { track, form: 'xyz', rest: [0, 0, 0] } as const;
+  const tracked = channels.map((_, index) => ({ kind: 'tracked', rotation, index }) as const);
+  return withTracks({ name, range: [0, 1], framesPerSecond: 30, tracked, spareKeys: 0 }, () => {
+    onMade();
+    return channels;
+  });
 }
 
 export function character(more: Partial<Character> = {}): Character {

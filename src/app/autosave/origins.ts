@@ -7,6 +7,7 @@
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import type { KeptFile } from '../../io/session-store.ts';
 import type { ParsedFile } from '../../model/files.ts';
+import { trackedOf } from '../../model/takes/tracked-take.ts';
 import type { GivenBlob } from '../../worker/protocol.ts';
 
 /** An opened file, as stored. */
@@ -43,6 +44,9 @@ export class Origins {
   /** What an opened file can't be read without, such as the buffers of a `.gltf`. */
   private readonly beside = new WeakMap<Given, ReadonlySet<Given>>();
 
+  /** Takes whose channels are yet to be made. */
+  private readonly tracked = new Set<WeakRef<object>>();
+
   /** Learned, and looked through up to some file. */
   private readonly learned: Learned[] = [];
 
@@ -71,6 +75,7 @@ export class Origins {
       }
       if (this.learned[0] === first) this.learned.shift();
     }
+    this.lookAtTakes();
   }
 
   private settle(): void {
@@ -84,6 +89,17 @@ export class Origins {
     const others = (file.beside ?? []).flatMap(({ path }) => givenAt(path) ?? []);
     if (others.length > 0) this.beside.set(found, new Set([...(this.beside.get(found) ?? []), ...others]));
     this.walk(file, { file: { given: found, path: file.source.path }, up: undefined, key: '' });
+  }
+
+  /** Looks through takes whose channels have been made since. */
+  private lookAtTakes(): void {
+    for (const one of this.tracked) {
+      const take = one.deref();
+      if (take && trackedOf(take)) continue;
+      this.tracked.delete(one);
+      const origin = take && this.known.get(take);
+      if (origin) this.walkInside(take, origin);
+    }
   }
 
   setKeepable(given: Given, keepable: boolean): void {
@@ -118,6 +134,11 @@ export class Origins {
     if (this.known.has(value)) return;
     this.known.set(value, origin);
     if (ArrayBuffer.isView(value)) return;
+    if (trackedOf(value)) this.tracked.add(new WeakRef(value));
+    else this.walkInside(value, origin);
+  }
+
+  private walkInside(value: object, origin: Origin): void {
     const step = (key: PathKey, inner: unknown) => {
       if (typeof inner === 'object' && inner !== null) this.walk(inner, { file: origin.file, up: origin, key });
     };

@@ -25,6 +25,7 @@ import { type Skin, textureNames } from '../../model/skin.ts';
 import type { Space } from '../../model/space.ts';
 import { firstTake } from '../../model/takes/moving.ts';
 import type { Take } from '../../model/takes/take.ts';
+import { renamedTake } from '../../model/takes/tracked-take.ts';
 
 /** Where a part comes from. */
 export interface PartOrigin extends Omit<PartFile, 'holds'> {
@@ -75,7 +76,8 @@ export function withTake(character: Character, take: Take, from: PartOrigin): Ch
   const kept = take.markers ? undefined : takes[at]?.markers;
   const marked = kept ? withMarkers(take, kept) : take;
   // A take among others of its file may have been given another name.
-  const named = at < 0 || from.kind !== 'character' ? marked : { ...marked, name: takes[at].name };
+  const isItself = at < 0 || from.kind !== 'character' || takes[at].name === marked.name;
+  const named = isItself ? marked : renamedTake(marked, takes[at].name);
   return { ...character, parts, takes: put(takes, at, named), shownTake: at < 0 ? takes.length : at };
 }
 

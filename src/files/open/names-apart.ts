@@ -5,6 +5,7 @@ import type { SourceFile } from '../../model/files.ts';
 import { tellingNames } from '../../model/names/telling-names.ts';
 import { NO_MARKS } from '../../model/part.ts';
 import type { Take } from '../../model/takes/take.ts';
+import { renamedTake } from '../../model/takes/tracked-take.ts';
 import type { Opening } from './opening.ts';
 
 interface NewTake {
@@ -45,7 +46,7 @@ function nameTakesApart({ characters, base, opened }: Opening): void {
     if (!character.takes.some((take) => renamed.has(take))) continue;
     const takes = character.takes.map((take) => {
       const name = renamed.get(take);
-      return name === undefined ? take : { ...take, name };
+      return name === undefined ? take : renamedTake(take, name);
     });
     characters.replace({ ...character, takes });
   }

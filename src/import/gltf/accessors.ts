@@ -1,5 +1,6 @@
 /**
- * Accessors: lists of numbers or vectors in buffer views, as doubles. Normalised integers become fractions:
+ * Accessors: lists of numbers or vectors in buffer views, as the file has them where that is one list, else as doubles.
+ * Normalised integers become fractions:
  *
  *     unsigned  c / (2ⁿ − 1)          signed  max(c / (2ⁿ⁻¹ − 1), −1)
  */
@@ -7,41 +8,52 @@ import { ImportError } from '../imported.ts';
 import type { Buffers } from './buffers.ts';
 import { countOf, type Document, type Json, objectOf, shown, textOf } from './json.ts';
 
+/** Numbers of a file: a view of its own bytes, which must not be changed, or doubles. */
+export type NumberList = InstanceType<
+  | typeof Float64Array<ArrayBuffer>
+  | typeof Float32Array<ArrayBuffer>
+  | typeof Uint32Array<ArrayBuffer>
+  | typeof Uint16Array<ArrayBuffer>
+  | typeof Int16Array<ArrayBuffer>
+  | typeof Uint8Array<ArrayBuffer>
+  | typeof Int8Array<ArrayBuffer>
+>;
+
 interface Component {
   readonly bytes: number;
   /** The largest value of an integer; 0 for floats. */
   readonly largest: number;
   read(view: DataView, at: number): number;
   /** Of packed numbers, in the order of bytes of all machines that browsers run on, which is that of files. */
-  list(buffer: ArrayBuffer): ArrayLike<number>;
+  list(buffer: ArrayBuffer, offset: number, count: number): NumberList;
 }
 
 const COMPONENTS: Readonly<Record<number, Component>> = {
-  5120: { bytes: 1, largest: 127, read: (view, at) => view.getInt8(at), list: (buffer) => new Int8Array(buffer) },
-  5121: { bytes: 1, largest: 255, read: (view, at) => view.getUint8(at), list: (buffer) => new Uint8Array(buffer) },
+  5120: { bytes: 1, largest: 127, read: (view, at) => view.getInt8(at), list: (...of) => new Int8Array(...of) },
+  5121: { bytes: 1, largest: 255, read: (view, at) => view.getUint8(at), list: (...of) => new Uint8Array(...of) },
   5122: {
     bytes: 2,
     largest: 32767,
     read: (view, at) => view.getInt16(at, true),
-    list: (buffer) => new Int16Array(buffer),
+    list: (...of) => new Int16Array(...of),
   },
   5123: {
     bytes: 2,
     largest: 65535,
     read: (view, at) => view.getUint16(at, true),
-    list: (buffer) => new Uint16Array(buffer),
+    list: (...of) => new Uint16Array(...of),
   },
   5125: {
     bytes: 4,
     largest: 4294967295,
     read: (view, at) => view.getUint32(at, true),
-    list: (buffer) => new Uint32Array(buffer),
+    list: (...of) => new Uint32Array(...of),
   },
   5126: {
     bytes: 4,
     largest: 0,
     read: (view, at) => view.getFloat32(at, true),
-    list: (buffer) => new Float32Array(buffer),
+    list: (...of) => new Float32Array(...of),
   },
 };
 
@@ -54,7 +66,7 @@ const MAX_ZEROS = 2 ** 16;
 export interface Numbers {
   readonly count: number;
   readonly width: number;
-  readonly values: Float64Array;
+  readonly values: NumberList;
 }
 
 /** Values that replace those of some elements. */
@@ -62,7 +74,7 @@ export interface SparseNumbers {
   /** Ascending, each below the count. */
   readonly indices: Uint32Array;
   readonly width: number;
-  readonly values: Float64Array;
+  readonly values: NumberList;
 }
 
 /** Reads the accessors of a file, each once. */
@@ -121,7 +133,7 @@ export class Accessors {
     const { json, component, width, count, isNormalized } = this.header(index, where);
     const called = `Accessor ${index}`;
     const sparse = objectOf(json.sparse);
-    let values: Float64Array;
+    let values: NumberList;
     if (json.bufferView === undefined) {
       this.zeros += count * width;
       const most = MAX_ZEROS + this.buffers.budget.bytes;
@@ -136,10 +148,12 @@ export class Accessors {
     }
     if (sparse) {
       const given = this.replaced(sparse, count, component, width, isNormalized, Number(index));
-      // The list without replacements may be shared.
+      // The list without replacements may be the file's.
+      const whole = new Float64Array(values);
       given.indices.forEach((element, i) => {
-        for (let k = 0; k < width; k++) values[element * width + k] = given.values[i * width + k];
+        for (let k = 0; k < width; k++) whole[element * width + k] = given.values[i * width + k];
       });
+      values = whole;
     }
     return { count, width, values };
   }
@@ -152,7 +166,7 @@ export class Accessors {
     { bytes: size, largest, read, list }: Component,
     isNormalized: boolean,
     called: string,
-  ): Float64Array {
+  ): NumberList {
     const { bytes, stride: stated } = this.buffers.view(viewIndex, called);
     // Columns of small matrices start at multiples of four bytes.
     const rows = width === 4 ? 4 : Math.sqrt(width);
@@ -168,8 +182,14 @@ export class Accessors {
     this.buffers.budget.spend(count * width, called);
     const isScaled = isNormalized && largest > 0;
     if (stride === packed && !isMatrix) {
-      const whole = new Float64Array(list(bytes.slice(offset, end).buffer));
-      if (isScaled) for (let i = 0; i < whole.length; i++) whole[i] = Math.max(whole[i] / largest, -1);
+      const start = bytes.byteOffset + offset;
+      const isAligned = start % size === 0;
+      const packedValues = isAligned
+        ? list(bytes.buffer, start, count * width)
+        : list(bytes.slice(offset, end).buffer, 0, count * width);
+      if (!isScaled) return packedValues;
+      const whole = new Float64Array(packedValues);
+      for (let i = 0; i < whole.length; i++) whole[i] = Math.max(whole[i] / largest, -1);
       return whole;
     }
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

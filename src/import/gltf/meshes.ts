@@ -3,7 +3,7 @@ import type { Budget } from '../budget.ts';
 import { firstNotFinite } from '../finite.ts';
 import { counted, ImportError, type Remarks } from '../imported.ts';
 import type { SceneMesh, SceneSkin, SceneSkinned, SceneSurface, SceneTarget } from '../scene.ts';
-import type { Accessors, Numbers } from './accessors.ts';
+import type { Accessors, NumberList, Numbers } from './accessors.ts';
 import { countOf, type Document, extensionOf, type Json, listOf, numberOf, objectOf, shown, textOf } from './json.ts';
 import type { Mapping } from './materials.ts';
 import type { Nodes } from './nodes.ts';
@@ -251,7 +251,7 @@ export class Meshes {
       return new ImportError('index-out-of-range', message);
     };
     for (const part of parts) {
-      const sets: { readonly joints: Float64Array; readonly weights: Float64Array }[] = [];
+      const sets: { readonly joints: NumberList; readonly weights: NumberList }[] = [];
       for (let s = 0; ; s++) {
         const j = this.attribute(part, `JOINTS_${s}`, 4, called);
         const w = this.attribute(part, `WEIGHTS_${s}`, 4, called);

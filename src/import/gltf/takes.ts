@@ -15,19 +15,21 @@ import {
   LINEAR,
   NO_EXTRAPOLATION,
 } from '../../model/takes/take.ts';
+import type { QuaternionTrack } from '../../model/takes/tracked-take.ts';
 import type { Budget } from '../budget.ts';
 import { firstNotFinite } from '../finite.ts';
 import { ImportError, type Remarks } from '../imported.ts';
-import type { QuaternionCurve, SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
-import type { Accessors } from './accessors.ts';
+import type { SceneMesh, SceneMove, SceneTake, SceneWeight } from '../scene.ts';
+import type { Accessors, NumberList, Numbers } from './accessors.ts';
 import { countOf, type Document, extensionOf, type Json, listOf, objectOf, shown, textOf } from './json.ts';
 
 /** A sampler: `width` values per key, three times as many of a cubic. */
 interface Sampler {
   readonly interpolation: 'step' | 'linear' | 'cubic';
-  readonly times: Float64Array;
+  /** The same list for all samplers of one accessor. */
+  readonly times: Float64Array<ArrayBuffer>;
   readonly width: number;
-  readonly values: Float64Array;
+  readonly values: NumberList;
 }
 
 type Path = 'translation' | 'rotation' | 'scale' | 'weights';
@@ -97,7 +99,7 @@ export function readTakes(
       moves.set(node, move);
       if (move[path]) {
         remarks.warn('channel-twice', `${called} moves the ${path} of node ${target.node} twice.`, 'the first is used');
-      } else if (path === 'rotation') move.rotation = { kind: 'turns', curve: quaternionOf(read) };
+      } else if (path === 'rotation') move.rotation = { kind: 'turns', track: trackOf(read) };
       else move[path] = [channelOf(read, 0), channelOf(read, 1), channelOf(read, 2)];
     }
     if (!range) {
@@ -164,12 +166,22 @@ function readSampler(
     remarks.warn('count-mismatch', found, `${keys} keys`);
   }
   if (keys === 0) return undefined;
-  const times = input.values.subarray(0, keys);
+  const { times: all, areFinite, isSorted } = timesOf(input);
   const values = output.values.subarray(0, keys * perKey);
-  const wrong = firstNotFinite(times) >= 0 || firstNotFinite(values) >= 0;
-  if (wrong) throw new ImportError('number-not-finite', `${called} has a key that is not a finite number.`);
-  return sorted({ interpolation, times, width, values }, called, remarks);
+  const times = keys === all.length ? all : all.subarray(0, keys);
+  if (!areFinite || firstNotFinite(values) >= 0) {
+    throw new ImportError('number-not-finite', `${called} has a key that is not a finite number.`);
+  }
+  const sampler = { interpolation, times, width, values } as const;
+  return isSorted ? sampler : sorted(sampler, called, remarks);
 }
+
+/** The times of an accessor, in doubles; most samplers of an animation have the same. */
+const timesOf = perObject(({ values }: Numbers) => {
+  const times = new Float64Array(values);
+  const isSorted = times.every((t, i) => i === 0 || t >= times[i - 1]);
+  return { times, areFinite: firstNotFinite(times) < 0, isSorted };
+});
 
 /** Three or four targets have weights that are single numbers all the same. */
 function widthOf(accessors: Accessors, json: Json, width: number, called: string): number {
@@ -178,7 +190,6 @@ function widthOf(accessors: Accessors, json: Json, width: number, called: string
 
 function sorted(sampler: Sampler, called: string, remarks: Remarks): Sampler {
   const { times, values } = sampler;
-  if (times.every((t, i) => i === 0 || t >= times[i - 1])) return sampler;
   remarks.warn('keys-unsorted', `${called} has keys out of order.`, 'sorted by time');
   const order = [...times.keys()].sort((a, b) => times[a] - times[b] || a - b);
   const perKey = values.length / times.length;
@@ -222,7 +233,7 @@ function channelOf(sampler: Sampler, at: number): Channel {
 }
 
 /** The number at an index of each of `count` rows. */
-function column(values: Float64Array, count: number, width: number, at: number): Float64Array {
+function column(values: NumberList, count: number, width: number, at: number): Float64Array {
   const out = new Float64Array(count);
   for (let k = 0, o = at; k < count; k++, o += width) out[k] = values[o];
   return out;
@@ -242,9 +253,7 @@ function tangents(sampler: Sampler): Pick<KeyedChannel, 'tangentsIn' | 'tangents
   return { tangentsIn: { ...slopeless(sampler) }, tangentsOut: { ...slopeless(sampler) } };
 }
 
-function quaternionOf({ interpolation, times, values }: Sampler): QuaternionCurve {
-  if (interpolation !== 'cubic') return { times, values, interpolation };
-  const part = (p: number) =>
-    Float64Array.from({ length: 4 * times.length }, (_, i) => values[(3 * (i >> 2) + p) * 4 + (i & 3)]);
-  return { times, interpolation, values: part(1), slopesIn: part(0), slopesOut: part(2) };
+function trackOf({ interpolation, times, values }: Sampler): QuaternionTrack {
+  const isFloat = values instanceof Float32Array || values instanceof Float64Array;
+  return { times, values: isFloat ? values : new Float64Array(values), interpolation };
 }

@@ -6,6 +6,8 @@ import { runToEnd } from '../../../src/evaluate/steps.ts';
 
 /** The tree, with all that it needs; `files` as its nodes number them. */
 export function encodeAll(value: object, origins: Origins) {
+  // As before each save.
+  runToEnd(origins.look());
   const indices: FileIndices = new Map();
   const draft = new StoredChunks().draft();
   const { tree, needs } = runToEnd(new Encoder(origins, indices, draft).encode(value));

@@ -5,8 +5,10 @@ import { LARGE_BYTES } from '../../../src/app/autosave/encode.ts';
 import type { Encoded, StorableNumbers } from '../../../src/app/autosave/encoded.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
+import type { Document } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
-import { keysOf } from '../../../src/model/takes/take.ts';
+import { keysOf, restChannel } from '../../../src/model/takes/take.ts';
+import { trackedOf } from '../../../src/model/takes/tracked-take.ts';
 import {
   animFile,
   character,
@@ -17,6 +19,7 @@ import {
   skin,
   skinFile,
   takeOfValues,
+  trackedTake,
 } from '../../helpers/builders.ts';
 import { encodeAll } from './encode-all.ts';
 
@@ -135,6 +138,32 @@ describe('encoding a session', () => {
     expect(back.characters[0].takes[0].channels[1]).toBe(newAnim.take.channels[1]);
     expect(keysOf(back.characters[0].takes[0].channels[2]).times).toBe(keysOf(newAnim.take.channels[2]).times);
     expect([...keysOf(back.characters[0].takes[0].channels[2]).values]).toEqual([9]);
+  });
+
+  it('makes no channels of a take of a file, and finds those that were made since', () => {
+    let made = 0;
+    const read = () => {
+      const takes = ['walk', 'run'].map((name) => trackedTake(name, () => made++));
+      return file('hero.glb', {
+        kind: 'character',
+        characters: [{ skeleton: skeleton(2), skins: [], morphs: [], takes, textures: [] }],
+      });
+    };
+    const opened = read();
+    const origins = new Origins();
+    origins.learn([blob('hero.glb')], [opened]);
+    if (opened.kind !== 'character') throw new Error('fixtures');
+    const [{ takes }] = opened.characters;
+    const whole = thereAndBack(documentOf(character({ takes })), origins, [read()]) as Document;
+    expect(made).toBe(0);
+    expect(whole.characters[0].takes.map((take) => trackedOf(take)?.name)).toEqual(['walk', 'run']);
+    const channels = takes[1].channels.map((c, i) => (i === 2 ? restChannel(9) : c));
+    const edited = documentOf(character({ takes: [takes[0], { ...takes[1], channels }] }));
+    const again = read();
+    if (again.kind !== 'character') throw new Error('fixtures');
+    const back = thereAndBack(edited, origins, [again]) as Document;
+    expect(back.characters[0].takes[1].channels[1]).toBe(again.characters[0].takes[1].channels[1]);
+    expect(back).toEqual(edited);
   });
 
   it('refuses if a file reads differently than before', () => {

@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Document } from '../../../src/model/document.ts';
-import { file, skeleton, skelFile, takeOfValues } from '../../helpers/builders.ts';
+import { trackedOf } from '../../../src/model/takes/tracked-take.ts';
+import { file, skeleton, skelFile, takeOfValues, trackedTake } from '../../helpers/builders.ts';
 import { open } from './opening.ts';
 
 describe('names of what was opened', () => {
@@ -42,6 +43,31 @@ describe('names of what was opened', () => {
       ['mixamo.com'],
       ['nod'],
     ]);
+  });
+
+  it('takes whose channels are yet to be made keep waiting for them under other names, all but the shown one', () => {
+    const made: string[] = [];
+    const files = ['a.glb', 'b.glb'].map((path) => {
+      const takes = ['walk', 'run'].map((name) => trackedTake(name, () => made.push(`${path} ${name}`)));
+      return file(path, {
+        kind: 'character',
+        characters: [{ skeleton: skeleton(2), skins: [], morphs: [], takes, textures: [] }],
+      });
+    });
+    const { document } = open(files);
+    expect(takesOf(document)).toEqual([
+      ['a_walk', 'a_run'],
+      ['b_walk', 'b_run'],
+    ]);
+    expect(made).toEqual(['a.glb walk', 'b.glb walk']);
+    const [{ takes }] = document.characters;
+    expect(trackedOf(takes[1])?.name).toBe('a_run');
+    expect(takes[1].channels).toHaveLength(9);
+    expect(made).toEqual(['a.glb walk', 'b.glb walk', 'a.glb run']);
+    // Read again, they have the names that they were given.
+    const again = open(files, document).document;
+    expect(takesOf(again)).toEqual(takesOf(document));
+    expect(made).toHaveLength(3);
   });
 
   it('no two characters, and no two takes of files, have the same name', () => {
