@@ -4,7 +4,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { star } from '../bench/gpu/scenes/star.ts';
+import { drawNothing } from '../helpers/gl-calls.ts';
 import { layoutsOf } from '../helpers/main-thread.ts';
+import { manyMorphs } from '../helpers/many-morphs.ts';
 import { type PageOptions, withPage } from '../helpers/page.ts';
 import { framesPass, type PageWrites, writesOf } from '../helpers/page-writes.ts';
 import { drawn, onPage, standing } from './checks/ik.ts';
@@ -38,13 +41,9 @@ function manyOf(count: number, files: Readonly<Record<string, Uint8Array | strin
 
 const walkers = Object.fromEntries(WALKER.map((name) => [name, new Uint8Array(readFileSync(join(SAMPLES, name)))]));
 
-/** The browser draws no pixels of it: drawn in software, thirty walkers would take a second a frame. */
-function drawNothing(): void {
-  const { prototype } = WebGL2RenderingContext;
-  for (const draw of ['drawElements', 'drawElementsInstanced', 'drawArrays', 'drawArraysInstanced'] as const) {
-    prototype[draw] = () => {};
-  }
-}
+const largeSkin = Object.fromEntries(
+  await Promise.all(manyMorphs(30_000, 10).map(async ({ path, blob }) => [path, await blob.text()] as const)),
+);
 
 const noisy = ({ frames }: PageWrites) => frames.filter((own) => own.length > 0);
 
@@ -72,6 +71,8 @@ describe('elements of the page while characters play', () => {
     ['10 walkers', 10, manyOf(10, walkers)],
     ['30 walkers', 30, manyOf(30, walkers)],
     ['30 captures', 30, manyOf(30, { 'take#.bvh': CAPTURE })],
+    ['a star of 20,000 joints', 1, manyOf(1, { 'star.bvh': star(20_000) })],
+    ['a skin of 30,000 vertices with 10 morphs', 1, manyOf(1, largeSkin)],
   ] as const)(
     '%s: nothing is written, laid out or painted in nine of ten frames, and never paused',
     (_, count, options) =>

@@ -52,6 +52,14 @@ export function countGlCalls(): void {
   }
 }
 
+/** Runs in the page, before the calls are counted: the browser draws no pixels. In software a frame may take seconds. */
+export function drawNothing(): void {
+  const { prototype } = WebGL2RenderingContext;
+  for (const draw of ['drawElements', 'drawElementsInstanced', 'drawArrays', 'drawArraysInstanced'] as const) {
+    prototype[draw] = () => {};
+  }
+}
+
 /** The next so many frames that draw. */
 export function nextFrames(page: Page, count: number): Promise<readonly FrameCalls[]> {
   return framesWhile(page, count, () => Promise.resolve());

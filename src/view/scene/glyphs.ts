@@ -3,7 +3,8 @@
  * draw call for all. They are part of the scene, drawn before characters and screenshots contain them. (HTML labels
  * would float over everything.)
  *
- *     instance: position (x y z), offset of the glyph in CSS pixels (x y), glyph index, colour r g b a
+ *     instance: position (x y z), offset of the glyph in CSS pixels (x y), glyph index, axis that it fades along,
+ *     colour r g b a
  */
 import {
   AddEquation,
@@ -22,6 +23,7 @@ import {
   ShaderMaterial,
   SrcAlphaFactor,
   Vector2,
+  Vector3,
 } from 'three';
 import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
 
@@ -52,7 +54,7 @@ export class Glyphs {
       return attribute;
     };
     this.place = add('place', 3);
-    this.offset = add('offset', 3);
+    this.offset = add('offset', 4);
     this.color = add('tint', 4);
     this.object = new Mesh(geometry, glyphMaterial());
     this.object.frustumCulled = false;
@@ -103,6 +105,13 @@ export class Glyphs {
     this.object.material.uniforms.halo.value.copy(rawColor(css));
   }
 
+  /** Where those that fade are opaque, and how far from there they are gone; along their axis. */
+  fadeAround(centre: Vector3, reach: number): void {
+    const { uniforms } = this.object.material;
+    uniforms.fadeCentre.value.copy(centre);
+    uniforms.fadeReach.value = reach;
+  }
+
   begin(): void {
     this.count = 0;
   }
@@ -110,16 +119,19 @@ export class Glyphs {
   /**
    * Writes `text` with its left middle `dx` right of and `dy` above a point (CSS pixels). Unknown characters are
    * skipped.
+   *
+   * @param at x y z
+   * @param fades the axis (0 to 2) along which it fades; -1: it doesn't
    */
-  add(text: string, x: number, y: number, z: number, dx: number, dy: number, color: Color, opacity: number): void {
-    let at = dx;
+  add(text: string, at: ArrayLike<number>, dx: number, dy: number, color: Color, opacity: number, fades: number): void {
+    let x = dx;
     for (let c = 0; c < text.length && this.count < this.capacity; c++) {
       const glyph = GLYPHS.indexOf(text[c]);
       if (glyph < 0) continue;
-      this.place.setXYZ(this.count, x, y, z);
-      this.offset.setXYZ(this.count, at, dy, glyph);
+      this.place.setXYZ(this.count, at[0], at[1], at[2]);
+      this.offset.setXYZW(this.count, x, dy, glyph, fades);
       this.color.setXYZW(this.count, color.r, color.g, color.b, opacity);
-      at += this.advances[glyph];
+      x += this.advances[glyph];
       this.count++;
     }
   }
@@ -155,14 +167,18 @@ function glyphMaterial(): ShaderMaterial {
       cell: { value: new Vector2(CELL_WIDTH, CELL_HEIGHT) },
       glyphs: { value: null },
       halo: { value: rawColor('#000000') },
+      fadeCentre: { value: new Vector3() },
+      fadeReach: { value: 1 },
     },
     vertexShader: /* glsl */ `
       attribute vec3 place;
-      attribute vec3 offset;
+      attribute vec4 offset;
       attribute vec4 tint;
       uniform vec2 resolution;
       uniform vec2 cell;
       uniform float pixelRatio;
+      uniform vec3 fadeCentre;
+      uniform float fadeReach;
       varying vec2 vUv;
       varying vec4 vTint;
       void main() {
@@ -175,6 +191,10 @@ function glyphMaterial(): ShaderMaterial {
         gl_Position = p;
         vUv = vec2((offset.z + position.x) / ${GLYPHS.length}.0, position.y);
         vTint = tint;
+        if (offset.w < 0.0) return;
+        int axis = int(offset.w);
+        float away = (place[axis] - fadeCentre[axis]) / fadeReach;
+        vTint.a *= max(1.0 - away * away, 0.0);
       }
     `,
     fragmentShader: /* glsl */ `

@@ -38,6 +38,8 @@ const AXES: Readonly<Record<GridPlane, readonly [number, number]>> = { ground: [
 const SPACING_PX = 92;
 /** How far from the target lines are labelled, in spacings. */
 const LABEL_REACH = 4;
+/** Numbers that the labels depend on: see `writeLabels`. */
+const LABELS_DEPEND_ON = 11;
 /** Before the characters: nothing of the floor is ever drawn over a body. Its shadow is drawn between (`stage.ts`). */
 const LINES_ORDER = -900;
 const NUMBERS_ORDER = -840;
@@ -66,6 +68,9 @@ export class Grid {
   private readonly axisColors = [new Color(), new Color(), new Color()];
   private readonly at = [0, 0, 0];
   private readonly drawnFor = { target: new Vector3(Number.NaN), distance: 0, unitsPerPixel: 0, plane: '' };
+  /** What the labels that are there were written for. */
+  private readonly labelledFor = new Float64Array(LABELS_DEPEND_ON);
+  private readonly labelsFor = new Float64Array(LABELS_DEPEND_ON);
 
   constructor() {
     const geometry = new BufferGeometry();
@@ -94,12 +99,12 @@ export class Grid {
     this.poolOpacity = theme.poolOpacity;
     this.labelColor.copy(rawColor(theme.gridLabel));
     this.glyphs.setHalo(theme.labelHalo);
-    this.drawnFor.distance = Number.NaN;
+    this.redraw();
   }
 
   setPixelRatio(ratio: number): void {
     this.glyphs.setPixelRatio(ratio);
-    this.drawnFor.distance = Number.NaN;
+    this.redraw();
   }
 
   /** Distance from the target at which lines have faded out. */
@@ -157,19 +162,31 @@ export class Grid {
     this.glyphs.dispose();
   }
 
-  /** Labels both axes, or the nearest labelled lines if the axes are out of view. */
+  /** Colours or sizes have changed. */
+  private redraw(): void {
+    this.drawnFor.distance = Number.NaN;
+    this.labelledFor.fill(Number.NaN);
+  }
+
+  /**
+   * Labels both axes, or the nearest labelled lines if the axes are out of view. They fade with the distance to the
+   * target, in the shader: while the camera follows a character, labels are only written when others come into reach.
+   */
   private writeLabels(u: number, v: number, tu: number, tv: number): void {
-    const { spacing, at, glyphs } = this;
-    glyphs.begin();
+    const { spacing, at, glyphs, labelsFor, labelledFor } = this;
     const near = LABEL_REACH * spacing;
-    const alongU = Math.abs(tv) < near ? 0 : Math.round(tv / spacing) * spacing;
-    const alongV = Math.abs(tu) < near ? 0 : Math.round(tu / spacing) * spacing;
-    for (const [along, centre, across, acrossValue] of [
-      [u, tu, v, alongU],
-      [v, tv, u, alongV],
-    ]) {
-      const first = Math.ceil((centre - near) / spacing);
-      const last = Math.floor((centre + near) / spacing);
+    glyphs.fadeAround(this.drawnFor.target, near);
+    labelsFor[0] = spacing;
+    labelsFor[1] = u;
+    labelsFor[2] = v;
+    this.noteReach(3, tu, tv);
+    this.noteReach(7, tv, tu);
+    if (labelsFor.every((value, i) => value === labelledFor[i])) return;
+    labelledFor.set(labelsFor);
+    glyphs.begin();
+    for (let o = 3; o < LABELS_DEPEND_ON; o += 4) {
+      const [along, across] = o === 3 ? [u, v] : [v, u];
+      const [first, last, named, acrossValue] = labelsFor.subarray(o, o + 4);
       // So far away that one line isn't told from the next.
       if (!Number.isSafeInteger(first) || !Number.isSafeInteger(last)) continue;
       at.fill(0);
@@ -177,19 +194,29 @@ export class Grid {
       for (let i = first; i <= last; i++) {
         // A single 0 for both axes.
         if (i === 0 && along === v && acrossValue === 0) continue;
-        const value = i * spacing;
-        const away = Math.abs(value - centre) / near;
-        at[along] = value;
-        glyphs.add(gridLabel(i, spacing), at[0], at[1], at[2], 4, -8, this.labelColor, 0.9 * (1 - away * away));
+        at[along] = i * spacing;
+        glyphs.add(gridLabel(i, spacing), at, 4, -8, this.labelColor, 0.9, along);
       }
       // The axis's name, on the other side of its line, where labels begin to fade.
-      const named = Math.floor((centre + 0.7 * near) / spacing);
       if (acrossValue === 0 && named > 0) {
         at[along] = named * spacing;
-        glyphs.add('xyz'[along], at[0], at[1], at[2], 4, 9, this.axisColors[along], 1);
+        glyphs.add('xyz'[along], at, 4, 9, this.axisColors[along], 1, -1);
       }
     }
     glyphs.end();
+  }
+
+  /**
+   * Of the labels along an axis, into `labelsFor` from `o` on: the first and last line, that of the axis's name, and
+   * where they are across it.
+   */
+  private noteReach(o: number, centre: number, across: number): void {
+    const { spacing, labelsFor } = this;
+    const near = LABEL_REACH * spacing;
+    labelsFor[o] = Math.ceil((centre - near) / spacing);
+    labelsFor[o + 1] = Math.floor((centre + near) / spacing);
+    labelsFor[o + 2] = Math.floor((centre + 0.7 * near) / spacing);
+    labelsFor[o + 3] = Math.abs(across) < near ? 0 : Math.round(across / spacing) * spacing;
   }
 }
 

@@ -65,8 +65,7 @@ export class DrawnSkins {
   readonly shared: SharedSkins;
   readonly textures = new SharedTextures();
   readonly placements = new FloatBlocks();
-  /** Gives the palette to batches, which have no bones. */
-  private readonly skeleton = new Skeleton();
+  private readonly skeleton = new BatchSkeleton();
   private readonly batches = new Map<string, SkinBatch>();
   private readonly instances = new Map<MarrowSkinnedMesh, Instance>();
   private readonly seenFrom = new Matrix4();
@@ -288,6 +287,11 @@ class SkinBatch {
     }
     if (hasChanged) placed.needsUpdate = true;
   }
+}
+
+/** Gives the palette to batches, which have no bones. three.js would upload it in every frame, whether or not it changed. */
+class BatchSkeleton extends Skeleton {
+  override update(): void {}
 }
 
 class BatchSurface extends SkinnedMesh<InstancedBufferGeometry, Material | Material[]> {

@@ -1,4 +1,4 @@
-import { Vector3 } from 'three';
+import { Mesh, Vector3 } from 'three';
 import { expect, it } from 'vitest';
 import { Grid } from '../../../src/view/scene/grid.ts';
 
@@ -10,4 +10,18 @@ it('the grid is drawn at any distance from the origin, where one line may be no 
       expect(grid.step, `${x}, ${unitsPerPixel}`).toBeGreaterThan(0);
     }
   }
+});
+
+it('labels of the grid fade with the distance from what is looked at, and are written anew only where others come into reach', () => {
+  const grid = new Grid();
+  const [, glyphs] = grid.object.children;
+  const written = () => (glyphs instanceof Mesh ? glyphs.geometry.attributes.tint.version : Number.NaN);
+  const look = (x: number) =>
+    grid.update({ target: new Vector3(x, 0, 0), distance: 5, unitsPerPixel: 0.01, plane: 'ground' });
+  look(0.5);
+  const first = written();
+  for (let i = 1; i <= 10; i++) look(0.5 + i / 1000);
+  expect(written()).toBe(first);
+  look(2.5);
+  expect(written()).toBe(first + 1);
 });
