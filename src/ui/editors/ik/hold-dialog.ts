@@ -10,6 +10,7 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';
+import { askChoice, askNumber } from '../../widgets/form/form.ts';
 import { errorSize, plural } from '../../widgets/numbers/number-text.ts';
 import { toolDialog } from '../timeline/tool-dialog.ts';
 import { selectedPin } from './selected-pin.ts';
@@ -38,27 +39,24 @@ export function holdDialog(
   const all = pins.length === 1 ? 'The pin' : `All ${pins.length} pins`;
   const selected = selectedPin(wb);
   const chosen = selected?.character.id === character.id ? String(selected.pin.id) : 'all';
-  const dialog = toolDialog<HoldPins>(wb, close, {
-    name: 'holdPins',
+  return toolDialog<HoldPins>(wb, close, {
     title: TITLE,
+    // The result is visible in the viewport.
+    kind: 'is-aside',
     about:
       'Holds pinned points still over a range, for example to stop a foot from sliding. The take gets ' +
       'new keys, or new samples if it is sampled.',
     asked: [
-      {
-        kind: 'choice',
-        name: 'pins',
-        label: 'Pins',
-        value: chosen,
-        options: [
-          ['all', all],
-          ...pins.map(({ id, joint }) => [String(id), jointName(character.skeleton, joint)] as const),
-        ],
-      },
-      { kind: 'number', name: 'from', label: 'From', value: tidy(range[0]), unit: 's' },
-      { kind: 'number', name: 'to', label: 'To', value: tidy(range[1]), unit: 's' },
-      { kind: 'number', name: 'at', label: 'Hold position at', value: tidy(timeSeconds), unit: 's' },
-      { kind: 'number', name: 'ease', label: 'Ease in and out', value: EASE_SECONDS, unit: 's' },
+      askChoice(
+        'pins',
+        'Pins',
+        [['all', all], ...pins.map(({ id, joint }) => [String(id), jointName(character.skeleton, joint)] as const)],
+        { value: chosen },
+      ),
+      askNumber('from', 'From', tidy(range[0]), { unit: 's' }),
+      askNumber('to', 'To', tidy(range[1]), { unit: 's' }),
+      askNumber('at', 'Hold position at', tidy(timeSeconds), { unit: 's' }),
+      askNumber('ease', 'Ease in and out', EASE_SECONDS, { unit: 's' }),
     ],
     command: holdPins,
     args: (answers) => {
@@ -78,10 +76,7 @@ export function holdDialog(
       const warning = writtenOutText(character, report);
       return { change: edit, text: heldText(report), ...(warning && { warning }) };
     },
-    result: () => '',
   });
-  // The result is visible in the viewport.
-  return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
 /** Short enough to be computed at once: the whole playback range, or a step from the current time. */

@@ -5,256 +5,239 @@
 
 import { CommandError } from '../../../edit/command-error.ts';
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
-import { cutName, SHORT_NAME } from '../../../edit/cut-name.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
-import { EditPreview } from '../../../edit/edit-preview.ts';
 import { intoRange, pause, play } from '../../../edit/playback.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
 import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';
 import { measureRetarget } from '../../../evaluate/retarget/measure.ts';
 import { type Character, type Document, findCharacter, shownTake } from '../../../model/document.ts';
 import type { JointPair, RetargetOptions } from '../../../model/takes/retarget.ts';
-import type { Offer } from '../../state/messages.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { button, element, setText, write } from '../../widgets/dom.ts';
-import { atMostEvery } from '../../widgets/frame.ts';
+import { button, element, write } from '../../widgets/dom.ts';
+import { type Asked, askChoice, askNumber, type Choices, type Form, plainButton } from '../../widgets/form/form.ts';
 import { icon } from '../../widgets/icons.ts';
 import { parseNumber, shown } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
+import { type OtherEnd, toolDialog } from '../timeline/tool-dialog.ts';
 import { pairTable } from './pair-table.ts';
 import { retargetText } from './result-text.ts';
 import { firstTarget, possibleTargets } from './targets.ts';
 
 const TITLE = 'Retarget take';
-/** Minimum interval of previews while typing. */
-const PREVIEW_MS = 120;
+const KIND = 'retarget-dialog';
 /** Contacts measured per foot for the summary: a long take has thousands. */
 const MEASURED = 24;
 
-export function retargetDialog(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
-  close: () => void,
-): DialogContent {
-  const { store } = wb;
-  const kind = 'tool-dialog retarget-dialog';
+type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>;
+type Args = Parameters<typeof setRetarget.run>[1];
+
+export function retargetDialog(wb: Parts, close: () => void): DialogContent {
   const first = firstTarget(wb);
-  if (!first) {
-    const text = 'Open a take and another character with a skeleton first.';
-    return { title: TITLE, kind, body: element('div', {}, element('p', {}, text)) };
-  }
-  const preview = new EditPreview(store, TITLE, () => {
-    wb.messages.note(`${TITLE} was not applied because the document has changed. Try again.`, 'warning');
-    stop();
-    close();
-  });
-  const { base } = preview;
-  const opened = wb.transport.get();
-  const wasInRange = intoRange(opened) === opened;
-  let target = first;
-  let matches: readonly MatchedPair[] = [];
+  if (first) return new Retargeting(wb, close, first).dialog;
+  const text = 'Open a take and another character with a skeleton first.';
+  return { title: TITLE, kind: `tool-dialog ${KIND}`, body: element('div', {}, element('p', {}, text)) };
+}
 
-  const targets = choice(possibleTargets(base).map((c) => [c.id, c.name]));
-  targets.autofocus = true;
-  const sources = choice([]);
-  const scale = element('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', class: 'number-field' });
-  const reference = choice([
-    ['automatic', 'Automatic'],
-    ['rest', 'File pose'],
-    ['now', 'Current time'],
-  ]);
-  const feet = element('input', { type: 'checkbox' });
-  const result = element('p', { class: 'tool-result', role: 'status' });
-  const table = pairTable(() => soon());
-  const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
-  const bake = element('button', { type: 'button', class: 'plain' }, 'Bake');
-  const takeOff = element('button', { type: 'button', class: 'plain' }, 'Stop retargeting');
-  const again = element('button', { type: 'button', class: 'plain' }, 'Rematch joints');
-  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  setTooltip(bake, 'Creates a take of the character’s own, with a pose for every frame');
-  setTooltip(apply, 'Live: follows the other character’s take as it is edited');
-  const body = element(
-    'form',
-    { class: 'tool-form' },
-    field('Character', targets),
-    field('Source', sources),
-    table.element,
-    field('Root motion scale', scale),
-    field('Reference pose', reference),
-    element('label', { class: 'tool-check' }, feet, element('span', {}, 'Plant feet where the source plants them')),
-    result,
-    element(
-      'div',
-      { class: 'tool-buttons' },
-      button('Play or pause', { class: 'tool' }, icon('play'), () =>
-        wb.transport.update((p) => (p.playing ? pause(p, stopsOnFrame(wb)) : play(p))),
-      ),
-      again,
-      takeOff,
-      element('span', { class: 'spacer' }),
-      cancel,
-      bake,
-      apply,
-    ),
-  );
-
+class Retargeting {
+  readonly dialog: DialogContent;
+  private readonly base: Document;
+  private readonly table = pairTable();
+  private readonly stop = plainButton('Stop retargeting', () => {});
+  private sourceId = '';
+  private matches: readonly MatchedPair[] = [];
   /** The time that `Current time` means: when the dialog was opened, even while playing. */
-  let moment = 0;
-  const optionsNow = (): Partial<RetargetOptions> => {
-    const typed = scale.value.trim();
-    const number = parseNumber(typed);
-    if (typed !== '' && number === undefined)
-      throw new CommandError('The scale must be a number, or empty for automatic.');
-    return {
-      scale: number,
-      reference: reference.value === 'now' ? moment : reference.value === 'rest' ? 'rest' : 'automatic',
-      plantsFeet: feet.checked,
-    };
-  };
-  const made = (): Document =>
-    setRetarget.run(base, {
-      characterId: target.id,
-      sourceId: sources.value,
-      pairs: table.pairs(),
-      options: optionsNow(),
-    });
-  const sourceTake = () => {
-    const from = findCharacter(base, sources.value);
-    return (from && shownTake(from)?.name) || 'a take';
-  };
-  const attempt = (work: () => void) => {
-    if (preview.over) return;
-    try {
-      work();
-      result.classList.remove('wrong');
-      for (const each of [apply, bake]) write(each, 'disabled', false);
-    } catch (error) {
-      if (!(error instanceof CommandError)) throw error;
-      preview.show(base);
-      setText(result, error.message);
-      result.classList.add('wrong');
-      for (const each of [apply, bake]) write(each, 'disabled', true);
-    }
-  };
-  const showPreview = () =>
-    attempt(() => {
-      const after = made();
-      preview.show(after);
-      const moved = findCharacter(after, target.id);
-      if (!moved?.driver || !moved.skeleton) return;
-      const plan = retargetPlan(moved.driver, moved, moved.skeleton);
-      if (scale.value.trim() === '') write(scale, 'placeholder', `automatic: ${shown(plan.scale)}`);
-      const isFixed = plan.sameBones.directions;
-      write(reference, 'disabled', isFixed);
-      setTooltip(reference, isFixed ? 'Both skeletons have the same bones: their file poses match' : '');
-      setText(result, retargetText(moved.driver, moved.skeleton, measureRetarget(moved, MEASURED)));
-    });
-  const soon = atMostEvery(PREVIEW_MS, showPreview);
+  private moment = 0;
 
-  const match = (pairs?: readonly JointPair[]) => {
-    const from = findCharacter(base, sources.value);
+  constructor(
+    private readonly wb: Parts,
+    close: () => void,
+    private target: Character,
+  ) {
+    this.base = wb.store.document;
+    const opened = wb.transport.get();
+    const wasInRange = intoRange(opened) === opened;
+    const sources = this.chooseSource();
+    this.dialog = toolDialog<Args>(wb, close, {
+      title: TITLE,
+      kind: KIND,
+      applyTooltip: 'Live: follows the other character’s take as it is edited',
+      asked: [
+        askChoice(
+          'target',
+          'Character',
+          options(possibleTargets(this.base), (c) => c.name),
+          {
+            value: target.id,
+            autofocus: true,
+          },
+        ),
+        askChoice('source', 'Source', options(sources, sourceName), { value: this.sourceId }),
+        this.table.element,
+        ...this.optionsAsked(),
+      ],
+      buttons: this.buttons(),
+      others: this.otherEnds(),
+      command: setRetarget,
+      args: (form) => this.args(form),
+      changed: (field, form) => this.changed(field, form),
+      result: (_, after, form) => this.result(after, form),
+      applied: () => this.applied(wasInRange),
+    });
+  }
+
+  private optionsAsked(): Asked[] {
+    const { scale, reference, plantsFeet } = this.optionsHeld() ?? {};
+    return [
+      askNumber('scale', 'Root motion scale', scale),
+      askChoice(
+        'reference',
+        'Reference pose',
+        { automatic: 'Automatic', rest: 'File pose', now: 'Current time' },
+        { value: typeof reference === 'number' ? 'now' : (reference ?? 'automatic') },
+      ),
+      {
+        kind: 'check',
+        name: 'feet',
+        label: 'Plant feet where the source plants them',
+        value: plantsFeet ?? true,
+      },
+    ];
+  }
+
+  private buttons(): HTMLElement[] {
+    const { transport } = this.wb;
+    const playing = button('Play or pause', { class: 'tool' }, icon('play'), () =>
+      transport.update((p) => (p.playing ? pause(p, stopsOnFrame(this.wb)) : play(p))),
+    );
+    const again = plainButton('Rematch joints', () => {
+      this.match();
+      this.table.tellChanged();
+    });
+    return [playing, again, this.stop, element('span', { class: 'spacer' })];
+  }
+
+  private otherEnds(): OtherEnd<Args>[] {
+    const bake = plainButton('Bake', () => {});
+    setTooltip(bake, 'Creates a take of the character’s own, with a pose for every frame');
+    return [
+      {
+        button: this.stop,
+        appliesAnswers: false,
+        change: (base) => {
+          const one = { characterId: this.target.id };
+          return { document: clearRetarget.run(base, one), label: clearRetarget.label(base, one) };
+        },
+      },
+      {
+        button: bake,
+        appliesAnswers: true,
+        change: (base, args) => {
+          const made = setRetarget.run(base, args());
+          const one = { characterId: this.target.id };
+          return { document: bakeRetarget.run(made, one), label: bakeRetarget.label(made, one) };
+        },
+      },
+    ];
+  }
+
+  private args(form: Form): Args {
+    const typed = form.text('scale');
+    const scale = parseNumber(typed);
+    if (typed !== '' && scale === undefined)
+      throw new CommandError('The scale must be a number, or empty for automatic.');
+    const reference = form.choice('reference');
+    return {
+      characterId: this.target.id,
+      sourceId: this.sourceId,
+      pairs: this.table.pairs(),
+      options: {
+        scale,
+        reference: reference === 'now' ? this.moment : reference === 'rest' ? 'rest' : 'automatic',
+        plantsFeet: form.isChecked('feet'),
+      },
+    };
+  }
+
+  private result(after: Document, form: Form): string {
+    const moved = findCharacter(after, this.target.id);
+    if (!moved?.driver || !moved.skeleton) return '';
+    const plan = retargetPlan(moved.driver, moved, moved.skeleton);
+    const [scale, reference] = [form.control('scale'), form.control('reference')];
+    if (scale instanceof HTMLInputElement && form.text('scale') === '')
+      write(scale, 'placeholder', `automatic: ${shown(plan.scale)}`);
+    const isFixed = plan.sameBones.directions;
+    write(reference, 'disabled', isFixed);
+    setTooltip(reference, isFixed ? 'Both skeletons have the same bones: their file poses match' : '');
+    return retargetText(moved.driver, moved.skeleton, measureRetarget(moved, MEASURED));
+  }
+
+  private changed(field: string | undefined, form: Form): void {
+    if (field === 'target') {
+      this.target = findCharacter(this.base, form.choice('target')) ?? this.target;
+      form.setOptions('source', options(this.chooseSource(), sourceName), this.sourceId);
+      for (const asked of this.optionsAsked()) form.reset(asked);
+    }
+    if (field === 'source') this.sourceId = form.choice('source');
+    if (field === 'source' || (field === 'reference' && form.choice('reference') === 'now')) {
+      this.moment = this.secondsNow(findCharacter(this.base, this.sourceId));
+    }
+    if (field === 'source') this.match();
+  }
+
+  private optionsHeld(): RetargetOptions | undefined {
+    const { driver } = this.target;
+    return driver?.sourceId === this.sourceId ? driver.options : undefined;
+  }
+
+  /** The sources of the target; one of them is chosen. */
+  private chooseSource(): readonly Character[] {
+    const { base, target, wb } = this;
+    const { driver } = target;
+    const possible = possibleSources(base, target);
+    const held = driver && possible.find((c) => c.id === driver.sourceId);
+    // The selected character if possible; else the last one opened.
+    const meant = held ?? possible.find((c) => c.id === wb.store.selection.characterId) ?? possible.at(-1);
+    this.sourceId = meant?.id ?? '';
+    const reference = this.optionsHeld()?.reference;
+    this.moment = typeof reference === 'number' ? reference : this.secondsNow(meant);
+    write(this.stop, 'hidden', !driver);
+    this.match(held && driver?.pairs);
+    return possible;
+  }
+
+  private match(pairs?: readonly JointPair[]): void {
+    const { target } = this;
+    const from = findCharacter(this.base, this.sourceId);
     const source = from && driverSource(from);
     if (!source || !target.skeleton) return;
-    matches = automaticPairs(source.skeleton, target.skeleton, source.space, target.space);
-    table.show(target.skeleton, source.skeleton, pairs ?? matches, matches);
-  };
-  const showSources = () => {
-    const possible = possibleSources(base, target);
-    const held = target.driver && possible.find((c) => c.id === target.driver?.sourceId);
-    // The selected character if possible; else the last one opened.
-    const meant = held ?? possible.find((c) => c.id === store.selection.characterId) ?? possible.at(-1);
-    sources.replaceChildren(
-      ...possible.map((c) => element('option', { value: c.id, selected: c === meant }, sourceName(c))),
-    );
-    const options = held && target.driver ? target.driver.options : undefined;
-    scale.value = options?.scale === undefined ? '' : String(options.scale);
-    moment = typeof options?.reference === 'number' ? options.reference : takeSecondsNow(wb, meant);
-    reference.value = typeof options?.reference === 'number' ? 'now' : (options?.reference ?? 'automatic');
-    feet.checked = options?.plantsFeet ?? true;
-    write(takeOff, 'hidden', !target.driver);
-    match(held && target.driver?.pairs);
-  };
-
-  const stop = wb.dialog.subscribe((open) => {
-    if (open !== 'retarget') end();
-  });
-  function end(keep?: () => Document, label?: string): void {
-    if (preview.over) return;
-    if (keep) attempt(() => preview.show(keep()));
-    if (apply.disabled && keep) return;
-    stop();
-    if (!keep) {
-      preview.putBack();
-      return;
-    }
-    preview.keep(label);
-    // What was made is in hand: its curves, and the ways to continue from it.
-    if (store.selection.characterId !== target.id) store.select({ characterId: target.id });
-    // The range may have become that of a shorter take.
-    if (wasInRange) wb.transport.update(intoRange);
-    close();
-    if (findCharacter(store.document, target.id)?.driver) {
-      const check: Offer = { label: 'Check take…', run: () => wb.dialog.set('checkTake') };
-      wb.messages.confirm(`${target.name} plays ${sourceTake()}. Measure plots its feet and speeds.`, check);
-    }
+    this.matches = automaticPairs(source.skeleton, target.skeleton, source.space, target.space);
+    this.table.show(target.skeleton, source.skeleton, pairs ?? this.matches, this.matches);
   }
 
-  targets.addEventListener('change', () => {
-    target = findCharacter(base, targets.value) ?? target;
-    showSources();
-    soon();
-  });
-  sources.addEventListener('change', () => {
-    moment = takeSecondsNow(wb, findCharacter(base, sources.value));
-    match();
-    soon();
-  });
-  reference.addEventListener('change', () => {
-    if (reference.value === 'now') moment = takeSecondsNow(wb, findCharacter(base, sources.value));
-    soon();
-  });
-  scale.addEventListener('input', soon);
-  feet.addEventListener('change', soon);
-  again.addEventListener('click', () => {
-    match();
-    soon();
-  });
-  cancel.addEventListener('click', close);
-  takeOff.addEventListener('click', () =>
-    end(
-      () => clearRetarget.run(base, { characterId: target.id }),
-      clearRetarget.label(base, { characterId: target.id }),
-    ),
-  );
-  bake.addEventListener('click', () =>
-    end(
-      () => bakeRetarget.run(made(), { characterId: target.id }),
-      `Bake ${cutName(sourceTake(), SHORT_NAME)} into ${cutName(target.name, SHORT_NAME)}`,
-    ),
-  );
-  body.addEventListener('submit', (event) => {
-    event.preventDefault();
-    if (!apply.disabled)
-      end(made, `Retarget ${cutName(sourceTake(), SHORT_NAME)} to ${cutName(target.name, SHORT_NAME)}`);
-  });
-  targets.value = target.id;
-  showSources();
-  showPreview();
-  return { title: TITLE, body, kind };
+  private applied(wasInRange: boolean): void {
+    const { store, transport, messages, dialog } = this.wb;
+    const { id, name } = this.target;
+    // What was made is in hand: its curves, and the ways to continue from it.
+    if (store.selection.characterId !== id) store.select({ characterId: id });
+    // The range may have become that of a shorter take.
+    if (wasInRange) transport.update(intoRange);
+    if (!findCharacter(store.document, id)?.driver) return;
+    const from = findCharacter(this.base, this.sourceId);
+    const take = (from && shownTake(from)?.name) || 'a take';
+    const check = { label: 'Check take…', run: () => dialog.set('checkTake') };
+    messages.confirm(`${name} plays ${take}. Measure plots its feet and speeds.`, check);
+  }
+
+  /** The transport's time in seconds of a character's take. */
+  private secondsNow(character: Character | undefined): number {
+    return this.wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
+  }
 }
 
-/** The transport's time in seconds of a character's take. */
-function takeSecondsNow(wb: Uses<'transport'>, character: Character | undefined): number {
-  return wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
-}
-
-function choice(options: readonly (readonly [string, string])[]): HTMLSelectElement {
-  return element('select', {}, ...options.map(([value, label]) => element('option', { value }, label)));
-}
-
-function field(label: string, content: HTMLElement): HTMLElement {
-  return element('label', { class: 'tool-field' }, element('span', {}, label), content);
+function options(characters: readonly Character[], textOf: (character: Character) => string): Choices {
+  return characters.map((c) => [c.id, textOf(c)]);
 }
 
 /** A motion capture take has its character's name: don't repeat it. */

@@ -17,11 +17,13 @@ export interface PairTable {
   readonly element: HTMLElement;
   /** As edited, in the order of the target's joints. */
   pairs(): JointPair[];
+  /** Tells whatever it is in, as its lists do when the user chooses another joint. */
+  tellChanged(): void;
   show(target: Skeleton, source: Skeleton, pairs: readonly JointPair[], matches: readonly MatchedPair[]): void;
 }
 
-/** @param changed called when the user chooses another joint */
-export function pairTable(changed: () => void): PairTable {
+/** The user's choices are `input` events of it. */
+export function pairTable(): PairTable {
   const body = element('tbody');
   const table = element(
     'table',
@@ -32,6 +34,7 @@ export function pairTable(changed: () => void): PairTable {
   let chosen = new Map<number, number>();
   return {
     element: element('div', { class: 'pairs-scroll', tabindex: '0', role: 'group', 'aria-label': 'Joints' }, table),
+    tellChanged: () => void table.dispatchEvent(new Event('input', { bubbles: true })),
     pairs: () => [...chosen].sort(([a], [b]) => a - b).map(([target, source]) => ({ target, source })),
     show(target, source, pairs, matches) {
       chosen = new Map(pairs.map((pair) => [pair.target, pair.source]));
@@ -64,11 +67,10 @@ export function pairTable(changed: () => void): PairTable {
             setText(why, s === undefined ? AT_REST : isGuess ? `guess: ${reason}` : reason);
             setTooltip(why, isFound ? `${reason}. ${sureness(match.confidence)}` : '');
           };
-          select.addEventListener('change', () => {
+          select.addEventListener('input', () => {
             if (select.value === '') chosen.delete(t);
             else chosen.set(t, Number(select.value));
             explain();
-            changed();
           });
           explain();
           return row;

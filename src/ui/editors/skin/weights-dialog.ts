@@ -17,8 +17,9 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';
+import { type Asked, askChoice, askNumber } from '../../widgets/form/form.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { type Asked, toolDialog } from '../timeline/tool-dialog.ts';
+import { toolDialog } from '../timeline/tool-dialog.ts';
 
 const TITLE = 'Automatic skin weights';
 
@@ -42,9 +43,10 @@ export function weightsDialog(
   const { timeSeconds } = wb.transport.get();
   const places = bindPlaces(character, skin, timeSeconds);
   const replaces = skin.attachments ? ` Replaces the weights of ${skin.name}.` : '';
-  const dialog = toolDialog<AutoWeights>(wb, close, {
-    name: 'skinWeights',
+  return toolDialog<AutoWeights>(wb, close, {
     title: TITLE,
+    // The result is visible in the viewport.
+    kind: 'is-aside',
     about:
       'Heat diffusion from the bones: each vertex follows the nearest bone it can see through the ' +
       `inside, blended where bones meet.${replaces}`,
@@ -62,22 +64,14 @@ export function weightsDialog(
       const warning = idleText(skeleton, made.idle);
       return { change: made.document, text: weightsText(made), ...(warning && { warning }) };
     },
-    result: () => '',
   });
-  // The result is visible in the viewport.
-  return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
 function asked(places: readonly BindPlace[]): Asked[] {
-  const most: Asked = {
-    kind: 'number',
-    name: 'most',
-    label: 'Max joints per vertex',
-    value: USUAL_INFLUENCES,
-  };
+  const most: Asked = askNumber('most', 'Max joints per vertex', USUAL_INFLUENCES);
   if (places.length < 2) return [most];
   const options = places.map((place) => [place, PLACES[place]] as const);
-  return [most, { kind: 'choice', name: 'bind', label: 'Bind', value: places[0], options }];
+  return [most, askChoice('bind', 'Bind', options, { value: places[0] })];
 }
 
 /** Further names are counted. */

@@ -5,9 +5,11 @@ import type { Flag } from '../../../review/flags.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { openPanel } from '../../state/panels/panels.ts';
+import { untilClosed } from '../../state/until-closed.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element, setText } from '../../widgets/dom.ts';
+import { plainButton } from '../../widgets/form/form.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { flagItem } from '../review/flag-item.ts';
 import { flagsText } from '../review/texts.ts';
@@ -19,7 +21,11 @@ export function checkDialog(wb: Page, close: () => void): DialogContent {
   const take = character && playedTake(character);
   const result = element('p', { class: 'tool-result', role: 'status' }, 'Checking …');
   const list = element('ul', { class: 'review-flag-list check-flags', 'aria-label': 'Flags' });
-  const measure = element('button', { type: 'button', class: 'plain' }, 'Measure feet and speeds');
+  const measure = plainButton('Measure feet and speeds', () => {
+    close();
+    openPanel(wb, 'timeline', true);
+    wb.timeline.change({ tab: 'measure' });
+  });
   const done = element('button', { type: 'button', class: 'plain primary', autofocus: true }, 'Done');
   const body = element(
     'div',
@@ -29,12 +35,6 @@ export function checkDialog(wb: Page, close: () => void): DialogContent {
     list,
     element('div', { class: 'tool-buttons' }, measure, done),
   );
-  const stop = new AbortController();
-  const stopDialog = wb.dialog.subscribe((name) => {
-    if (name === 'checkTake') return;
-    stop.abort();
-    stopDialog();
-  });
   // Times of flags are those of the take.
   const offset = character ? character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0) : 0;
   const seek = ({ from }: Flag) =>
@@ -43,13 +43,9 @@ export function checkDialog(wb: Page, close: () => void): DialogContent {
     setText(result, flags.length > 0 ? `${plural(flags.length, 'flag')}: ${flagsText(flags)}.` : 'No flags.');
     list.replaceChildren(...flags.map((flag) => flagItem(flag, seek)));
   };
-  if (character && take) void runInSlices(checkDisplayed(character), stop.signal).then((flags) => flags && show(flags));
+  if (character && take)
+    void runInSlices(checkDisplayed(character), untilClosed(wb)).then((flags) => flags && show(flags));
   else setText(result, 'There is no take to check.');
-  measure.addEventListener('click', () => {
-    close();
-    openPanel(wb, 'timeline', true);
-    wb.timeline.change({ tab: 'measure' });
-  });
   done.addEventListener('click', close);
   return { title: 'Check take', body, kind: 'tool-dialog is-aside', stays: true };
 }

@@ -22,9 +22,10 @@ import { type Document, findCharacter, shownTake } from '../../../model/document
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';
+import { type Answers, type Asked, askChoice, askNumber } from '../../widgets/form/form.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { currentTake, takeTime } from '../timeline/current-take.ts';
-import { type Answers, type Asked, type ToolDialog, toolDialog } from '../timeline/tool-dialog.ts';
+import { type ToolDialog, toolDialog } from '../timeline/tool-dialog.ts';
 import { takesToEdit, takesToInsert, takesToJoin } from './edited.ts';
 import { followRangeOfTakes } from './played-range.ts';
 
@@ -42,8 +43,8 @@ const ALIGNMENTS: readonly (readonly [JoinAlignment, string])[] = [
 
 function fadeAsked(value = FADE): readonly Asked[] {
   return [
-    { kind: 'number', name: 'fade', label: 'Cross-fade', value, unit: 's' },
-    { kind: 'choice', name: 'align', label: 'Align', value: 'root', options: ALIGNMENTS },
+    askNumber('fade', 'Cross-fade', value, { unit: 's' }),
+    askChoice('align', 'Align', ALIGNMENTS, { value: 'root' }),
   ];
 }
 
@@ -53,8 +54,8 @@ function howJoined(answers: Answers) {
 }
 
 /** A dialog whose tool changes how long takes are: the playback range follows. */
-function timeDialog<A>(wb: Page, close: () => void, tool: Omit<ToolDialog<A>, 'result'>): DialogContent {
-  return toolDialog(wb, close, { ...tool, result: () => '', applied: () => followRangeOfTakes(wb) });
+function timeDialog<A>(wb: Page, close: () => void, tool: ToolDialog<A>): DialogContent {
+  return toolDialog(wb, close, { ...tool, applied: () => followRangeOfTakes(wb) });
 }
 
 export function joinDialog(wb: Page, close: () => void): DialogContent {
@@ -63,22 +64,9 @@ export function joinDialog(wb: Page, close: () => void): DialogContent {
   const names = rows.map(({ name }) => name);
   const list = names.length > 4 ? `${plural(names.length, 'take')}, from ${names[0]} on` : names.join(', then ');
   return timeDialog(wb, close, {
-    name: 'joinTakes',
     title: 'Join takes',
     about: `Makes one new take of ${list}. Each continues where the previous one ends.`,
-    asked: [
-      ...fadeAsked(),
-      {
-        kind: 'choice',
-        name: 'order',
-        label: 'Order',
-        value: 'list',
-        options: [
-          ['list', 'As in the list'],
-          ['reversed', 'Reversed'],
-        ],
-      },
-    ],
+    asked: [...fadeAsked(), askChoice('order', 'Order', { list: 'As in the list', reversed: 'Reversed' })],
     command: joinTakes,
     args: (answers) => ({
       takes: answers.choice('order') === 'reversed' ? rows.toReversed() : rows,
@@ -99,18 +87,13 @@ export function insertDialog(wb: Page, close: () => void): DialogContent {
   const others = takesToInsert(wb);
   const at = takeTime(wb, character);
   return timeDialog<InsertInto>(wb, close, {
-    name: 'insertTake',
     title: 'Insert at current time',
     about: `Everything in ${take.name} after ${shown(at)} s moves later and continues from what is inserted.`,
     asked: [
-      {
-        kind: 'choice',
-        name: 'what',
-        label: 'Insert',
+      askChoice('what', 'Insert', [['hold', 'Hold the pose'], ...others.map(({ key, name }) => [key, name] as const)], {
         value: 'hold',
-        options: [['hold', 'Hold the pose'], ...others.map(({ key, name }) => [key, name] as const)],
-      },
-      { kind: 'number', name: 'seconds', label: 'Hold', value: HOLD, unit: 's', onlyFor: ['what', 'hold'] },
+      }),
+      askNumber('seconds', 'Hold', HOLD, { unit: 's', shownIf: (answers) => answers.choice('what') === 'hold' }),
       ...fadeAsked(),
     ],
     command: insertIntoTake,
@@ -135,12 +118,11 @@ export function cutOutDialog(wb: Page, close: () => void): DialogContent {
   const takes = takesToEdit(wb);
   const what = takes.length > 1 ? plural(takes.length, 'take') : current.take.name;
   return timeDialog<CutOut>(wb, close, {
-    name: 'cutOut',
     title: 'Cut out',
     about: `Removes a range of frames from ${what} and closes the gap.`,
     asked: [
-      { kind: 'number', name: 'from', label: 'From', value: Number(from.toFixed(3)), unit: 's' },
-      { kind: 'number', name: 'to', label: 'to', value: Number(to.toFixed(3)), unit: 's' },
+      askNumber('from', 'From', Number(from.toFixed(3)), { unit: 's' }),
+      askNumber('to', 'to', Number(to.toFixed(3)), { unit: 's' }),
       ...fadeAsked(),
     ],
     command: cutOutOfTakes,
@@ -164,10 +146,9 @@ export function speedDialog(wb: Page, close: () => void): DialogContent {
   if (!takes.length) return empty('Change speed', 'There is no take to edit.');
   const what = takes.length > 1 ? plural(takes.length, 'take') : 'the take';
   return timeDialog(wb, close, {
-    name: 'takeSpeed',
     title: 'Change speed',
     about: `Plays ${what} faster or slower along the same path. The frame rate is kept; keys are scaled.`,
-    asked: [{ kind: 'number', name: 'factor', label: 'Speed ×', value: 1 }],
+    asked: [askNumber('factor', 'Speed ×', 1)],
     command: setTakeSpeed,
     args: (answers) => ({ takes, factor: answers.number('factor') }),
     *steps(document, args) {
@@ -183,10 +164,9 @@ export function loopDialog(wb: Page, close: () => void): DialogContent {
   if (!takes.length) return empty('Make loop', 'There is no take to edit.');
   const what = takes.length > 1 ? plural(takes.length, 'take') : 'the take';
   return timeDialog(wb, close, {
-    name: 'loopTake',
     title: 'Make loop',
     about: `Blends the end of ${what} into its beginning; a travelling root keeps travelling. Keys get the same value and slope at both ends.`,
-    asked: [{ kind: 'number', name: 'blend', label: 'Blend', value: FADE, unit: 's' }],
+    asked: [askNumber('blend', 'Blend', FADE, { unit: 's' })],
     command: loopTakes,
     args: (answers) => ({ takes, blendSeconds: answers.number('blend') }),
     *steps(document, args) {
@@ -202,13 +182,14 @@ export function lockFeetDialog(wb: Page, close: () => void): DialogContent {
   const takes = takesToEdit(wb);
   if (!takes.length) return empty('Lock feet', 'There is no take to edit.');
   const what = takes.length > 1 ? plural(takes.length, 'take') : 'the take';
-  const dialog = toolDialog(wb, close, {
-    name: 'lockFeet',
+  return toolDialog(wb, close, {
     title: 'Lock feet',
+    // The result is visible in the viewport.
+    kind: 'is-aside',
     about: `Finds when the feet of ${what} are on the ground, and holds them still there, moving only the legs.`,
     asked: [
-      { kind: 'number', name: 'slide', label: 'Leave slides below', value: 0.5, unit: 'mm' },
-      { kind: 'number', name: 'ease', label: 'Ease in and out', value: 0.1, unit: 's' },
+      askNumber('slide', 'Leave slides below', 0.5, { unit: 'mm' }),
+      askNumber('ease', 'Ease in and out', 0.1, { unit: 's' }),
     ],
     command: lockFeet,
     args: (answers) => ({
@@ -224,10 +205,7 @@ export function lockFeetDialog(wb: Page, close: () => void): DialogContent {
       const frames = plural(unreached, 'frame');
       return { change, text, ...(unreached > 0 && { warning: `In ${frames} a leg can’t reach its target.` }) };
     },
-    result: () => '',
   });
-  // The result is visible in the viewport.
-  return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
 /** `3.2 s, 192 frames`: of a character's shown take. */

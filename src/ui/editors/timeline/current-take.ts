@@ -12,7 +12,7 @@ import type { Command } from '../../../edit/command.ts';
 import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
-import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
+import { type Character, type Document, findCharacter, shownTake } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { Take } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
@@ -56,7 +56,10 @@ export function selectedKeysInView(wb: Uses<'store' | 'timeline'>): readonly Cha
 }
 
 /** Wraps a command on the visible selected keys so that the invisible ones stay selected. */
-export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Command<A, Edit>): Command<A, Edit> {
+export function aboutKeysInHand<A, R extends Document | Edit>(
+  wb: Uses<'store' | 'timeline'>,
+  command: Command<A, R>,
+): Command<A, R | Edit> {
   const inHand = new Set(selectedKeysInView(wb));
   const unseen = selectedKeys(wb).filter((k) => !inHand.has(k));
   if (!unseen.length) return command;
@@ -65,7 +68,7 @@ export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Comm
     run(document, args) {
       // They belong to other channels than the command changes, so their indices stay valid.
       const edit = command.run(document, args);
-      return { document: edit.document, keys: unionKeys(edit.keys, unseen) };
+      return 'document' in edit ? { document: edit.document, keys: unionKeys(edit.keys, unseen) } : edit;
     },
   };
 }

@@ -9,6 +9,7 @@ import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element, setAttribute } from '../../widgets/dom.ts';
+import { plainButton } from '../../widgets/form/form.ts';
 import { cycleText, momentText, OUTSIDE_LABELS } from './cycle-text.ts';
 import { easingFields } from './easing-fields.ts';
 
@@ -21,14 +22,12 @@ export function cycleDialog(wb: Parts, close: () => void): DialogContent {
   const question = wb.timeline.cycleQuestion.get();
   const kind = 'tool-dialog is-aside cycle-dialog';
   if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
-  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  cancel.addEventListener('click', close);
   const body = element(
     'div',
     { class: 'tool-form' },
     ...momentParts(wb, question),
     ...(question.changed.length > 0 ? outsideParts(wb, question) : []),
-    element('div', { class: 'tool-buttons' }, cancel),
+    element('div', { class: 'tool-buttons' }, plainButton('Cancel', close)),
   );
   return { title: question.changed.length > 0 ? TITLE : MOMENT_TITLE, kind, body, stays: true };
 }

@@ -2,9 +2,11 @@
 import { changeMarker, removeMarkers } from '../../../edit/commands/markers.ts';
 import type { Marker } from '../../../model/takes/markers.ts';
 import { attempt } from '../../state/actions/attempt.ts';
+import { untilClosed } from '../../state/until-closed.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { button, element } from '../../widgets/dom.ts';
+import { plainButton } from '../../widgets/form/form.ts';
 import { icon } from '../../widgets/icons.ts';
 import { parseNumber } from '../../widgets/numbers/number-text.ts';
 import { currentTake } from './current-take.ts';
@@ -16,8 +18,11 @@ const DIGITS = 4;
 
 export function markersDialog(wb: Page, close: () => void): DialogContent {
   const rows = element('div', { class: 'marker-rows', role: 'list' });
-  const add = element('button', { type: 'button', class: 'plain' }, 'Add at current time');
-  const span = element('button', { type: 'button', class: 'plain' }, 'Add span of playback range');
+  const add = plainButton('Add at current time', () => {
+    attempt(wb.messages, () => addMarkerHere(wb));
+    rows.querySelector<HTMLInputElement>('.marker-row:last-child input')?.select();
+  });
+  const span = plainButton('Add span of playback range', () => attempt(wb.messages, () => addSpanOfRange(wb)));
   const done = element('button', { type: 'button', class: 'plain primary' }, 'Done');
   let shown: readonly Marker[] | undefined;
   const show = (force = false) => {
@@ -30,18 +35,11 @@ export function markersDialog(wb: Page, close: () => void): DialogContent {
         : [element('p', { class: 'empty' }, 'This take has no markers. M adds one at the current time.')]),
     );
   };
-  add.addEventListener('click', () => {
-    attempt(wb.messages, () => addMarkerHere(wb));
-    rows.querySelector<HTMLInputElement>('.marker-row:last-child input')?.select();
-  });
-  span.addEventListener('click', () => attempt(wb.messages, () => addSpanOfRange(wb)));
   done.addEventListener('click', close);
-  const stop = wb.store.subscribe(() => show());
-  const stopDialog = wb.dialog.subscribe((name) => {
-    if (name === 'markers') return;
-    stop();
-    stopDialog();
-  });
+  untilClosed(wb).addEventListener(
+    'abort',
+    wb.store.subscribe(() => show()),
+  );
   show(true);
   const body = element(
     'div',

@@ -7,201 +7,173 @@ import { skinFacts } from '../../../evaluate/skin/bounds.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../../../export/glb/options.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
+import { UserError } from '../../../model/user-error.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
+import { untilClosed } from '../../state/until-closed.ts';
 import type { MadeGlb, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element, setText, write } from '../../widgets/dom.ts';
+import { element, setText } from '../../widgets/dom.ts';
+import { type Answers, type Asked, askChoice, askNumber, Form } from '../../widgets/form/form.ts';
 import { atMostEvery } from '../../widgets/frame.ts';
 import { parseNumber } from '../../widgets/numbers/number-text.ts';
 import { fileText, takesText } from './glb-text.ts';
 
 /** Between two files that are made while typing, in milliseconds. */
 const PREVIEW_MS = 300;
+const TITLE = 'Save as GLB';
+const KIND = 'tool-dialog glb-dialog';
 
-export function glbDialog(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, close: () => void): DialogContent {
-  const { characters } = wb.store.document;
+type Parts = Uses<'store' | 'transport' | 'files' | 'dialog'>;
+
+export function glbDialog(wb: Parts, close: () => void): DialogContent {
   const first = currentCharacter(wb);
-  const title = 'Save as GLB';
-  const kind = 'tool-dialog glb-dialog';
-  if (!first) return { title, kind, body: element('p', {}, 'There is nothing to save yet.') };
+  const body = first ? new Saving(wb, close, first).form.element : element('p', {}, 'There is nothing to save yet.');
+  return { title: TITLE, kind: KIND, body };
+}
 
-  const who = choice(
-    characters.map(({ id, name }) => [id, name]),
-    first.id,
-  );
-  const take = choice([], '');
-  const keys = choice(
-    [
-      ['linear', 'Fewest keys, linear'],
-      ['cubic', 'Fewest keys, cubic'],
-      ['frames', 'One per frame, linear'],
-    ],
-    'linear',
-  );
-  const tolerance = field('1/2000 of size');
-  const rate = field('');
-  rate.value = String(wb.transport.get().framesPerSecond);
-  const influences = choice([], '');
-  const body = choice(
-    [
-      ['yes', 'Bones'],
-      ['no', 'None'],
-    ],
-    'yes',
-  );
-  const said = element('p', { class: 'tool-result', role: 'status' });
-  const takesSaid = element('p', { class: 'tool-result faint' });
-  const losses = element('ul', { class: 'glb-losses' });
-  const save = element('button', { type: 'submit', class: 'plain primary', disabled: true }, 'Save');
-  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  const rows = {
-    who: row('Character', who),
-    take: row('Takes', take),
-    keys: row('Keys', keys),
-    tolerance: row('Tolerance', tolerance),
-    rate: row('Frames per second', rate),
-    influences: row('Attachments per vertex', influences),
-    body: row('Body', body),
-  };
-  const form = element(
-    'form',
-    { class: 'tool-form' },
-    element(
-      'p',
-      { class: 'faint' },
-      'For Blender, game engines and the web: joints, skin, morphs, textures and takes.',
-    ),
-    ...Object.values(rows),
-    said,
-    takesSaid,
-    losses,
-    element('div', { class: 'tool-buttons' }, cancel, save),
-  );
+class Saving {
+  readonly form: Form;
+  private readonly takes = element('p', { class: 'tool-result faint' });
+  private readonly losses = element('ul', { class: 'glb-losses' });
+  private made: MadeGlb | undefined;
+  private working = new AbortController();
 
-  const character = (): Character => findCharacter(wb.store.document, who.value) ?? first;
-  const showAsked = () => {
-    const { takes, skins, driver } = character();
-    const skin = shownSkin(character());
-    const most = skin ? skinFacts(skin).maxAttachments : 0;
-    fill(take, [['', `All ${takes.length}`], ...takes.map(({ name }) => [name, name] as const)]);
-    fill(influences, [
-      ['', `All, up to ${most}`],
+  constructor(
+    private readonly wb: Parts,
+    close: () => void,
+    private readonly first: Character,
+  ) {
+    const soon = atMostEvery(PREVIEW_MS, () => void this.make());
+    this.form = new Form({
+      about: 'For Blender, game engines and the web: joints, skin, morphs, textures and takes.',
+      asked: this.asked(wb.store.document.characters),
+      below: [this.takes, this.losses],
+      apply: 'Save',
+      changed: (field) => {
+        if (field === 'who') this.showOptions();
+        // What is shown is about other choices.
+        this.form.allow(false);
+        soon();
+      },
+      applied: () => {
+        if (!this.made) return;
+        wb.files.saveBytes(`${this.take() ?? this.character().name}.glb`, this.made.bytes, 'model/gltf-binary');
+        close();
+      },
+      close,
+    });
+    untilClosed(wb).addEventListener('abort', () => this.working.abort());
+    this.showOptions();
+    void this.make();
+  }
+
+  private asked(characters: readonly Character[]): readonly Asked[] {
+    const isMoved = () => this.character().takes.length > 0 || this.character().driver !== undefined;
+    const isFrames = (answers: Answers) => answers.choice('keys') === 'frames';
+    return [
+      askChoice(
+        'who',
+        'Character',
+        characters.map(({ id, name }) => [id, name]),
+        { value: this.first.id, shownIf: () => characters.length > 1 },
+      ),
+      askChoice('take', 'Takes', [], { shownIf: () => !this.character().driver && this.character().takes.length > 1 }),
+      askChoice(
+        'keys',
+        'Keys',
+        { linear: 'Fewest keys, linear', cubic: 'Fewest keys, cubic', frames: 'One per frame, linear' },
+        { shownIf: isMoved },
+      ),
+      askNumber('tolerance', 'Tolerance', undefined, {
+        placeholder: '1/2000 of size',
+        shownIf: (answers) => isMoved() && !isFrames(answers),
+      }),
+      askNumber('rate', 'Frames per second', this.wb.transport.get().framesPerSecond, {
+        shownIf: (answers) => isMoved() && isFrames(answers),
+      }),
+      askChoice('influences', 'Attachments per vertex', [], { shownIf: () => this.mostAttachments() > 4 }),
+      askChoice('body', 'Body', { yes: 'Bones', no: 'None' }, { shownIf: () => !this.character().skins.length }),
+    ];
+  }
+
+  private character(): Character {
+    return findCharacter(this.wb.store.document, this.form?.choice('who') ?? '') ?? this.first;
+  }
+
+  private mostAttachments(): number {
+    const skin = shownSkin(this.character());
+    return skin ? skinFacts(skin).maxAttachments : 0;
+  }
+
+  private showOptions(): void {
+    const { takes } = this.character();
+    const named = takes.map(({ name }) => [name, name] as const);
+    this.form.setOptions('take', [['', `All ${takes.length}`], ...named]);
+    this.form.setOptions('influences', [
+      ['', `All, up to ${this.mostAttachments()}`],
       ['4', 'The 4 strongest'],
     ]);
-    write(rows.who, 'hidden', characters.length < 2);
-    write(rows.take, 'hidden', driver !== undefined || takes.length < 2);
-    write(rows.keys, 'hidden', takes.length === 0 && !driver);
-    write(rows.tolerance, 'hidden', rows.keys.hidden || keys.value === 'frames');
-    write(rows.rate, 'hidden', rows.keys.hidden || keys.value !== 'frames');
-    write(rows.influences, 'hidden', most <= 4);
-    write(rows.body, 'hidden', skins.length > 0);
-  };
+  }
 
-  let made: MadeGlb | undefined;
-  let working = new AbortController();
-  const refuse = (message: string) => {
-    setText(said, message);
-    said.classList.add('wrong');
-    setText(takesSaid, '');
-    losses.replaceChildren();
-  };
-  const options = (): GlbOptions | string => {
-    const typed = tolerance.value.trim() === '' ? undefined : parseNumber(tolerance.value);
-    const isFrames = keys.value === 'frames';
-    if (!isFrames && tolerance.value.trim() !== '' && !(typed && typed > 0))
-      return 'Tolerance must be a number greater than 0.';
-    const framesPerSecond = parseNumber(rate.value) ?? 0;
-    if (isFrames && !(framesPerSecond > 0)) return 'Frames per second must be a number greater than 0.';
+  /** The only one that is saved; undefined: all. */
+  private take(): string | undefined {
+    return (this.form.isShown('take') && this.form.choice('take')) || undefined;
+  }
+
+  /** @throws UserError */
+  private options(): GlbOptions {
+    const { form } = this;
+    const keys = form.choice('keys');
+    const isFrames = keys === 'frames';
+    const typed = form.text('tolerance') === '' ? undefined : parseNumber(form.text('tolerance'));
+    if (!isFrames && form.text('tolerance') !== '' && !(typed && typed > 0))
+      throw new UserError('Tolerance must be a number greater than 0.');
+    const framesPerSecond = parseNumber(form.text('rate')) ?? 0;
+    if (isFrames && !(framesPerSecond > 0)) throw new UserError('Frames per second must be a number greater than 0.');
+    const take = this.take();
     return {
       ...DEFAULT_GLB,
-      keys: keys.value === 'cubic' ? 'cubic' : 'linear',
-      body: body.value === 'yes',
+      keys: keys === 'cubic' ? 'cubic' : 'linear',
+      body: form.choice('body') === 'yes',
       ...(isFrames && { framesPerSecond }),
       ...(!isFrames && typed !== undefined && { tolerance: typed }),
-      ...(!rows.influences.hidden && influences.value === '4' && { influences: 4 }),
-      ...(!rows.take.hidden && take.value !== '' && { take: take.value }),
+      ...(form.isShown('influences') && form.choice('influences') === '4' && { influences: 4 }),
+      ...(take !== undefined && { take }),
     };
-  };
-  const make = async () => {
-    working.abort();
+  }
+
+  private async make(): Promise<void> {
+    const { form, wb } = this;
+    this.working.abort();
     const own = new AbortController();
-    working = own;
-    made = undefined;
-    write(save, 'disabled', true);
-    const asked = options();
-    if (typeof asked === 'string') return refuse(asked);
-    said.classList.remove('wrong');
-    setText(said, 'Working…');
+    this.working = own;
+    this.made = undefined;
+    form.allow(false);
     try {
-      const one = await wb.files.makeGlb(character(), asked, {
+      const asked = this.options();
+      form.say('Working…');
+      const one = await wb.files.makeGlb(this.character(), asked, {
         signal: own.signal,
-        onProgress: (part) => setText(said, `Working… ${Math.floor(100 * part)}%`),
+        onProgress: (part) => form.say(`Working… ${Math.floor(100 * part)}%`),
       });
-      if (own.signal.aborted) return;
-      made = one;
-      write(save, 'disabled', false);
-      setText(said, fileText(one.report, asked.framesPerSecond !== undefined));
-      setText(takesSaid, takesText(one.report));
-      losses.replaceChildren(
-        ...one.report.losses.map(({ message, severity }) =>
-          element('li', { class: severity === 'warning' ? 'wrong' : 'faint' }, message),
-        ),
-      );
+      if (!own.signal.aborted) this.show(one, asked.framesPerSecond !== undefined);
     } catch (error) {
-      if (!own.signal.aborted) refuse(sentenceOf(error));
+      if (own.signal.aborted) return;
+      form.say(sentenceOf(error), true);
+      setText(this.takes, '');
+      this.losses.replaceChildren();
     }
-  };
-  const soon = atMostEvery(PREVIEW_MS, () => void make());
-  form.addEventListener('input', () => {
-    showAsked();
-    // What is shown is about other choices.
-    write(save, 'disabled', true);
-    soon();
-  });
-  form.addEventListener('submit', (event) => {
-    event.preventDefault();
-    if (!made) return;
-    const name = `${take.value && !rows.take.hidden ? take.value : character().name}.glb`;
-    wb.files.saveBytes(name, made.bytes, 'model/gltf-binary');
-    close();
-  });
-  cancel.addEventListener('click', close);
-  const unsubscribe = wb.dialog.subscribe((shown) => {
-    if (shown === 'glb') return;
-    working.abort();
-    unsubscribe();
-  });
-  showAsked();
-  void make();
-  return { title, kind, body: form };
-}
+  }
 
-type Option = readonly [value: string, label: string];
-
-function choice(options: readonly Option[], value: string): HTMLSelectElement {
-  const made = element('select', {});
-  fill(made, options);
-  made.value = value;
-  return made;
-}
-
-/** Gives a list its options; what was chosen stays if it is still there. */
-function fill(select: HTMLSelectElement, options: readonly Option[]): void {
-  const { value } = select;
-  select.replaceChildren(...options.map(([own, label]) => element('option', { value: own }, label)));
-  select.value = options.some(([own]) => own === value) ? value : (options[0]?.[0] ?? '');
-}
-
-function field(placeholder: string): HTMLInputElement {
-  return element('input', {
-    type: 'text',
-    inputmode: 'decimal',
-    autocomplete: 'off',
-    class: 'number-field',
-    placeholder,
-  });
-}
-
-function row(label: string, control: HTMLElement): HTMLElement {
-  return element('label', { class: 'tool-field' }, element('span', {}, label), control);
+  private show(made: MadeGlb, isExactAtFrames: boolean): void {
+    this.made = made;
+    this.form.allow(true);
+    this.form.say(fileText(made.report, isExactAtFrames));
+    setText(this.takes, takesText(made.report));
+    this.losses.replaceChildren(
+      ...made.report.losses.map(({ message, severity }) =>
+        element('li', { class: severity === 'warning' ? 'wrong' : 'faint' }, message),
+      ),
+    );
+  }
 }

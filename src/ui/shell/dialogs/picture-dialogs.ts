@@ -5,15 +5,17 @@ import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { videoFrames } from '../../../edit/video-frames.ts';
 import { shownTake } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
+import { UserError } from '../../../model/user-error.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { PictureOptions, Pictures, VideoFormat } from '../../state/pictures.ts';
+import { untilClosed } from '../../state/until-closed.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
-import { element, setText, write } from '../../widgets/dom.ts';
+import { element, write } from '../../widgets/dom.ts';
+import { type Answers, type Asked, askChoice, askNumber, Form } from '../../widgets/form/form.ts';
 import { bytes, parseNumber, plural, shown } from '../../widgets/numbers/number-text.ts';
 
 type Needs = Uses<'store' | 'transport' | 'viewport' | 'files' | 'messages' | 'dialog'>;
-type Choices = readonly (readonly [value: string, label: string])[];
 type Size = readonly [width: number, height: number];
 
 const FORMATS: Readonly<Record<VideoFormat, readonly [label: string, extension: string]>> = {
@@ -33,224 +35,211 @@ const ASIDE = 'tool-dialog is-aside';
 /** −4 to 4, as for playback, without 0. */
 const SPEEDS = [4, 2, 1, 0.5, 0.25, -0.25, -0.5, -1, -2, -4] as const;
 
+const SHOWN_OR_NOT = { shown: 'As shown', hidden: 'Hidden' };
+
 export function pictureDialog(wb: Needs, close: () => void): DialogContent {
-  const form = pictureForm(wb, 'picture', close, 'A PNG of the viewport at the current time.');
-  const inPicture = pictureFields(wb);
-  form.fields.append(...inPicture.rows);
-  form.onSubmit(async (pictures) => {
-    const content = await pictures.picture(inPicture.options());
-    pictures.save(`${nameOf(wb)}.png`, content);
-    return `${nameOf(wb)}.png was saved: ${bytes(content.size)}.`;
+  const sizes = sizesOf(wb);
+  const { form } = new PictureForm(wb, close, {
+    about: 'A PNG of the viewport at the current time.',
+    asked: pictureAsked(sizes),
+    async make(form, pictures) {
+      const content = await pictures.picture(pictureOptions(sizes, form));
+      pictures.save(`${nameOf(wb)}.png`, content);
+      return `${nameOf(wb)}.png was saved: ${bytes(content.size)}.`;
+    },
   });
-  return { title: 'Picture', body: form.body, kind: ASIDE };
+  return { title: 'Picture', body: form.element, kind: ASIDE };
 }
 
 export function videoDialog(wb: Needs, close: () => void): DialogContent {
-  const { range, framesPerSecond, loop } = wb.transport.get();
-  const about = 'The playback range, each frame drawn at its own time, however long that takes.';
-  const form = pictureForm(wb, 'video', close, about);
-  const inPicture = pictureFields(wb);
-  const format = select([]);
-  const rate = element('input', {
-    type: 'text',
-    inputmode: 'decimal',
-    autocomplete: 'off',
-    class: 'number-field',
-    value: String(framesPerSecond),
-  });
-  const speed = select(
-    SPEEDS.map((each) => [String(each), `${shown(each)}×`]),
-    '1',
-  );
-  form.fields.append(row('Format', format), row('Frame rate (fps)', rate), row('Speed', speed), ...inPicture.rows);
-
-  const asked = () => {
-    const typed = parseNumber(rate.value);
-    if (typed === undefined || typed < FRAME_RATES[0] || typed > FRAME_RATES[1]) {
-      throw new Error(`The frame rate must be a number from ${FRAME_RATES[0]} to ${FRAME_RATES[1]}.`);
-    }
-    return { framesPerSecond: typed, speed: Number(speed.value) };
-  };
-  const summarise = () => {
-    const isPng = format.value === 'png';
-    write(inPicture.background, 'hidden', !isPng);
-    try {
-      const answers = asked();
-      const { count } = videoFrames({ range, loop, framesPerSecond: answers.framesPerSecond, rate: answers.speed });
-      const seconds = shown(count / answers.framesPerSecond);
-      const lost = countUnkeyed(wb.store.document, null);
-      const note = lost > 0 ? ` ${plural(lost, 'unkeyed change')} will show in one frame only.` : '';
-      form.say(
-        `${plural(count, 'frame')}, ${seconds} s. Playback range: ${shown(range[0])} to ${shown(range[1])} s.${note}`,
+  const { range, framesPerSecond } = wb.transport.get();
+  const sizes = sizesOf(wb);
+  const dialog = new PictureForm(wb, close, {
+    about: 'The playback range, each frame drawn at its own time, however long that takes.',
+    asked: [
+      askChoice('format', 'Format', [], { autofocus: true }),
+      askNumber('rate', 'Frame rate (fps)', framesPerSecond),
+      askChoice(
+        'speed',
+        'Speed',
+        SPEEDS.map((each) => [String(each), `${shown(each)}×`]),
+        { value: '1' },
+      ),
+      ...pictureAsked(sizes, (answers) => answers.choice('format') === 'png'),
+    ],
+    changed: (field) => (field === 'size' ? list() : summarise()),
+    async make(form, pictures, progress, signal) {
+      // The options are those of the list.
+      const format = form.choice('format') as VideoFormat;
+      const stem = videoName(wb);
+      const name = `${stem}.${FORMATS[format][1]}`;
+      const content = await pictures.video(
+        { ...pictureOptions(sizes, form), ...timing(form), range, format, name: stem },
+        progress,
+        signal,
       );
-    } catch (error) {
-      form.say(messageOf(error), true);
-    }
-  };
+      pictures.save(name, content);
+      return `${name} was saved: ${bytes(content.size)}.`;
+    },
+  });
+  const { form } = dialog;
+  const summarise = () => dialog.say(...summary(wb, form));
   /** Which formats can be written depends on the size. */
   const list = async () => {
     const pictures = await wb.files.pictures();
-    const [width, height] = inPicture.size();
+    const { width, height } = pictureOptions(sizes, form);
     const found = (await pictures?.formats(width, height)) ?? [];
-    const chosen = found.find((each) => each === format.value) ?? found[0];
-    format.replaceChildren(...options(found.map((each) => [each, FORMATS[each][0]])));
-    if (chosen) format.value = chosen;
+    form.setOptions(
+      'format',
+      found.map((each) => [each, FORMATS[each][0]]),
+    );
+    form.showFields();
     summarise();
   };
-  form.body.addEventListener('input', (event) => (event.target === inPicture.sizes ? list() : summarise()));
   summarise();
-  form.ready(list());
-  form.onSubmit(async (pictures, progress, signal) => {
-    // The options are those of the list.
-    const chosen = format.value as VideoFormat;
-    const stem = videoName(wb);
-    const name = `${stem}.${FORMATS[chosen][1]}`;
-    const content = await pictures.video(
-      { ...inPicture.options(), ...asked(), range, format: chosen, name: stem },
-      progress,
-      signal,
-    );
-    pictures.save(name, content);
-    return `${name} was saved: ${bytes(content.size)}.`;
-  });
-  return { title: 'Video', body: form.body, kind: ASIDE, stays: true };
+  dialog.waitFor(list());
+  return { title: 'Video', body: form.element, kind: ASIDE, stays: true };
+}
+
+/** @throws UserError */
+function timing(form: Form): { readonly framesPerSecond: number; readonly speed: number } {
+  const typed = parseNumber(form.text('rate'));
+  if (typed === undefined || typed < FRAME_RATES[0] || typed > FRAME_RATES[1]) {
+    throw new UserError(`The frame rate must be a number from ${FRAME_RATES[0]} to ${FRAME_RATES[1]}.`);
+  }
+  return { framesPerSecond: typed, speed: Number(form.choice('speed')) };
+}
+
+/** What comes, or why nothing does. */
+function summary(wb: Needs, form: Form): readonly [text: string, isWrong: boolean] {
+  const { range, loop } = wb.transport.get();
+  try {
+    const { framesPerSecond, speed } = timing(form);
+    const { count } = videoFrames({ range, loop, framesPerSecond, rate: speed });
+    const lost = countUnkeyed(wb.store.document, null);
+    const note = lost > 0 ? ` ${plural(lost, 'unkeyed change')} will show in one frame only.` : '';
+    const seconds = shown(count / framesPerSecond);
+    const played = `Playback range: ${shown(range[0])} to ${shown(range[1])} s.`;
+    return [`${plural(count, 'frame')}, ${seconds} s. ${played}${note}`, false];
+  } catch (error) {
+    return [sentenceOf(error), true];
+  }
+}
+
+function sizesOf({ viewport }: Needs): readonly Size[] {
+  const { clientWidth, clientHeight } = viewport.canvas;
+  return [...TIMES.map((n): Size => [n * clientWidth, n * clientHeight]), ...USUAL_SIZES];
 }
 
 /** What both dialogs ask. */
-function pictureFields(wb: Needs) {
-  const { clientWidth, clientHeight } = wb.viewport.canvas;
-  const all: Size[] = [...TIMES.map((n): Size => [n * clientWidth, n * clientHeight]), ...USUAL_SIZES];
-  const labels = all.map(([width, height], i) => {
+function pictureAsked(sizes: readonly Size[], hasBackground?: (answers: Answers) => boolean): readonly Asked[] {
+  const labels = sizes.map(([width, height], i): readonly [string, string] => {
     const pixels = `${width} × ${height}`;
-    return i >= TIMES.length ? pixels : `${pixels} (${TIMES[i]}×)`;
+    return [String(i), i >= TIMES.length ? pixels : `${pixels} (${TIMES[i]}×)`];
   });
-  const sizes = select(labels.map((label, i) => [String(i), label]));
-  const background = select([
-    ['shown', 'As shown'],
-    ['hidden', 'Transparent'],
-  ]);
-  const shownOrNot: Choices = [
-    ['shown', 'As shown'],
-    ['hidden', 'Hidden'],
+  // The first choice of a dialog has the focus: the browser would give it to Cancel.
+  const autofocus = true;
+  return [
+    askChoice('size', 'Size', labels, { autofocus }),
+    askChoice(
+      'background',
+      'Background',
+      { shown: 'As shown', hidden: 'Transparent' },
+      { autofocus, ...(hasBackground && { shownIf: hasBackground }) },
+    ),
+    askChoice('grid', 'Grid', SHOWN_OR_NOT, { autofocus }),
+    askChoice('tools', 'Selection and names', SHOWN_OR_NOT, { autofocus, value: 'hidden' }),
   ];
-  const grid = select(shownOrNot);
-  const tools = select(shownOrNot, 'hidden');
-  const size = () => all[Number(sizes.value)];
-  const rows = {
-    size: row('Size', sizes),
-    background: row('Background', background),
-    grid: row('Grid', grid),
-    tools: row('Selection and names', tools),
-  };
-  const picked = (): PictureOptions => {
-    const [width, height] = size();
-    return {
-      width,
-      height,
-      hasBackground: background.value === 'shown',
-      hasGrid: grid.value === 'shown',
-      hasTools: tools.value === 'shown',
-    };
-  };
-  return { sizes, size, background: rows.background, rows: Object.values(rows), options: picked };
 }
 
-type Make = (pictures: Pictures, progress: (done: number, of: number) => void, signal: AbortSignal) => Promise<string>;
+function pictureOptions(sizes: readonly Size[], form: Form) {
+  const [width, height] = sizes[Number(form.choice('size'))];
+  const isShown = (name: string) => form.choice(name) === 'shown';
+  const parts = { hasBackground: isShown('background'), hasGrid: isShown('grid'), hasTools: isShown('tools') };
+  return { width, height, ...parts } satisfies PictureOptions;
+}
 
-/** Fields, a line that says what comes or how far it is, and buttons. Closing the dialog cancels. */
-function pictureForm(wb: Needs, name: 'picture' | 'video', close: () => void, about: string) {
-  const save = element('button', { type: 'submit', class: 'plain primary' }, 'Save');
-  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  const fields = element('fieldset', { class: 'tool-fields' });
-  const bar = element('progress', { 'aria-label': 'Frames done', max: '1', value: '0', hidden: true });
-  const line = element('p', { class: 'tool-result', role: 'status' });
-  const body = element(
-    'form',
-    { class: 'tool-form' },
-    element('p', { class: 'faint' }, about),
-    fields,
-    line,
-    bar,
-    element('div', { class: 'tool-buttons' }, cancel, save),
-  );
-  let making: AbortController | undefined;
-  let isWrong = false;
-  const say = (text: string, wrong = false) => {
-    isWrong = wrong;
-    setText(line, text);
-    line.classList.toggle('wrong', wrong);
-    write(save, 'disabled', wrong || making !== undefined);
-  };
-  const stop = wb.dialog.subscribe((open) => {
-    if (open === name) return;
-    making?.abort();
-    stop();
-  });
-  cancel.addEventListener('click', close);
-  const run = async (make: Make) => {
-    const own = new AbortController();
-    making = own;
-    write(fields, 'disabled', true);
-    write(save, 'disabled', true);
-    cancel.focus();
+interface PictureParts {
+  readonly about: string;
+  readonly asked: readonly Asked[];
+  changed?(field: string | undefined): void;
+  /** Makes and saves it, and says so. */
+  make(
+    form: Form,
+    pictures: Pictures,
+    progress: (done: number, of: number) => void,
+    signal: AbortSignal,
+  ): Promise<string>;
+}
+
+/** A form whose summary says what comes or how far it is. Closing the dialog cancels. */
+class PictureForm {
+  readonly form: Form;
+  private readonly bar = element('progress', { 'aria-label': 'Frames done', max: '1', value: '0', hidden: true });
+  private readonly closed: AbortSignal;
+  private isMaking = false;
+  private isWrong = false;
+
+  constructor(
+    private readonly wb: Needs,
+    private readonly close: () => void,
+    private readonly parts: PictureParts,
+  ) {
+    this.form = new Form({
+      about: parts.about,
+      asked: parts.asked,
+      below: [this.bar],
+      apply: 'Save',
+      changed: (field) => parts.changed?.(field),
+      applied: () => void this.make(),
+      close,
+    });
+    this.closed = untilClosed(wb);
+  }
+
+  say(text: string, isWrong = false): void {
+    this.isWrong = isWrong;
+    this.form.say(text, isWrong);
+    this.form.allow(!isWrong && !this.isMaking);
+  }
+
+  /** Saving has to wait for it. */
+  waitFor(until: Promise<void>): void {
+    this.form.allow(false);
+    until.then(
+      () => this.form.allow(!this.isWrong),
+      (error: unknown) => this.say(sentenceOf(error), true),
+    );
+  }
+
+  private async make(): Promise<void> {
+    const { wb, form, bar, closed } = this;
+    this.isMaking = true;
+    form.lock(true);
+    form.allow(false);
+    form.cancel.focus();
     try {
       const pictures = await wb.files.pictures();
-      if (!pictures || own.signal.aborted) return;
+      if (!pictures || closed.aborted) return;
       const progress = (done: number, of: number) => {
         write(bar, 'hidden', false);
         bar.max = of;
         bar.value = done;
-        setText(line, `Frame ${done} of ${of}`);
+        form.say(`Frame ${done} of ${of}`);
       };
-      const text = await make(pictures, progress, own.signal);
-      close();
+      const text = await this.parts.make(form, pictures, progress, closed);
+      this.close();
       wb.messages.note(text);
     } catch (error) {
       // Closed, so that nobody reads it.
-      if (!own.signal.aborted) say(messageOf(error), true);
+      if (!closed.aborted) this.say(sentenceOf(error), true);
     } finally {
-      making = undefined;
-      write(fields, 'disabled', false);
+      this.isMaking = false;
+      form.lock(false);
       write(bar, 'hidden', true);
-      write(save, 'disabled', isWrong);
+      form.allow(!this.isWrong);
     }
-  };
-  return {
-    body,
-    fields,
-    say,
-    /** Saving has to wait for it. */
-    ready(until: Promise<void>) {
-      write(save, 'disabled', true);
-      until.then(
-        () => {
-          write(save, 'disabled', isWrong);
-        },
-        (error: unknown) => say(messageOf(error), true),
-      );
-    },
-    onSubmit(make: Make) {
-      body.addEventListener('submit', (event) => {
-        event.preventDefault();
-        if (!save.disabled) void run(make);
-      });
-    },
-  };
-}
-
-function row(label: string, field: HTMLElement): HTMLElement {
-  return element('label', { class: 'tool-field' }, element('span', {}, label), field);
-}
-
-function select(choices: Choices, value?: string): HTMLSelectElement {
-  // The first one of a dialog: the browser would focus Cancel.
-  const made = element('select', { autofocus: true }, ...options(choices));
-  if (value !== undefined) made.value = value;
-  return made;
-}
-
-function options(choices: Choices): HTMLOptionElement[] {
-  return choices.map(([value, label]) => element('option', { value }, label));
+  }
 }
 
 function nameOf(wb: Needs): string {
@@ -265,8 +254,4 @@ function videoName(wb: Needs): string {
 /** Without what file systems don't take. */
 function fileName(name: string): string {
   return name.replace(/[\s/\\:*?"<>|]+/g, '_') || 'marrow';
-}
-
-function messageOf(error: unknown): string {
-  return sentenceOf(error);
 }

@@ -1,6 +1,6 @@
 /** Conversion to degrees happens here: the document, its commands and all evaluation use radians. */
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
-import type { Units } from '../../widgets/numbers/arithmetic.ts';
+import { IN_DEGREES, IN_RADIANS, type Units } from '../../widgets/numbers/arithmetic.ts';
 import type { Settings } from '../settings.ts';
 
 const DEGREES = 180 / Math.PI;
@@ -27,12 +27,4 @@ export function typedUnits(unit: DofUnit | undefined, angles: Settings['angles']
   return angles === 'degrees' ? IN_DEGREES : IN_RADIANS;
 }
 
-/** The same, from the text after the field: `°`, `rad`, `s`, `cm`. */
-export function unitsBehind(words: string): Units {
-  if (words === '°') return IN_DEGREES;
-  return words === 'rad' ? IN_RADIANS : { [words.toLowerCase()]: 1 };
-}
-
 const NO_UNITS: Units = {};
-const IN_DEGREES: Units = { deg: 1, '°': 1, rad: DEGREES };
-const IN_RADIANS: Units = { deg: 1 / DEGREES, '°': 1 / DEGREES, rad: 1 };

@@ -12,6 +12,17 @@
 /** Unit names in lower case, with their factors to the field's unit. */
 export type Units = Readonly<Record<string, number>>;
 
+const DEGREES = 180 / Math.PI;
+/** Of fields that show degrees, and radians. */
+export const IN_DEGREES: Units = { deg: 1, '°': 1, rad: DEGREES };
+export const IN_RADIANS: Units = { deg: 1 / DEGREES, '°': 1 / DEGREES, rad: 1 };
+
+/** The units of a field by the text after it: `°`, `rad`, `s`, `cm`. */
+export function unitsBehind(words: string): Units {
+  if (words === '°') return IN_DEGREES;
+  return words === 'rad' ? IN_RADIANS : { [words.toLowerCase()]: 1 };
+}
+
 const NUMBER = /^(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?/i;
 const WORD = /^(?:[°π]|[a-z]+)/i;
 const PI: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI };

@@ -20,9 +20,10 @@ import { lengthUnit } from '../../../state/joints/length-unit.ts';
 import type { Uses } from '../../../state/workbench.ts';
 import type { DialogContent } from '../../../widgets/dialog.ts';
 import { element } from '../../../widgets/dom.ts';
+import { type Asked, askChoice, askNumber } from '../../../widgets/form/form.ts';
 import { count, errorSize, plural, shown } from '../../../widgets/numbers/number-text.ts';
 import { type CurrentTake, channelsToEdit, currentTake } from '../../timeline/current-take.ts';
-import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
+import { toolDialog } from '../../timeline/tool-dialog.ts';
 
 export function convertDialog(
   wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
@@ -33,27 +34,18 @@ export function convertDialog(
     const usual = usualTolerance(character.skeleton);
     const all = take.channels.filter(({ kind }) => kind === 'samples').length;
     return toolDialog<ConvertToKeys>(wb, close, {
-      name: 'convertToKeys',
       title: 'Convert to keys',
       about:
         `Fits as few keys as possible to ${count(samples.frameCount)} frames: curves are fitted after an Euler filter, then ` +
         'refined until every joint and End Site is within tolerance at every frame.',
       asked: [
         ...channelsAsked(wb, channels.length, all),
-        {
-          kind: 'number',
-          name: 'position',
-          label: 'Position tolerance',
-          value: Number(usual.position.toPrecision(2)),
+        askNumber('position', 'Position tolerance', Number(usual.position.toPrecision(2)), {
           unit: lengthUnit(character),
-        },
-        {
-          kind: 'number',
-          name: 'angle',
-          label: 'Rotation tolerance',
-          value: Number((usual.angle * shownPerUnit('angle', angles)).toPrecision(2)),
+        }),
+        askNumber('angle', 'Rotation tolerance', Number((usual.angle * shownPerUnit('angle', angles)).toPrecision(2)), {
           unit: unitText('angle', angles).trim(),
-        },
+        }),
       ],
       command: convertToKeys,
       args: (answers) => ({
@@ -68,7 +60,6 @@ export function convertDialog(
         const { edit, report } = yield* convertSteps(document, args);
         return { change: edit, text: convertedText(wb, character, report) };
       },
-      result: () => '',
     });
   });
 }
@@ -82,42 +73,24 @@ export function smoothDialog(
     const [from, to] = wb.transport.get().range;
     const offset = character.timeOffsetSeconds;
     return toolDialog<SmoothSamples>(wb, close, {
-      name: 'smoothSamples',
       title: 'Smooth samples',
       about:
         'Filters each frame over its neighbours on both sides, so the motion is not delayed. Joints with three angles are ' +
         'filtered as rotations. Within a range, the effect fades in and out.',
       asked: [
         ...channelsAsked(wb, channels.length, all),
-        {
-          kind: 'choice',
-          name: 'filter',
-          label: 'Filter',
-          value: 'gaussian',
-          options: [
-            ['gaussian', 'Gaussian'],
-            ['median', 'Median (removes spikes)'],
-          ],
-        },
-        { kind: 'number', name: 'sigma', label: 'Width (σ)', value: 0.05, unit: 's', onlyFor: ['filter', 'gaussian'] },
-        {
-          kind: 'choice',
-          name: 'frames',
-          label: 'Width',
-          value: String(MEDIAN_FRAMES[0]),
-          options: MEDIAN_FRAMES.map((frames) => [String(frames), `${frames} frames`]),
-          onlyFor: ['filter', 'median'],
-        },
-        {
-          kind: 'choice',
-          name: 'range',
-          label: 'Over',
-          value: 'take',
-          options: [
-            ['take', 'Whole take'],
-            ['played', `Playback range, ${shown(from)} – ${shown(to)} s`],
-          ],
-        },
+        askChoice('filter', 'Filter', { gaussian: 'Gaussian', median: 'Median (removes spikes)' }),
+        askNumber('sigma', 'Width (σ)', 0.05, {
+          unit: 's',
+          shownIf: (answers) => answers.choice('filter') === 'gaussian',
+        }),
+        askChoice(
+          'frames',
+          'Width',
+          MEDIAN_FRAMES.map((frames) => [String(frames), `${frames} frames`]),
+          { value: String(MEDIAN_FRAMES[0]), shownIf: (answers) => answers.choice('filter') === 'median' },
+        ),
+        askChoice('range', 'Over', { take: 'Whole take', played: `Playback range, ${shown(from)} – ${shown(to)} s` }),
       ],
       command: smoothSamples,
       args: (answers) => ({
@@ -132,7 +105,6 @@ export function smoothDialog(
         const change = yield* smoothSteps(document, args);
         return { change, text: smoothedText(args, samples, samplesOf(change, character.id)) };
       },
-      result: () => '',
     });
   });
 }
@@ -145,10 +117,9 @@ export function resampleSamplesDialog(
     const own = 1 / samples.frameSeconds;
     const preset = shownRate(own);
     return toolDialog<ResampleSamples>(wb, close, {
-      name: 'resampleSamples',
       title: 'Resample samples',
       about: 'The same motion at another frame rate. Rotations take the shortest path between frames.',
-      asked: [{ kind: 'number', name: 'rate', label: 'Frames per second', value: preset }],
+      asked: [askNumber('rate', 'Frames per second', preset)],
       command: resampleSamples,
       args(answers) {
         const rate = answers.number('rate');
@@ -162,7 +133,6 @@ export function resampleSamplesDialog(
           now === samples ? `The take already has ${preset} frames per second.` : resampledText(samples, now);
         return { change, text };
       },
-      result: () => '',
     });
   });
 }
@@ -217,16 +187,15 @@ function channelsAsked(wb: Uses<'store' | 'timeline'>, inHand: number, all: numb
   const { selection } = wb.store;
   const isOfJoint = wb.timeline.view.get().list === 'selected' && selection.joint !== undefined;
   return [
-    {
-      kind: 'choice',
-      name: 'channels',
-      label: 'Curves',
-      value: isOfJoint ? 'view' : 'all',
-      options: [
-        ['all', `All ${count(all)} curves`],
-        ['view', inHand === 1 ? 'Only the visible one' : `Only the ${count(inHand)} visible`],
-      ],
-    },
+    askChoice(
+      'channels',
+      'Curves',
+      {
+        all: `All ${count(all)} curves`,
+        view: inHand === 1 ? 'Only the visible one' : `Only the ${count(inHand)} visible`,
+      },
+      { value: isOfJoint ? 'view' : 'all' },
+    ),
   ];
 }
 

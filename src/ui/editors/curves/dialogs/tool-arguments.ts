@@ -11,8 +11,8 @@ import { unitOfChannel } from '../../../../model/skeleton/dofs.ts';
 import { DOF_UNITS, type DofUnit } from '../../../../model/skeleton/skeleton.ts';
 import { shownPerUnit } from '../../../state/joints/angles.ts';
 import type { Settings } from '../../../state/settings.ts';
+import type { Answers } from '../../../widgets/form/form.ts';
 import { dofsFor } from '../../timeline/channels.ts';
-import type { Answers } from '../../timeline/tool-dialog.ts';
 
 export const UNITS: readonly DofUnit[] = DOF_UNITS;
 

@@ -17,9 +17,10 @@ import { shownPerUnit, unitText } from '../../../state/joints/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
 import type { DialogContent } from '../../../widgets/dialog.ts';
 import { element } from '../../../widgets/dom.ts';
+import { type Asked, askChoice, askNumber } from '../../../widgets/form/form.ts';
 import { count, errorSize, plural } from '../../../widgets/numbers/number-text.ts';
 import { type CurrentTake, channelsToEdit, currentTake, selectedKeysInView } from '../../timeline/current-take.ts';
-import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
+import { toolDialog } from '../../timeline/tool-dialog.ts';
 import {
   bakeArguments,
   resampleArguments,
@@ -50,13 +51,12 @@ export function simplifyDialog(
     const found = unitsOf(current.character, channels);
     const document = wb.store.document;
     return toolDialog(wb, close, {
-      name: 'simplify',
       title: 'Simplify',
       about: `Removes keys from ${plural(channels.length, 'curve')} while each curve stays within this tolerance.`,
       asked: found.map((unit) => {
         const [label, inDegrees, otherwise] = TOLERANCES[unit];
         const value = unit === 'angle' && angles === 'degrees' ? inDegrees : otherwise;
-        return { kind: 'number', name: unit, label, value, unit: unitText(unit, angles).trim() };
+        return askNumber(unit, label, value, { unit: unitText(unit, angles).trim() });
       }),
       command: simplify,
       args: (answers) => simplifyArguments(current.character, channels, answers, angles),
@@ -72,22 +72,12 @@ export function resampleDialog(
   return withTake(wb, (current, channels) => {
     const document = wb.store.document;
     return toolDialog(wb, close, {
-      name: 'resample',
       title: 'Resample',
       about: `Sets a key on every frame of ${plural(channels.length, 'curve')}. Keys outside the range are kept.`,
       asked: [
         number('rate', 'Frames per second', wb.transport.get().framesPerSecond),
         ...rangeAsked(keysSpan(current, channels)),
-        {
-          kind: 'choice',
-          name: 'tangents',
-          label: 'Tangents',
-          value: 'smooth',
-          options: [
-            ['smooth', 'Smooth'],
-            ['linear', 'Linear'],
-          ],
-        },
+        askChoice('tangents', 'Tangents', { smooth: 'Smooth', linear: 'Linear' }),
       ],
       command: resample,
       args: (answers) => resampleArguments(current.character, channels, answers),
@@ -104,7 +94,6 @@ export function bakeDialog(
   return withTake(wb, (current, channels) => {
     const document = wb.store.document;
     return toolDialog(wb, close, {
-      name: 'bake',
       title: 'Bake extrapolation to keys',
       about: `Turns the extrapolation of ${plural(channels.length, 'curve')} into keys.`,
       asked: rangeAsked(wb.transport.get().range),
@@ -132,10 +121,9 @@ export function scaleDialog(
     );
     const pivots = found.map((unit): Asked => {
       const what = `${{ angle: 'Angle', length: 'Length', factor: 'Factor', weight: 'Weight' }[unit]} pivot`;
-      return { kind: 'number', name: unit, label: what, value: 0, unit: unitText(unit, angles).trim() };
+      return askNumber(unit, what, 0, { unit: unitText(unit, angles).trim() });
     });
     return toolDialog(wb, close, {
-      name: 'scaleKeys',
       title: 'Scale keys',
       about: `Scales ${plural(countKeys(keys), 'key')} about a pivot. −1 mirrors.`,
       asked: [
@@ -149,7 +137,6 @@ export function scaleDialog(
         ...scaleArguments(current.character, keys, answers, angles),
         onCollision: wb.timeline.view.get().onCollision,
       }),
-      result: () => '',
     });
   });
 }
@@ -166,7 +153,7 @@ function withTake(
 }
 
 function number(name: string, label: string, value: number, unit?: string): Asked {
-  return { kind: 'number', name, label, value: Number(value.toPrecision(12)), ...(unit && { unit }) };
+  return askNumber(name, label, Number(value.toPrecision(12)), { ...(unit && { unit }) });
 }
 
 /** In seconds of the transport. */

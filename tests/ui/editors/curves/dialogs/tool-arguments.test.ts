@@ -11,7 +11,7 @@ import {
   simplifyArguments,
   unitsOf,
 } from '../../../../../src/ui/editors/curves/dialogs/tool-arguments.ts';
-import type { Answers } from '../../../../../src/ui/editors/timeline/tool-dialog.ts';
+import type { Answers } from '../../../../../src/ui/widgets/form/form.ts';
 import { channel, character, documentOf, skeleton, take } from '../../../builders.ts';
 
 /** Fails, like the dialog, if something is read that was not asked for. */
