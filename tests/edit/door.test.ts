@@ -30,6 +30,8 @@ describe('arguments from scripts', () => {
   it('old ids and the old name of a take give what the present ones give', () => {
     const range = [0.5, 1.5];
     expect(run(presentId('clip.setRange'), { clip: 0, range })).toEqual(run('take.setRange', { take: 0, range }));
+    const [old, now] = ['clip', 'take'].map((name) => [{ characterId: 'c1', [name]: 0 }]);
+    expect(run('takes.setSpeed', { takes: old, factor: 2 })).toEqual(run('takes.setSpeed', { takes: now, factor: 2 }));
     expect(presentId('character.showClip')).toBe('character.showTake');
     for (const id of ALL_COMMANDS.keys()) expect(presentId(id)).toBe(id);
     expect(() => run('take.rename', { clip: 0, take: 0, name: 'x' })).toThrow('clip');

@@ -6,9 +6,18 @@ export function presentId(id: string): string {
   return id.startsWith('clip.') ? `take.${id.slice('clip.'.length)}` : id;
 }
 
-/** Gives an argument its present name, unless that is given too. Changes `args`. */
+/** Gives arguments their present names, in lists of takes too, unless these are given as well. Changes `args`. */
 export function renameOldArguments(args: Map<string, unknown>): void {
+  for (const [name, value] of args)
+    args.set(name, Array.isArray(value) ? value.map(withPresentNames) : withPresentNames(value));
   if (!args.has('clip') || args.has('take')) return;
   args.set('take', args.get('clip'));
   args.delete('clip');
+}
+
+/** Its take was its clip. */
+function withPresentNames(value: unknown): unknown {
+  if (typeof value !== 'object' || value === null || !('clip' in value) || 'take' in value) return value;
+  const { clip, ...rest } = value;
+  return { ...rest, take: clip };
 }
