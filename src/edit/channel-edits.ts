@@ -12,6 +12,8 @@ import type { Edit } from './change.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';
 import { CommandError } from './command-error.ts';
 import type { EditedChannel } from './keys/arrange.ts';
+import { wholeSteps, withoutStepsAfter } from './keys/steps.ts';
+import type { TangentSide } from './keys/tangents.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { requireTake, withTake } from './takes.ts';
 
@@ -63,18 +65,25 @@ export function changeKeys(
   checkedKeys(take, keys).forEach(({ channel, index, indices }, entry) => {
     const moved = change(channel, indices, entry);
     channels[index] = moved.channel;
-    if (moved.indices.length) now.push({ channel: index, indices: moved.indices });
+    if (moved.indices.length) now.push({ channel: index, indices: wholeSteps(moved.channel, moved.indices) });
   });
   return { document: withTakeChannels(document, characterId, channels), keys: now };
 }
 
-/** Like `changeKeys`, for changes that keep the keys' positions. */
+/**
+ * Like `changeKeys`, for changes of tangents.
+ * @param side held steps that follow the keys end unless this is `in`
+ */
 export function changeTangents(
   document: Document,
   of: OfKeys,
+  side: TangentSide,
   change: (channel: KeyedChannel, indices: readonly number[]) => KeyedChannel,
 ): Edit {
-  return changeKeys(document, of, (channel, indices) => ({ channel: change(channel, indices), indices }));
+  return changeKeys(document, of, (channel, indices) => {
+    const free = side === 'in' ? { channel, indices } : withoutStepsAfter(channel, indices);
+    return { channel: change(free.channel, free.indices), indices: free.indices };
+  });
 }
 
 /** Keys of one channel, with the channel. */

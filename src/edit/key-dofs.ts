@@ -5,7 +5,7 @@
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
-import { FLAT, LINEAR, SMOOTH } from '../model/takes/take.ts';
+import { type NewKeyTangents, TANGENT_KINDS } from '../model/takes/tangent-kinds.ts';
 import { type KeyPlacing, type OutsideCycle, placeOf } from './keys/cycle.ts';
 import { putKeyAt } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';
@@ -13,14 +13,9 @@ import { refuseMoved } from './refuse-moved.ts';
 import { withChannels, withTake } from './takes.ts';
 import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
 
-/** Tangents on both sides of new keys; existing keys keep their own. */
-export type NewKeyTangents = 'smooth' | 'linear' | 'flat';
-
-const KINDS: Readonly<Record<NewKeyTangents, number>> = { smooth: SMOOTH, linear: LINEAR, flat: FLAT };
-
 /** Options for new keys, as commands take them. */
 export interface KeyOptions {
-  /** Default smooth. */
+  /** On both sides of new keys, default smooth; existing keys keep their own. */
   readonly tangents?: NewKeyTangents;
   /**
    * Playback range of a take that has to be created, in seconds of the transport; if absent or empty, from 0 to the
@@ -72,7 +67,7 @@ export function keyDofs(
   const keyable = [...values.keys()].filter((dof) => channels[dof]?.kind !== 'samples');
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
-    const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, KINDS[tangents], placing);
+    const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, TANGENT_KINDS.indexOf(tangents), placing);
     changed ||= channel !== before;
     channels[dof] = channel;
     keys.push({ channel: dof, indices: [index] });

@@ -114,12 +114,16 @@ function compileChannel(channel: KeyedChannel, to: CompiledTake, index: number, 
   const last = times.length - 1;
   to.times.set(times, next);
   const [from, end] = before?.kind === 'keys' ? copySameSpans(channel, before, to, next) : [0, last];
-  for (let k = from; k < end; k++) {
+  const compileSpan = (k: number) => {
     const h = times[k + 1] - times[k];
     const m0 = slope(channel, k, channel.tangentsOut);
     const m1 = slope(channel, k + 1, channel.tangentsIn);
     hermiteCubic(values[k], m0, values[k + 1], m1, h, cubics, 4 * (next + k));
-  }
+  };
+  for (let k = from; k < end; k++) compileSpan(k);
+  // Across the seam of a loop the end keys are neighbours: these spans may be others although their keys are the same.
+  if (from > 0) compileSpan(0);
+  if (end < last) compileSpan(last - 1);
   cubics[4 * (next + last)] = values[last];
   const period = times[last] - times[0];
   extrapolations[2 * index] = extrapolationCode(channel.extrapolateIn, period);

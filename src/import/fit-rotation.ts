@@ -6,7 +6,8 @@
  * power of the rotation in between; where that is still too far, a key is added halfway, and so on.
  */
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
-import { type Channel, FIXED_TANGENT, LINEAR, NO_EXTRAPOLATION, restChannel } from '../model/takes/take.ts';
+import { type Channel, NO_EXTRAPOLATION, restChannel } from '../model/takes/take.ts';
+import { FIXED_TANGENT, LINEAR } from '../model/takes/tangent-kinds.ts';
 import type { RotationForm, TrackedRotation } from '../model/takes/tracked-take.ts';
 import { curveOf, hermite, normalize, type QuaternionCurve, rotationAt, rotationWithin } from './quaternion-curve.ts';
 import { writeAnglesNear, writeQuaternion } from './rotations.ts';

@@ -6,7 +6,8 @@
 import { bench, describe } from 'vitest';
 import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import type { TraceMap } from '../../src/evaluate/plot/trace-path.ts';
-import { type Channel, keysOf, SMOOTH, type Take } from '../../src/model/takes/take.ts';
+import { type Channel, keysOf, type Take } from '../../src/model/takes/take.ts';
+import { SMOOTH } from '../../src/model/takes/tangent-kinds.ts';
 import { LineTrace, traceLine } from '../../src/ui/editors/curves/scene/trace.ts';
 
 const SECONDS = 10;

@@ -6,7 +6,7 @@ import { bench, describe } from 'vitest';
 import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { evaluateTake } from '../../src/evaluate/curves.ts';
 import type { Take } from '../../src/model/takes/take.ts';
-import { SMOOTH } from '../../src/model/takes/take.ts';
+import { SMOOTH } from '../../src/model/takes/tangent-kinds.ts';
 
 const CHANNELS = 10_000;
 const SECONDS = 10;

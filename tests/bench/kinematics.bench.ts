@@ -8,7 +8,8 @@ import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { compileSkin, skinMatrices } from '../../src/evaluate/skin/deform.ts';
-import { SMOOTH, type Take } from '../../src/model/takes/take.ts';
+import type { Take } from '../../src/model/takes/take.ts';
+import { SMOOTH } from '../../src/model/takes/tangent-kinds.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
 
 const CHARACTERS = 100;

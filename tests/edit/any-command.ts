@@ -14,7 +14,8 @@ import type { ChannelKeys } from '../../src/model/session.ts';
 import { characterDofs } from '../../src/model/skeleton/dofs.ts';
 import { NO_REVIEW } from '../../src/model/takes/review.ts';
 import { INTERPOLATIONS } from '../../src/model/takes/samples.ts';
-import { EXTRAPOLATIONS, TANGENT_KINDS, type Take } from '../../src/model/takes/take.ts';
+import { EXTRAPOLATIONS, type Take } from '../../src/model/takes/take.ts';
+import { TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
 import type { Dice } from './dice.ts';
 import { RIG_COMMANDS, rigArguments } from './rig/random-rig.ts';
 

@@ -10,7 +10,8 @@ import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
 import { type Character, type Document, shownTake } from '../../src/model/document.ts';
-import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/take.ts';
+import { type Channel, keysOf, restChannel } from '../../src/model/takes/take.ts';
+import { FLAT, LINEAR, SMOOTH } from '../../src/model/takes/tangent-kinds.ts';
 import { character, documentOf, joint, morph, takeOfValues } from '../helpers/builders.ts';
 
 const hip = joint(-1, { name: 'hip', limits: [0, 1, 2].map(() => ({ min: -1, max: 1 })) });

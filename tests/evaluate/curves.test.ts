@@ -7,12 +7,11 @@ import {
   type Channel,
   EXTRAPOLATIONS,
   type Extrapolation,
-  FIXED_TANGENT,
   type KeyedChannel,
   keysOf,
   restChannel,
-  TANGENT_KINDS,
 } from '../../src/model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
 import { expectClose } from '../helpers/close.ts';
 import { referenceTake } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';

@@ -3,7 +3,8 @@ import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { FIXED_TANGENT, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/takes/take.ts';
+import { keysOf, restChannel } from '../../src/model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR, SMOOTH } from '../../src/model/takes/tangent-kinds.ts';
 import { told } from './read-in-pieces.ts';
 
 const anim = (text: string) => readAnim(text, 'walk.anim');

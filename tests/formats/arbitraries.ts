@@ -19,7 +19,9 @@ import {
   UNLIMITED,
 } from '../../src/model/skeleton/skeleton.ts';
 import type { Attachments, Material, Skin } from '../../src/model/skin.ts';
-import { type Channel, EXTRAPOLATIONS, FIXED_TANGENT, type Take, type Tangents } from '../../src/model/takes/take.ts';
+import { type Channel, EXTRAPOLATIONS, type Take, type Tangents } from '../../src/model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
+import { asRead } from '../helpers/as-read.ts';
 
 /** Any finite double, -0 included. */
 export const finite = fc.oneof(
@@ -233,7 +235,7 @@ export const morph: fc.Arbitrary<Morph> = fc.record({
 });
 
 const tangents = (length: number): fc.Arbitrary<Tangents> =>
-  fc.array(fc.tuple(fc.nat(3), finite), { minLength: length, maxLength: length }).map((all) => ({
+  fc.array(fc.tuple(fc.nat(TANGENT_KINDS.length - 1), finite), { minLength: length, maxLength: length }).map((all) => ({
     kinds: Uint8Array.from(all.map(([k]) => k)),
     slopes: Float64Array.from(all.map(([k, s]) => (k === FIXED_TANGENT ? s : 0))),
   }));
@@ -243,14 +245,16 @@ const extrapolations = {
   extrapolateOut: fc.constantFrom(...EXTRAPOLATIONS),
 };
 const keyed: fc.Arbitrary<Channel> = fc.integer({ min: 1, max: 6 }).chain((n) =>
-  fc.record({
-    kind: fc.constant('keys' as const),
-    ...extrapolations,
-    times: doubles(n).map((times) => times.sort((a, b) => a - b)),
-    values: doubles(n),
-    tangentsIn: tangents(n),
-    tangentsOut: tangents(n),
-  }),
+  fc
+    .record({
+      kind: fc.constant('keys' as const),
+      ...extrapolations,
+      times: doubles(n).map((times) => times.sort((a, b) => a - b)),
+      values: doubles(n),
+      tangentsIn: tangents(n),
+      tangentsOut: tangents(n),
+    })
+    .map(asRead),
 );
 /** As a file of no keys is read. */
 const keyless = fc.record({ kind: fc.constant('rest' as const), value: fc.constant(0), ...extrapolations });

@@ -2,6 +2,7 @@
  * Tests one edit with everything that edits guarantee (like ProseMirror's `test/trans.ts`), so that a command's own
  * tests only cover what is special about it.
  */
+
 import { expect } from 'vitest';
 import type { Edit } from '../../src/edit/change.ts';
 import type { Command } from '../../src/edit/command.ts';
@@ -12,6 +13,7 @@ import { type Character, type Document, findCharacter, isBvh } from '../../src/m
 import type { FileContent } from '../../src/model/files.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
 import { read } from '../formats/read-in-pieces.ts';
+import { asRead } from './as-read.ts';
 import { checkDocument, checkSelection } from './invariants.ts';
 import { writeFile } from './write-file.ts';
 
@@ -149,7 +151,7 @@ function expectReadsBack(character: Character, before: Character | undefined): v
     if (isCapture && take.samples) expectRoundTrip({ kind: 'bvh', captures: [{ skeleton, take }] }, false);
     const isExact =
       !take.samples && take.channels.every((c) => c.kind === 'keys' || (c.kind === 'rest' && c.value === 0));
-    expectRoundTrip({ kind: 'anim', take: { ...take, name: 'x' } }, isExact);
+    expectRoundTrip({ kind: 'anim', take: { ...take, name: 'x', channels: take.channels.map(asRead) } }, isExact);
   }
   if (poses && poses !== before?.poses) {
     expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });

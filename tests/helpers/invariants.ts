@@ -9,14 +9,8 @@ import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
 import { columnOf, type Samples } from '../../src/model/takes/samples.ts';
-import {
-  type Channel,
-  EXTRAPOLATIONS,
-  FIXED_TANGENT,
-  keysOf,
-  TANGENT_KINDS,
-  type Take,
-} from '../../src/model/takes/take.ts';
+import { type Channel, EXTRAPOLATIONS, keysOf, type Take } from '../../src/model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
 
 /** Like `expect`, but fast enough for ten thousand calls. */
 function must(holds: boolean, what: string): void {

@@ -5,7 +5,8 @@
  * Slopes are written as numbers. `smooth` would be shorter to read, but at the ends of a channel it uses one segment's
  * slope, and a cycle would have a corner there.
  */
-import { type Channel, type Extrapolation, FIXED_TANGENT, type Tangents } from '../../../src/model/takes/take.ts';
+import type { Channel, Extrapolation, Tangents } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT } from '../../../src/model/takes/tangent-kinds.ts';
 import { round } from '../shape/vectors.ts';
 
 export interface FitOptions {

@@ -1,12 +1,6 @@
 /** Channels keyed by hand, for the lessons. */
-import {
-  type Channel,
-  type Extrapolation,
-  FIXED_TANGENT,
-  TANGENT_KINDS,
-  type TangentKind,
-  type Tangents,
-} from '../../../src/model/takes/take.ts';
+import type { Channel, Extrapolation, Tangents } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_KINDS, type TangentKind } from '../../../src/model/takes/tangent-kinds.ts';
 
 /** A kind of tangent, or the slope itself in value per second. */
 export type SampleTangent = Exclude<TangentKind, 'fixed'> | number;

@@ -10,11 +10,15 @@
  */
 import { basename, resolve } from 'node:path';
 import { withEditedTakes } from '../../dataset/edited-take.ts';
+import { withAllTangents } from '../../edit/keys/tangents.ts';
 import { isSaved, WRITABLE_EXTENSIONS } from '../../files/kinds.ts';
 import { formatOf } from '../../files/readers.ts';
 import { refusal } from '../../files/save/conversion.ts';
 import type { ConversionOptions } from '../../files/save/copies.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
+import type { ParsedFile } from '../../model/files.ts';
+import type { Take } from '../../model/takes/take.ts';
+import { NEW_KEY_TANGENTS, type NewKeyTangents, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { convertToGlb, GLB_OPTIONS, isGlb } from '../convert-glb.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import { type Edit, pickOrRefuse } from '../convert-one.ts';
@@ -25,7 +29,7 @@ import { inSpaceOf, loadTarget } from '../export/target.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
 import { loadAny } from '../load.ts';
 import { anyInputs } from '../options/inputs.ts';
-import { ending, positive, text } from '../options/kinds.ts';
+import { ending, oneOf, positive, text } from '../options/kinds.ts';
 import { flag, type OptionValues, option } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';
 import { printJson, report } from '../report.ts';
@@ -44,6 +48,10 @@ const OPTIONS = {
     "Writes `.bvh` at this many frames per second instead of the take's own, or 30 for keys at uneven times, and `.glb` with a key per frame at this rate.",
   ),
   tolerance: option(positive('X'), 'Lets keys deviate this much from the samples they replace.'),
+  tangents: option(
+    oneOf(NEW_KEY_TANGENTS),
+    'Sets both sides of every key to this kind of tangent; a `.anim` has `auto` as numbers.',
+  ),
   json: flag('Prints the names and sizes of the written files as JSON, with all problems.'),
   ...GLB_OPTIONS,
   ...EDITING,
@@ -102,6 +110,7 @@ async function toKind(
       ...(tolerance !== undefined && { tolerance }),
     });
   }
+  if (options.tangents !== undefined) throw new UsageError('--tangents is for one output file, not for --to.');
   if (inputs.length === 0) throw new UsageError('convert needs an input file.');
   const written: WrittenFile[] = [];
   const diagnostics: Diagnostic[] = [];
@@ -139,7 +148,7 @@ async function toFile(inputs: readonly string[], given: ConvertOptions, io: Comm
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
-    const picked = pickOrRefuse(files, format, name, options);
+    const picked = pickOrRefuse(withTangents(files, given.tangents), format, name, options);
     if ('output' in picked) {
       const written = writeOutput(resolve(io.folder, out), picked.output.pieces());
       diagnostics.push(...picked.output.diagnostics());
@@ -163,7 +172,7 @@ async function toGlb(ins: readonly string[], out: string, given: ConvertOptions,
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
-    const written = await convertToGlb(given, files, out, io.folder, options);
+    const written = await convertToGlb(given, withTangents(files, given.tangents), out, io.folder, options);
     diagnostics.push(...written.diagnostics);
     bytes = written.bytes;
   }
@@ -173,6 +182,17 @@ async function toGlb(ins: readonly string[], out: string, given: ConvertOptions,
     await printJson({ written: failed ? null : { name: basename(out), kind: 'character', bytes }, diagnostics }, io);
   } else if (!failed) await io.out(`${out}: glTF, ${bytes} bytes\n`);
   return failed ? failureOf(diagnostics) : 0;
+}
+
+/** The files with one kind of tangent on both sides of all keys. */
+function withTangents(files: readonly ParsedFile[], kind: NewKeyTangents | undefined): readonly ParsedFile[] {
+  if (kind === undefined) return files;
+  const set = (take: Take) => withAllTangents(take, TANGENT_KINDS.indexOf(kind));
+  return files.map((file) => {
+    if (file.kind === 'anim') return { ...file, take: set(file.take) };
+    if (file.kind !== 'character') return file;
+    return { ...file, characters: file.characters.map((each) => ({ ...each, takes: each.takes.map(set) })) };
+  });
 }
 
 /** What `--crop` and its like do to a character; undefined if none is given. @throws UsageError */

@@ -16,10 +16,11 @@
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
-import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats } from '../../model/takes/take.ts';
+import { type Extrapolation, type KeyedChannel, repeats } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR } from '../../model/takes/tangent-kinds.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
-import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
+import { frozen, frozenTangent, meets, type Sloped, slopedKey, withSeamFrozen } from './sloped-key.ts';
 
 /** A channel whose extrapolation is baked, with the numbers of its keys. */
 export interface Baked {
@@ -58,12 +59,13 @@ export function unrolled(channel: KeyedChannel, from: number, to: number): Keyed
   return extended(channel, from, to, true);
 }
 
-function extended(channel: KeyedChannel, from: number, to: number, holds: boolean): KeyedChannel {
-  const count = channel.times.length;
-  if (count === 0) return channel;
+function extended(given: KeyedChannel, from: number, to: number, holds: boolean): KeyedChannel {
+  const count = given.times.length;
+  if (count === 0) return given;
+  const channel = withSeamFrozen(given);
   const after = tail(channel, to, holds);
   const before = tail(mirrored(channel), -from, holds);
-  if (!after && !before) return channel;
+  if (!after && !before) return given;
   const keys: Key[] = before ? before.keys.map(mirroredKey).reverse() : [];
   const first = before ? count - before.index : 0;
   const end = after ? after.index : count;

@@ -17,7 +17,8 @@
  */
 
 import type { EulerOrder, Limit } from '../../model/skeleton/skeleton.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/takes/take.ts';
+import type { Channel, KeyedChannel, Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT } from '../../model/takes/tangent-kinds.ts';
 
 const TURN = 2 * Math.PI;
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };

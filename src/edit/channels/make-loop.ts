@@ -11,8 +11,11 @@
  * hand, flat or a number, on either side of the seam is used for both; of two, the mean. (The mean of all slopes,
  * whatever their kind, would only be right for evenly spaced keys.)
  */
+
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel, type Tangents } from '../../model/takes/take.ts';
+import { autoSlope } from '../../model/takes/auto-slope.ts';
+import type { KeyedChannel, Tangents } from '../../model/takes/take.ts';
+import { AUTO_TANGENT, FIXED_TANGENT, FLAT } from '../../model/takes/tangent-kinds.ts';
 
 /** A channel made to loop, and what that changed, in the channel's unit. */
 export interface Looped {
@@ -40,17 +43,22 @@ export function withLoop(channel: KeyedChannel, keepsOffset = false): Looped {
 
   const target = keepsOffset ? channel.values[end] : channel.values[first];
   const values = channel.values.slice().fill(channel.values[first], 0, first).fill(target, end);
-  const slope = seamSlope({ ...channel, values }, first, end);
+  const goesOn = keepsOffset ? 'cycle_offset' : 'cycle';
+  // `auto` knows the seam itself.
+  const isAuto = channel.tangentsOut.kinds[first] === AUTO_TANGENT && channel.tangentsIn.kinds[end] === AUTO_TANGENT;
+  const slope = isAuto
+    ? autoSlope({ ...channel, values, extrapolateIn: goesOn, extrapolateOut: goesOn }, 0)
+    : seamSlope({ ...channel, values }, first, end);
+  const kind = isAuto ? AUTO_TANGENT : slope === 0 ? FLAT : FIXED_TANGENT;
   const sloped = (side: Tangents): Tangents => {
     const made = { kinds: side.kinds.slice(), slopes: side.slopes.slice() };
     for (let k = 0; k <= last; k++) {
       if (k > first && k < end) continue;
-      made.kinds[k] = slope === 0 ? FLAT : FIXED_TANGENT;
-      made.slopes[k] = slope;
+      made.kinds[k] = kind;
+      made.slopes[k] = isAuto ? 0 : slope;
     }
     return made;
   };
-  const goesOn = keepsOffset ? 'cycle_offset' : 'cycle';
   const looped: KeyedChannel = {
     ...channel,
     values,

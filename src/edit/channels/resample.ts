@@ -11,12 +11,13 @@
  */
 import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/takes/take.ts';
+import type { KeyedChannel } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, LINEAR } from '../../model/takes/tangent-kinds.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
 import { unrolled } from './bake-extrapolation.ts';
 import { type Difference, largestDifference } from './difference.ts';
-import { frozen, meets, slopedKey } from './sloped-key.ts';
+import { frozen, meets, slopedKey, withSeamFrozen } from './sloped-key.ts';
 
 /** Frames at which a channel gets keys, and how these are joined. */
 export interface Resampling {
@@ -68,7 +69,7 @@ export function resampleChannel(channel: KeyedChannel, resampling: Resampling): 
     return { channel, keysBefore, keysAfter: keysBefore, largestError: 0, atSeconds: channel.times[0] ?? 0 };
   }
   const timeOf = (frame: number) => frame / framesPerSecond + offsetSeconds;
-  const whole = unrolled(channel, timeOf(firstFrame), timeOf(lastFrame));
+  const whole = withSeamFrozen(unrolled(channel, timeOf(firstFrame), timeOf(lastFrame)));
   const resampled = withKeyList(whole, framesOf(whole, firstFrame, lastFrame, timeOf, tangents === 'linear'));
   return {
     channel: resampled,

@@ -15,7 +15,8 @@
  */
 import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
-import { FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/takes/take.ts';
+import type { KeyedChannel, Tangents } from '../../model/takes/take.ts';
+import { AUTO_TANGENT, FIXED_TANGENT, FLAT, LINEAR, SMOOTH, TANGENTS } from '../../model/takes/tangent-kinds.ts';
 import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { agrees, type Curve, FREE_SLOPE, fitStretch, type Knots, reaches } from './fit.ts';
@@ -123,7 +124,7 @@ function endSlopes(channel: KeyedChannel, { slopesIn, slopesOut }: Curve): reado
   }
   // Set by hand.
   const own = ({ kinds }: Tangents, k: number, slope: number) =>
-    kinds[k] === FLAT || kinds[k] === FIXED_TANGENT ? slope : FREE_SLOPE;
+    kinds[k] === SMOOTH || kinds[k] === LINEAR ? FREE_SLOPE : slope;
   return [own(channel.tangentsOut, 0, slopesOut[0]), own(channel.tangentsIn, last, slopesIn[last])];
 }
 
@@ -165,8 +166,10 @@ function tangentsOf(
     const kind = side.kinds[k];
     // At the ends both sides refer to the only adjacent span.
     const looksBack = side === channel.tangentsIn ? i > 0 : i === count - 1;
-    const sameNeighbours = kind === SMOOTH ? hasPrevious && hasNext : looksBack ? hasPrevious : hasNext;
-    if (slopes[i] === before[k] && (kind === FLAT || ((kind === SMOOTH || kind === LINEAR) && sameNeighbours))) {
+    const sameNeighbours = kind !== LINEAR ? hasPrevious && hasNext : looksBack ? hasPrevious : hasNext;
+    // Across the seam of a loop an end key has a neighbour that may be another one now.
+    const isSame = kind === AUTO_TANGENT ? sameNeighbours && i > 0 && i < count - 1 : sameNeighbours;
+    if (slopes[i] === before[k] && (kind === FLAT || (TANGENTS[kind].follows && isSame))) {
       made.kinds[i] = kind;
     } else {
       made.kinds[i] = FIXED_TANGENT;

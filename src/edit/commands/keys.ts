@@ -3,7 +3,8 @@
 import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { followingSamples, TANGENT_KINDS } from '../../model/takes/take.ts';
+import { followingSamples } from '../../model/takes/take.ts';
+import { TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { indexIn } from '../arguments.ts';
 import {
   changeKeys,
@@ -17,14 +18,15 @@ import {
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type KeyPlacing, placeOf } from '../keys/cycle.ts';
-import { insertKey } from '../keys/insert.ts';
+import { insertKey, insertKeyAmong } from '../keys/insert.ts';
 import { withKeysMoved } from '../keys/move.ts';
 import { putKeyAt } from '../keys/put-key.ts';
 import { withKeysRemoved } from '../keys/remove.ts';
 import { rippleRoom, withKeysRippled } from '../keys/ripple.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { withKeysSet, withKeysSnapped } from '../keys/set.ts';
-import { ifGiven, index, list, number, optional } from '../schema/shape.ts';
+import { wholeSteps } from '../keys/steps.ts';
+import { boolean, ifGiven, index, list, number, optional } from '../schema/shape.ts';
 import { CHANNELS, KEYS, NOW, onCollision, PLACING, tangentKind } from '../schema/shared-shapes.ts';
 import { curvesIn, keysIn } from '../step-names.ts';
 
@@ -38,22 +40,22 @@ export interface AtTime {
 export interface NewKeyAt extends AtTime, KeyPlacing {}
 
 /**
- * Inserts keys on the curves without changing their shape (`keys/insert.ts`), and selects them, or existing keys there.
- * Sampled channels are skipped; refused if there are no others.
+ * Inserts keys on the curves (`keys/insert.ts`), and selects them, or existing keys there. The curves keep their shape,
+ * but between `auto` tangents, unless `keepShape` is set, the new key is `auto` too and the shape follows. Sampled channels are skipped; refused if there are no others.
  */
 export const insertKeys = command({
   id: 'keys.insert',
-  args: { ...CHANNELS, timeSeconds: number, ...PLACING },
+  args: { ...CHANNELS, timeSeconds: number, keepShape: optional(boolean), ...PLACING },
   label: (document, { characterId, channels }) =>
     channels.length === 1
       ? `Insert key on ${curvesIn(document, characterId, channels)}`
       : `Insert ${channels.length} keys`,
-  run(document, { characterId, channels, timeSeconds: time, ...placing }) {
+  run(document, { characterId, channels, timeSeconds: time, keepShape = false, ...placing }) {
     const take = takeOf(document, characterId);
     const changed = [...take.channels];
     const keys = keyable(take, checkedChannels(take, channels)).map((index): ChannelKeys => {
       const place = placeOf(changed[index], time, placing);
-      const inserted = insertKey(place.channel, place.time);
+      const inserted = (keepShape ? insertKey : insertKeyAmong)(place.channel, place.time);
       changed[index] = inserted.channel;
       return { channel: index, indices: [inserted.index] };
     });
@@ -155,7 +157,8 @@ export const setKeys = command({
       throw new CommandError('Give at least one of "timeSeconds", "value", "slopeIn" and "slopeOut".');
     }
     return changeKeys(document, { characterId, keys }, (channel, indices) => {
-      if (timeSeconds !== undefined && indices.length > 1) {
+      const [first] = indices;
+      if (timeSeconds !== undefined && wholeSteps(channel, [first]).length < indices.length) {
         throw new CommandError('Only one key per channel can be set to a time; several are selected in one channel.');
       }
       return withKeysSet(channel, indices, typed);

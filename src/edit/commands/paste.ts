@@ -1,6 +1,7 @@
 /** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
 
-import { FIXED_TANGENT, TANGENT_KINDS, type Tangents } from '../../model/takes/take.ts';
+import type { Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { requireKeyable, takeOf, withTakeChannels } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';

@@ -1,8 +1,9 @@
 /** Tangents of keys: by kind, as a number, unified or broken. */
 
-import { TANGENT_KINDS } from '../../model/takes/take.ts';
-import { changeTangents } from '../channel-edits.ts';
+import { TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
+import { changeKeys, changeTangents } from '../channel-edits.ts';
 import { command } from '../command.ts';
+import { withStepsAfter } from '../keys/steps.ts';
 import {
   setSlope,
   setTangentKind,
@@ -11,18 +12,24 @@ import {
   withTangentsUnified,
 } from '../keys/tangents.ts';
 import { number } from '../schema/shape.ts';
-import { KEYS, side, tangentKind } from '../schema/shared-shapes.ts';
+import { KEYS, side, tangentChoice } from '../schema/shared-shapes.ts';
 import { keysIn } from '../step-names.ts';
 
-/** `fixed` keeps the current slope as a number. */
+/**
+ * `fixed` keeps the current slope as a number. `step`, on whichever side, makes keys hold up to the next one; any other
+ * choice for the side after a key ends that.
+ */
 export const setTangents = command({
   id: 'keys.setTangents',
-  args: { ...KEYS, side, kind: tangentKind },
+  args: { ...KEYS, side, kind: tangentChoice },
   label: (document, { characterId, keys, side, kind }) =>
-    `Set ${keysIn(document, characterId, keys)} to ${kind}${where(side)}`,
+    `Set ${keysIn(document, characterId, keys)} to ${kind}${kind === 'step' ? '' : where(side)}`,
   run(document, { characterId, keys, side, kind }) {
+    if (kind === 'step') return changeKeys(document, { characterId, keys }, withStepsAfter);
     const code = TANGENT_KINDS.indexOf(kind);
-    return changeTangents(document, { characterId, keys }, (c, indices) => setTangentKind(c, indices, side, code));
+    return changeTangents(document, { characterId, keys }, side, (c, indices) =>
+      setTangentKind(c, indices, side, code),
+    );
   },
 });
 
@@ -32,7 +39,7 @@ export const setSlopes = command({
   args: { ...KEYS, side, slope: number },
   label: (document, { characterId, keys, side }) => `Set slope of ${keysIn(document, characterId, keys)}${where(side)}`,
   run(document, { characterId, keys, side, slope }) {
-    return changeTangents(document, { characterId, keys }, (c, indices) => setSlope(c, indices, side, slope));
+    return changeTangents(document, { characterId, keys }, side, (c, indices) => setSlope(c, indices, side, slope));
   },
 });
 
@@ -41,7 +48,7 @@ export const unifyTangents = command({
   id: 'keys.unify',
   args: KEYS,
   label: (document, { characterId, keys }) => `Unify tangents of ${keysIn(document, characterId, keys)}`,
-  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsUnified),
+  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, 'in', withTangentsUnified),
 });
 
 /** Breaks the tangents of keys, so that each can be changed alone; the curve stays. */
@@ -49,7 +56,7 @@ export const breakTangents = command({
   id: 'keys.break',
   args: KEYS,
   label: (document, { characterId, keys }) => `Break tangents of ${keysIn(document, characterId, keys)}`,
-  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsBroken),
+  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, 'in', withTangentsBroken),
 });
 
 function where(side: TangentSide): string {

@@ -10,7 +10,8 @@ import { eulerDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
-import { type Channel, type KeyedChannel, LINEAR, type Take, type Tangents } from '../../model/takes/take.ts';
+import type { Channel, KeyedChannel, Take, Tangents } from '../../model/takes/take.ts';
+import { LINEAR } from '../../model/takes/tangent-kinds.ts';
 import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 

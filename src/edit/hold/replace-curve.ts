@@ -8,7 +8,8 @@
  * Repetitions are first baked over the playback range, or all of them would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/takes/take.ts';
+import { type Channel, type KeyedChannel, repeats } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, SMOOTH } from '../../model/takes/tangent-kinds.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { insertKey } from '../keys/insert.ts';

@@ -2,7 +2,8 @@
  * Channels are columns; edits are easier key by key. All code that builds a channel from keys uses this, so that
  * columns always have the same length and only fixed tangents have a slope.
  */
-import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/takes/take.ts';
+import type { Channel, KeyedChannel, Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT } from '../../model/takes/tangent-kinds.ts';
 
 /** The tangent on one side. */
 export interface Tangent {

@@ -15,20 +15,17 @@
  * between two `linear` keys it is `linear`, since corners are meant there. Beyond the ends it gets for each side the most
  * adaptive kind that changes nothing now. A channel without keys gets a `smooth` key at its value.
  *
+ * An `auto` tangent is a number from then on if it faces the new key, which then is one too; so is one at the other end
+ * of a loop, across its seam. Where the shape may follow instead, see `insertKeyAmong`.
+ *
  * At an existing key nothing changes; of a step the later key counts, which applies from that time on.
  */
 import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
-import {
-  type Channel,
-  FIXED_TANGENT,
-  FLAT,
-  type KeyedChannel,
-  LINEAR,
-  repeats,
-  SMOOTH,
-} from '../../model/takes/take.ts';
+import { type Channel, type KeyedChannel, repeats } from '../../model/takes/take.ts';
+import { AUTO_TANGENT, FIXED_TANGENT, FLAT, LINEAR, SMOOTH } from '../../model/takes/tangent-kinds.ts';
+import { withSeamFrozen } from '../channels/sloped-key.ts';
 import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
@@ -46,6 +43,28 @@ export interface Inserted {
 }
 
 /**
+ * Inserts a key on the curve that is one of its neighbours' kind: where both tangents that face it are `auto`, or the
+ * only one beyond an end, it is `auto` too, and the shape follows. Elsewhere the shape stays.
+ * @param channel not a sampled one
+ */
+export function insertKeyAmong(channel: Channel, time: number): Inserted {
+  if (channel.kind !== 'keys' || findKey(channel, time) >= 0) return insertKey(channel, time);
+  const index = countNotAbove(channel.times, time);
+  const facing = facingKinds(channel, index);
+  if (facing.some((kind) => kind !== AUTO_TANGENT)) return insertKey(channel, time);
+  const auto = tangent(AUTO_TANGENT);
+  const value = evaluateChannel(compileChannels([channel]), 0, time);
+  const next = withKeyAt(channel, index, { time, value, in: auto, out: auto });
+  return { channel: next, index, periodChanged: changesPeriod(channel, next) };
+}
+
+/** The kinds of the tangents that face a key to be inserted at an index: two, beyond an end one. */
+function facingKinds({ times, tangentsIn, tangentsOut }: KeyedChannel, index: number): readonly number[] {
+  const before = index > 0 ? [tangentsOut.kinds[index - 1]] : [];
+  return index < times.length ? [...before, tangentsIn.kinds[index]] : before;
+}
+
+/**
  * Inserts a key on the curve, which keeps its shape.
  * @param channel not a sampled one
  */
@@ -57,6 +76,11 @@ export function insertKey(channel: Channel, time: number): Inserted {
   }
   const there = findKey(channel, time);
   if (there >= 0) return { channel, index: there, periodChanged: false };
+  return inserted(withSeamFrozen(channel), channel, time);
+}
+
+/** @param given the channel as it was */
+function inserted(channel: KeyedChannel, given: KeyedChannel, time: number): Inserted {
   const curve = compileChannels([channel]);
   const value = evaluateChannel(curve, 0, time);
   const slopes = { in: evaluateSlope(curve, 0, time, 'in'), out: evaluateSlope(curve, 0, time, 'out') };
@@ -76,10 +100,21 @@ export function insertKey(channel: Channel, time: number): Inserted {
     keepSlope(next, index + 1, 'in', outer ?? keySlope(channel, index, 'in'), outer === 0);
     keepSlope(next, index + 1, 'out', keySlope(channel, index, 'out'));
   }
-  const between = index > 0 && index < last ? tangentBetween(next, index, slopes.in) : undefined;
-  setTangent(next, index, 'in', between ?? honestTangent(next, index, 'in', slopes.in));
-  setTangent(next, index, 'out', between ?? honestTangent(next, index, 'out', slopes.out));
-  return { channel: next, index, periodChanged: changesPeriod(channel, next) };
+  const facesAuto = facingKinds(channel, index).includes(AUTO_TANGENT);
+  if (index > 0) fixIfAuto(next, index - 1, 'out', keySlope(channel, index - 1, 'out'));
+  if (index < last) fixIfAuto(next, index + 1, 'in', keySlope(channel, index, 'in'));
+  if (!facesAuto) {
+    const between = index > 0 && index < last ? tangentBetween(next, index, slopes.in) : undefined;
+    setTangent(next, index, 'in', between ?? honestTangent(next, index, 'in', slopes.in));
+    setTangent(next, index, 'out', between ?? honestTangent(next, index, 'out', slopes.out));
+  }
+  return { channel: next, index, periodChanged: changesPeriod(given, next) };
+}
+
+/** A tangent that faces the new key no longer follows its neighbours. In place: columns are new. */
+function fixIfAuto(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number): void {
+  const { kinds } = side === 'in' ? next.tangentsIn : next.tangentsOut;
+  if (kinds[key] === AUTO_TANGENT) setTangent(next, key, side, tangent(FIXED_TANGENT, slope));
 }
 
 /** (A single key has no period; its channel is constant or straight.) */

@@ -2,6 +2,7 @@
 import type { Channel, KeyedChannel } from '../../model/takes/take.ts';
 import { tangent, withKeyList } from './columns.ts';
 import { type KeyPlacing, placeOf } from './cycle.ts';
+import { withValues } from './move.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
@@ -24,10 +25,7 @@ export function putKey(channel: Channel, time: number, value: number, kind: numb
   if (channel.kind !== 'keys') return { channel: withKeyList(channel, [key]), index: 0 };
   const at = findKey(channel, time);
   if (at >= 0) {
-    if (channel.values[at] === value) return { channel, index: at };
-    const values = channel.values.slice();
-    values[at] = value;
-    return { channel: { ...channel, values }, index: at };
+    return { channel: withValues(channel, [at], () => value), index: at };
   }
   const index = countNotAbove(channel.times, time);
   return { channel: withKeyAt(channel, index, key), index };

@@ -6,9 +6,11 @@
  */
 import type { KeyedChannel } from '../../model/takes/take.ts';
 import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
+import { wholeSteps } from './steps.ts';
 
 /** How far back the keys from `first` on can ripple, in seconds: 0 or negative. */
-export function rippleRoom({ times }: KeyedChannel, first: number): number {
+export function rippleRoom({ times }: KeyedChannel, key: number): number {
+  const [first] = wholeSteps({ times }, [key]);
   return first > 0 && first < times.length ? times[first - 1] - times[first] : Number.NEGATIVE_INFINITY;
 }
 
@@ -19,7 +21,8 @@ export function rippleRoom({ times }: KeyedChannel, first: number): number {
  */
 export function withKeysRippled(channel: KeyedChannel, indices: readonly number[], seconds: number): EditedChannel {
   const { times } = channel;
-  const first = indices[0];
+  const whole = wholeSteps(channel, indices);
+  const first = whole[0];
   if (first === undefined || seconds === 0) return { channel, indices };
   const by = Math.max(seconds, rippleRoom(channel, first));
   const all = Array.from({ length: times.length - first }, (_, i) => first + i);
@@ -31,6 +34,6 @@ export function withKeysRippled(channel: KeyedChannel, indices: readonly number[
     timesFor(all, (k) => Math.max(floor, times[k] + by)),
     'step',
   );
-  const given = new Set(indices);
+  const given = new Set(whole);
   return { channel: moved.channel, indices: moved.indices.filter((_k, i) => given.has(moved.from[i])) };
 }

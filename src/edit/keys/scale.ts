@@ -8,10 +8,11 @@
  * sign.)
  */
 import type { KeyedChannel, Tangents } from '../../model/takes/take.ts';
-import { FIXED_TANGENT } from '../../model/takes/take.ts';
+import { FIXED_TANGENT } from '../../model/takes/tangent-kinds.ts';
 import { CommandError } from '../command-error.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 import { withValues } from './move.ts';
+import { wholeSteps } from './steps.ts';
 
 /** Factors of times and values, and the point that stays. */
 export interface Scaling {
@@ -38,10 +39,11 @@ export function withKeysScaled(
   const valued =
     valueFactor === 1 ? channel : withValues(channel, indices, (v) => pivotValue + (v - pivotValue) * valueFactor);
   // Keys that end at the same time have no meaningful slope; theirs are kept.
-  const scaled = withScaledTangents(valued, indices, valueFactor / (timeFactor === 0 ? 1 : timeFactor), timeFactor < 0);
+  const moved = timeFactor === 1 ? indices : wholeSteps(channel, indices);
+  const scaled = withScaledTangents(valued, moved, valueFactor / (timeFactor === 0 ? 1 : timeFactor), timeFactor < 0);
   if (timeFactor === 1) return { channel: scaled, indices };
-  const times = timesFor(indices, (k) => pivotSeconds + (channel.times[k] - pivotSeconds) * timeFactor);
-  return arrangeKeys(scaled, indices, times, collision);
+  const times = timesFor(moved, (k) => pivotSeconds + (channel.times[k] - pivotSeconds) * timeFactor);
+  return arrangeKeys(scaled, moved, times, collision);
 }
 
 /** The channel with some keys' slopes multiplied, and in and out swapped if `mirrored`. */

@@ -1,8 +1,10 @@
 /** Setting keys to exact, typed numbers. */
-import { FIXED_TANGENT, type KeyedChannel } from '../../model/takes/take.ts';
+import type { KeyedChannel } from '../../model/takes/take.ts';
+import { FIXED_TANGENT } from '../../model/takes/tangent-kinds.ts';
 import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 import { tangent } from './columns.ts';
 import { withValues } from './move.ts';
+import { wholeSteps } from './steps.ts';
 import { withTangents } from './tangents.ts';
 
 /** Omitted numbers are not changed. */
@@ -31,7 +33,8 @@ export function withKeysSet(
     return slope === undefined ? undefined : tangent(FIXED_TANGENT, slope);
   });
   if (timeSeconds === undefined) return { channel: sloped, indices };
-  return arrangeKeys(sloped, indices, new Float64Array(indices.length).fill(timeSeconds), 'replace');
+  const whole = wholeSteps(channel, indices);
+  return arrangeKeys(sloped, whole, new Float64Array(whole.length).fill(timeSeconds), 'replace');
 }
 
 /**
@@ -47,10 +50,11 @@ export function withKeysSnapped(
   // Adding 0 avoids −0.
   const toFrame = (time: number) =>
     Math.round((time - offsetSeconds) * framesPerSecond) / framesPerSecond + offsetSeconds + 0;
+  const whole = wholeSteps(channel, indices);
   return arrangeKeys(
     channel,
-    indices,
-    timesFor(indices, (k) => toFrame(channel.times[k])),
+    whole,
+    timesFor(whole, (k) => toFrame(channel.times[k])),
     'replace',
   );
 }

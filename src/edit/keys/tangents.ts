@@ -1,8 +1,10 @@
 /** Editing tangents of keys, by side. Requested slopes become numbers (FIXED); other kinds follow the neighbours. */
 import { keySlope } from '../../evaluate/slopes.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf, type Tangents } from '../../model/takes/take.ts';
+import type { Channel, KeyedChannel, Take, Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_CHOICES } from '../../model/takes/tangent-kinds.ts';
 import { type Tangent, tangent } from './columns.ts';
+import { isStepped } from './steps.ts';
 
 /** The side of a key that is edited. */
 export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
@@ -10,18 +12,25 @@ export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
 export type TangentSide = (typeof TANGENT_SIDES)[number];
 
 /**
- * The kinds of tangents that keys have on one or both sides, as bits: 1 << index into TANGENT_KINDS; 0 for no keys.
+ * The choices that keys have on one or both sides, as bits: 1 << index into TANGENT_CHOICES; 0 for no keys.
  * @param channels of the take
  */
 export function tangentKindsOf(channels: readonly Channel[], keys: readonly ChannelKeys[], side: TangentSide): number {
   let found = 0;
   for (const { channel, indices } of keys) {
-    const { tangentsIn, tangentsOut } = keysOf(channels[channel]);
-    if (side !== 'out') for (const k of indices) found |= 1 << tangentsIn.kinds[k];
-    if (side !== 'in') for (const k of indices) found |= 1 << tangentsOut.kinds[k];
+    const own = channels[channel];
+    if (own?.kind !== 'keys') continue;
+    const { times, tangentsIn, tangentsOut } = own;
+    for (const k of indices) {
+      // Between the halves of a step there is no curve, unless this is the only one.
+      if (side !== 'out' && times[k - 1] !== times[k]) found |= 1 << tangentsIn.kinds[k];
+      if (side !== 'in' && times[k + 1] !== times[k]) found |= 1 << (isStepped(own, k) ? STEP : tangentsOut.kinds[k]);
+    }
   }
   return found;
 }
+
+const STEP = TANGENT_CHOICES.findIndex(({ name }) => name === 'step');
 
 /** Relative difference below which slopes are equal. */
 const SAME_SLOPE = 1e-12;
@@ -40,6 +49,14 @@ export function setTangentKind(
     if (kind !== FIXED_TANGENT) return side === 'both' || side === at ? tangent(kind) : undefined;
     return side === 'both' || side === at ? tangent(FIXED_TANGENT, keySlope(channel, k, at)) : undefined;
   });
+}
+
+/** The take with a tangent kind (index into TANGENT_KINDS) on both sides of every key; the same object if nothing changes. */
+export function withAllTangents(take: Take, kind: number): Take {
+  const channels = take.channels.map((channel) =>
+    channel.kind === 'keys' ? setTangentKind(channel, [...channel.times.keys()], 'both', kind) : channel,
+  );
+  return channels.every((channel, c) => channel === take.channels[c]) ? take : { ...take, channels };
 }
 
 /** Sets one or both sides of keys to a number: value per second. */

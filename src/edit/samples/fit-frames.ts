@@ -7,7 +7,8 @@
  * that the curve is smooth there too. This costs an extra key per two thousand frames, and lets the page respond in
  * between.
  */
-import { FIXED_TANGENT, type KeyedChannel, NO_EXTRAPOLATION, SMOOTH } from '../../model/takes/take.ts';
+import { type KeyedChannel, NO_EXTRAPOLATION } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, SMOOTH } from '../../model/takes/tangent-kinds.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
 const PIECE_FRAMES = 2048;

@@ -1,7 +1,8 @@
 /** Shapes that several commands share. */
 
 import type { PoseByNames } from '../../model/pose-by-names.ts';
-import { EXTRAPOLATIONS, TANGENT_KINDS } from '../../model/takes/take.ts';
+import { EXTRAPOLATIONS } from '../../model/takes/take.ts';
+import { NEW_KEY_TANGENTS, TANGENT_CHOICES, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { CommandError } from '../command-error.ts';
 import type { KeyOptions } from '../key-dofs.ts';
 import { COLLISIONS } from '../keys/arrange.ts';
@@ -34,7 +35,7 @@ export const placement = record({ position: vector, turn: vector, scale: number 
 export const outsideCycle = oneOf(OUTSIDE_CYCLE);
 /** How a DOF is keyed: kind of tangents, the playback range of a new take, and what a key outside a cycle means. */
 export const KEY_OPTIONS = {
-  tangents: optional(oneOf(['smooth', 'linear', 'flat'])),
+  tangents: optional(oneOf(NEW_KEY_TANGENTS)),
   playedRange: optional(range),
   outsideCycle: optional(outsideCycle),
 } as const;
@@ -46,6 +47,8 @@ export const key = optional(keyOptions);
 export const side = oneOf(TANGENT_SIDES);
 /** A `TangentKind`. */
 export const tangentKind = oneOf(TANGENT_KINDS);
+/** A `TangentChoice`. */
+export const tangentChoice = oneOf(TANGENT_CHOICES.map(({ name }) => name));
 /** An `Extrapolation`. */
 export const extrapolation = oneOf(EXTRAPOLATIONS);
 

@@ -8,7 +8,8 @@
 
 import { perObject } from '../../model/per-object.ts';
 import type { Samples } from '../../model/takes/samples.ts';
-import { LINEAR, type Take } from '../../model/takes/take.ts';
+import type { Take } from '../../model/takes/take.ts';
+import { LINEAR } from '../../model/takes/tangent-kinds.ts';
 
 /** Television rates are whole numbers divided by this. */
 const TELEVISION = 1.001;

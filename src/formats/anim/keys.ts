@@ -4,16 +4,8 @@
  * The number loop returns the words flat, linear and smooth as values that no number has (see `scan.ts`), so that a
  * hundred thousand keys are one loop over bytes like any other block.
  */
-import {
-  FIXED_TANGENT,
-  FLAT,
-  type Keys,
-  LINEAR,
-  NO_KEYS,
-  SMOOTH,
-  TANGENT_KINDS,
-  type Tangents,
-} from '../../model/takes/take.ts';
+import { type Keys, NO_KEYS, type Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR, SMOOTH, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { NUMBERS } from '../number-batch.ts';
 import type { Place } from '../places.ts';
 import type { BlockWords } from '../scan.ts';

@@ -4,6 +4,8 @@
  *     anim    = "animation" "{" { range t0 t1 | numchannels n | channel } "}"
  *     channel = "channel" [INDEX] "{" { extrapolate IN OUT | keys k "{" { time value tan_in tan_out } "}" } "}"
  */
+
+import { withAutoRecognised } from '../../model/takes/auto-slope.ts';
 import {
   type Channel,
   EXTRAPOLATIONS,
@@ -165,7 +167,7 @@ function* channel(t: Tokens, sink: KeySink, index: number): GrammarPart<Channel>
   }
   const [extrapolateIn, extrapolateOut] = extrapolation ?? ['constant', 'constant'];
   if (!keys?.times.length) return { ...restChannel(), extrapolateIn, extrapolateOut };
-  return { kind: 'keys', extrapolateIn, extrapolateOut, ...keys };
+  return withAutoRecognised({ ...keys, kind: 'keys', extrapolateIn, extrapolateOut });
 }
 
 /** One extrapolation; undefined if the word is missing, which is reported. */

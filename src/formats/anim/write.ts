@@ -4,15 +4,10 @@
  * convert to keys first (`edit/convert/keys-of-samples.ts`).
  */
 
+import { autoSlope } from '../../model/takes/auto-slope.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
-import {
-  FIXED_TANGENT,
-  type KeyedChannel,
-  type RestChannel,
-  TANGENT_KINDS,
-  type Take,
-  type Tangents,
-} from '../../model/takes/take.ts';
+import type { KeyedChannel, RestChannel, Take, Tangents } from '../../model/takes/take.ts';
+import { AUTO_TANGENT, FIXED_TANGENT, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text, UnwritableError } from '../write-text.ts';
 
@@ -43,11 +38,12 @@ export function writeAnim(take: Take, fileName = ''): WriteResult {
   return text.result();
 }
 
-function writeKeys(text: Text, { times, values, tangentsIn, tangentsOut }: KeyedChannel): void {
+function writeKeys(text: Text, channel: KeyedChannel): void {
+  const { times, values, tangentsIn, tangentsOut } = channel;
   text.line(2, `keys ${times.length} {`);
   for (let k = 0; k < times.length; k++) {
     text.row = k + 1;
-    const tangents = `${tangent(text, tangentsIn, k)} ${tangent(text, tangentsOut, k)}`;
+    const tangents = `${tangent(text, channel, tangentsIn, k)} ${tangent(text, channel, tangentsOut, k)}`;
     text.line(3, `${text.number(times[k])} ${text.number(values[k])} ${tangents}`);
   }
 }
@@ -67,6 +63,7 @@ function writeSampled(text: Text, { frameCount, frameSeconds, startSeconds, scal
   }
 }
 
-function tangent(text: Text, { kinds, slopes }: Tangents, key: number): string {
+function tangent(text: Text, channel: KeyedChannel, { kinds, slopes }: Tangents, key: number): string {
+  if (kinds[key] === AUTO_TANGENT) return text.number(autoSlope(channel, key));
   return kinds[key] === FIXED_TANGENT ? text.number(slopes[key]) : (TANGENT_KINDS[kinds[key]] ?? 'flat');
 }

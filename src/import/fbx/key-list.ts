@@ -1,12 +1,6 @@
 /** Collects the keys of a channel one by one. */
-import {
-  type Extrapolation,
-  FIXED_TANGENT,
-  FLAT,
-  type KeyedChannel,
-  LINEAR,
-  type Tangents,
-} from '../../model/takes/take.ts';
+import type { Extrapolation, KeyedChannel, Tangents } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR } from '../../model/takes/tangent-kinds.ts';
 
 /** A slope at a key, or that of the straight line to its neighbour. */
 export type Slope = number | 'line';

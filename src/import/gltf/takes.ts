@@ -7,14 +7,8 @@
  */
 import { rateOfTimes } from '../../evaluate/samples/frame-rate.ts';
 import { perObject } from '../../model/per-object.ts';
-import {
-  type Channel,
-  FIXED_TANGENT,
-  FLAT,
-  type KeyedChannel,
-  LINEAR,
-  NO_EXTRAPOLATION,
-} from '../../model/takes/take.ts';
+import { type Channel, type KeyedChannel, NO_EXTRAPOLATION } from '../../model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR } from '../../model/takes/tangent-kinds.ts';
 import type { QuaternionTrack } from '../../model/takes/tracked-take.ts';
 import type { Budget } from '../budget.ts';
 import { firstNotFinite } from '../finite.ts';

@@ -28,13 +28,16 @@ export type Channel = KeyedChannel | SampledChannel | RestChannel;
  * Extrapolation outside the keys. Channels without keys have it too, for keys added later and to preserve what the file
  * says.
  */
-interface Extrapolated {
+export interface Extrapolated {
   readonly extrapolateIn: Extrapolation;
   readonly extrapolateOut: Extrapolation;
 }
 
+/** Keys with what comes before and after them: all that determines a curve. */
+export interface KeyedCurve extends Extrapolated, Keys {}
+
 /** With at least one key. */
-export interface KeyedChannel extends Extrapolated, Keys {
+export interface KeyedChannel extends KeyedCurve {
   readonly kind: 'keys';
 }
 
@@ -64,27 +67,11 @@ export interface RestChannel extends Extrapolated {
 
 /** The in or the out tangents of a channel's keys, as columns. */
 export interface Tangents {
-  /** Index into TANGENT_KINDS for each key. */
+  /** Index into TANGENT_KINDS (`tangent-kinds.ts`) for each key. */
   readonly kinds: Uint8Array;
   /** Value per second for keys of kind `fixed`; 0 elsewhere. */
   readonly slopes: Float64Array;
 }
-
-/**
- * Kinds of tangents: slope 0; towards the neighbouring key; the slope between both neighbours; a slope of its own.
- * `Tangents.kinds` holds indices into this list.
- */
-export const TANGENT_KINDS = ['flat', 'linear', 'smooth', 'fixed'] as const;
-/** The kind of a tangent; see `TANGENT_KINDS`. */
-export type TangentKind = (typeof TANGENT_KINDS)[number];
-/** Index of `flat` in `TANGENT_KINDS`. */
-export const FLAT = 0;
-/** Index of `linear` in `TANGENT_KINDS`. */
-export const LINEAR = 1;
-/** Index of `smooth` in `TANGENT_KINDS`. */
-export const SMOOTH = 2;
-/** A numeric tangent in the file: the slope itself. */
-export const FIXED_TANGENT = 3;
 
 /**
  * Behaviour of a channel before its first and after its last key: keeps the value, continues its slope, repeats,
@@ -117,7 +104,8 @@ export function restChannel(value = 0): RestChannel {
 const NO_NUMBERS = new Float64Array(0);
 const NO_TANGENTS: Tangents = { kinds: new Uint8Array(0), slopes: NO_NUMBERS };
 /** The columns of a channel without keys; shared, it must not be mutated. */
-export const NO_KEYS: Keys = {
+export const NO_KEYS: KeyedCurve = {
+  ...NO_EXTRAPOLATION,
   times: NO_NUMBERS,
   values: NO_NUMBERS,
   tangentsIn: NO_TANGENTS,
@@ -125,7 +113,7 @@ export const NO_KEYS: Keys = {
 };
 
 /** The keys of a channel; empty columns if it has none or there is no channel. */
-export function keysOf(channel: Channel | undefined): Keys {
+export function keysOf(channel: Channel | undefined): KeyedCurve {
   return channel?.kind === 'keys' ? channel : NO_KEYS;
 }
 

@@ -11,16 +11,9 @@
  */
 import { repetitionAt } from '../../evaluate/curves.ts';
 import { lastNotAbove } from '../../math/search.ts';
-import {
-  type Channel,
-  FIXED_TANGENT,
-  FLAT,
-  type KeyedChannel,
-  type Keys,
-  LINEAR,
-  SMOOTH,
-  type Tangents,
-} from '../../model/takes/take.ts';
+import { autoSlope } from '../../model/takes/auto-slope.ts';
+import type { Channel, KeyedChannel, KeyedCurve, Keys, Tangents } from '../../model/takes/take.ts';
+import { AUTO_TANGENT, FIXED_TANGENT, FLAT, LINEAR, SMOOTH } from '../../model/takes/tangent-kinds.ts';
 
 /** Rows a b c d, columns p0 p1 m0 m1. */
 export type HermiteBasis = readonly number[];
@@ -198,7 +191,7 @@ function isMirrored(period: number, { bounce }: CurveRules): boolean {
 }
 
 /** At a time between the keys; outside them the end keys hold, or the end segments run on. */
-function inside(keys: Keys, time: number, rules: CurveRules, runsOn = false): number {
+function inside(keys: KeyedCurve, time: number, rules: CurveRules, runsOn = false): number {
   const { times, values } = keys;
   const last = times.length - 1;
   if (!runsOn && time <= times[0] && times[0] !== times[Math.min(1, last)]) return values[0];
@@ -223,7 +216,7 @@ function inside(keys: Keys, time: number, rules: CurveRules, runsOn = false): nu
   return ((a * u + b) * u + c) * u + d;
 }
 
-function endSlope(keys: Keys, isBefore: boolean, rules: CurveRules): number {
+function endSlope(keys: KeyedCurve, isBefore: boolean, rules: CurveRules): number {
   const last = keys.times.length - 1;
   if (rules.linearSlope === 'segment')
     return isBefore ? secant(keys, 0, Math.min(1, last)) : secant(keys, Math.max(0, last - 1), last);
@@ -234,18 +227,20 @@ function endSlope(keys: Keys, isBefore: boolean, rules: CurveRules): number {
 }
 
 /** The slope on one side of a key. */
-function slopeBy(keys: Keys, key: number, side: 'in' | 'out', rules: CurveRules): number {
+function slopeBy(keys: KeyedCurve, key: number, side: 'in' | 'out', rules: CurveRules): number {
   const other = side === 'in' ? 'out' : 'in';
   const column = rules.swapped === 'none' ? side : other;
   const tangents = column === 'in' ? keys.tangentsIn : keys.tangentsOut;
   return slopeOf(keys, key, tangents, rules.swapped === 'slopes' ? other : side, rules);
 }
 
-function slopeOf(keys: Keys, key: number, tangents: Tangents, side: 'in' | 'out', rules: CurveRules): number {
+function slopeOf(keys: KeyedCurve, key: number, tangents: Tangents, side: 'in' | 'out', rules: CurveRules): number {
   const last = keys.times.length - 1;
   const kind = tangents.kinds[key];
   if (kind === FLAT) return 0;
   if (kind === FIXED_TANGENT) return tangents.slopes[key];
+  // In a file it is a number like any other.
+  if (kind === AUTO_TANGENT) return autoSlope(keys, key);
   const isEnd = key === 0 || key === last;
   if (kind === SMOOTH && rules.smoothEnds === 'flat' && isEnd) return 0;
   if (kind === SMOOTH && rules.smooth === 'halved ends' && isEnd)

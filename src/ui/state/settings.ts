@@ -4,11 +4,11 @@
  * anyone out.
  */
 import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MAX_GHOSTS } from '../../model/session.ts';
+import { NEW_KEY_TANGENTS, type NewKeyTangents } from '../../model/takes/tangent-kinds.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 
 export const THEMES = ['system', 'light', 'dark'] as const;
 export const ANGLES = ['degrees', 'radians'] as const;
-export const NEW_KEY_TANGENTS = ['smooth', 'linear', 'flat'] as const;
 /** Smallest and largest. */
 export const GIZMO_SCALES = [0.5, 2] as const;
 /** What bends with a dragged joint; `usual` until one was chosen: what is usual for the form of the skeleton. */
@@ -22,7 +22,7 @@ export interface Settings {
   readonly timeDisplay: (typeof TIME_DISPLAYS)[number];
   readonly panels: Panels;
   /** Tangents of new keys, on both sides. */
-  readonly newKeyTangents: (typeof NEW_KEY_TANGENTS)[number];
+  readonly newKeyTangents: NewKeyTangents;
   /** Factor of the size of the viewport's gizmo, within `GIZMO_SCALES`. */
   readonly gizmoScale: number;
   readonly ikReach: (typeof IK_REACHES)[number];

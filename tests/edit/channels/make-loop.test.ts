@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { withLoop } from '../../../src/edit/channels/make-loop.ts';
-import { FLAT } from '../../../src/model/takes/take.ts';
+import { FLAT } from '../../../src/model/takes/tangent-kinds.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, pointsOf, slopesAt, valueAt } from '../keys/channels.ts';

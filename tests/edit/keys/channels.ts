@@ -8,16 +8,15 @@ import {
   type Channel,
   EXTRAPOLATIONS,
   type Extrapolation,
-  FIXED_TANGENT,
   type KeyedChannel,
   keysOf,
   restChannel,
-  TANGENT_KINDS,
   type Tangents,
 } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT, TANGENT_KINDS, type TangentKind } from '../../../src/model/takes/tangent-kinds.ts';
 import { evenly } from '../dice.ts';
 
-export type Tangent = 'flat' | 'linear' | 'smooth' | number;
+export type Tangent = Exclude<TangentKind, 'fixed'> | number;
 /** Smooth on both sides by default; a single tangent is used for both. */
 export type KeyRow = readonly [time: number, value: number, tangentIn?: Tangent, tangentOut?: Tangent];
 
@@ -81,7 +80,7 @@ export function between(min: number, max: number): fc.Arbitrary<number> {
   return fc.oneof({ weight: 4, arbitrary: even }, { weight: 1, arbitrary: fc.double({ min, max, noNaN: true }) });
 }
 
-const tangent = fc.oneof(fc.constantFrom<Tangent[]>('flat', 'linear', 'smooth'), between(-20, 20));
+const tangent = fc.oneof(fc.constantFrom<Tangent[]>('flat', 'linear', 'smooth', 'auto'), between(-20, 20));
 const value = fc.oneof(between(-100, 100), fc.integer({ min: -3, max: 3 }));
 
 /**

@@ -16,8 +16,8 @@ import {
   type KeyedChannel,
   keysOf,
   repeats,
-  SMOOTH,
 } from '../../../src/model/takes/take.ts';
+import { SMOOTH } from '../../../src/model/takes/tangent-kinds.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { checkChannel } from '../../helpers/invariants.ts';

@@ -4,7 +4,8 @@ import { insertKey } from '../../../src/edit/keys/insert.ts';
 import { withKeysMoved } from '../../../src/edit/keys/move.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../../src/evaluate/curves.ts';
-import { type Channel, EXTRAPOLATIONS, keysOf, LINEAR, restChannel } from '../../../src/model/takes/take.ts';
+import { type Channel, EXTRAPOLATIONS, keysOf, restChannel } from '../../../src/model/takes/take.ts';
+import { LINEAR } from '../../../src/model/takes/tangent-kinds.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, channelsOrRest, pointsOf, rowsOf, slopesAt, valueAt } from './channels.ts';
 

@@ -3,7 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../src/edit/keys/marks.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, keysOf, LINEAR } from '../../../src/model/takes/take.ts';
+import { type Channel, keysOf } from '../../../src/model/takes/take.ts';
+import { LINEAR } from '../../../src/model/takes/tangent-kinds.ts';
 import { channel } from '../../ui/builders.ts';
 import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 

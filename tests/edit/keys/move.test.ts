@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { withKeysMoved } from '../../../src/edit/keys/move.ts';
+import { wholeSteps } from '../../../src/edit/keys/steps.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, withSome } from './channels.ts';
 
@@ -82,19 +83,17 @@ describe('moving keys', () => {
     expect(indices).toEqual([2, 3]);
   });
 
-  it('takes a step apart where half of it moves', () => {
-    expect(pointsOf(withKeysMoved(stairs, [1], -0.5, 0).channel)).toEqual([
-      [0, 10],
-      [0.5, 11],
-      [1, 12],
-      [2, 13],
-    ]);
-    expect(pointsOf(withKeysMoved(stairs, [2], -0.5, 0).channel)).toEqual([
-      [0, 10],
-      [0.5, 12],
-      [1, 11],
-      [2, 13],
-    ]);
+  it('moves a step in time as one, whichever half is named', () => {
+    for (const half of [1, 2]) {
+      const { channel, indices } = withKeysMoved(stairs, [half], -0.5, 0);
+      expect(pointsOf(channel)).toEqual([
+        [0, 10],
+        [0.5, 11],
+        [0.5, 12],
+        [2, 13],
+      ]);
+      expect(indices).toEqual([1, 2]);
+    }
   });
 
   it('moves half of a step in value only without harm to the other', () => {
@@ -151,14 +150,15 @@ describe('moving any keys', () => {
         const { channel: after, indices } = withKeysMoved(channel, some, by, 0, onCollision);
         checkChannel(after);
         expectNoCrowd(after);
-        const moved = new Set(some);
-        const landed = new Set(some.map((k) => channel.times[k] + by));
+        const whole = by === 0 ? some : wholeSteps(channel, some);
+        const moved = new Set(whole);
+        const landed = new Set(whole.map((k) => channel.times[k] + by));
         const stay = [...channel.times.keys()].filter(
           (k) => !moved.has(k) && (by === 0 || !landed.has(channel.times[k])),
         );
         for (const k of stay) expect(pointsOf(after)).toContainEqual([channel.times[k], channel.values[k]]);
         expect(indices).toEqual([...new Set(indices)].sort((a, b) => a - b));
-        if (onCollision === 'replace') expect(indices).toHaveLength(some.length);
+        if (onCollision === 'replace') expect(indices).toHaveLength(whole.length);
       }),
     );
   });
@@ -169,8 +169,9 @@ describe('moving any keys', () => {
     fc.assert(
       fc.property(withSome(told), seconds, ({ channel, some }, by) => {
         const { channel: after, indices } = withKeysMoved(channel, some, by, 0);
-        expect(indices.map((k) => after.values[k])).toEqual(some);
-        expect(indices.map((k) => after.times[k])).toEqual(some.map((k) => channel.times[k] + by));
+        const whole = by === 0 ? some : wholeSteps(channel, some);
+        expect(indices.map((k) => after.values[k])).toEqual(whole);
+        expect(indices.map((k) => after.times[k])).toEqual(whole.map((k) => channel.times[k] + by));
       }),
     );
   });

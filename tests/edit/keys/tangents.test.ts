@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { setSlope, setTangentKind, withTangentsBroken, withTangentsUnified } from '../../../src/edit/keys/tangents.ts';
-import { FIXED_TANGENT, FLAT, SMOOTH } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, SMOOTH } from '../../../src/model/takes/tangent-kinds.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, rowsOf, slopesAt, valueAt, withSome } from './channels.ts';
 

@@ -8,7 +8,8 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Motion, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import { type Channel, FIXED_TANGENT, followingSamples, keysOf, restChannel } from '../../../src/model/takes/take.ts';
+import { type Channel, followingSamples, keysOf, restChannel } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT } from '../../../src/model/takes/tangent-kinds.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { channelOf } from '../keys/channels.ts';
 

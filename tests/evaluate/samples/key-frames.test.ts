@@ -2,14 +2,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { keyFrames } from '../../../src/evaluate/samples/key-frames.ts';
-import {
-  type Channel,
-  type KeyedChannel,
-  LINEAR,
-  restChannel,
-  SMOOTH,
-  type Take,
-} from '../../../src/model/takes/take.ts';
+import { type Channel, type KeyedChannel, restChannel, type Take } from '../../../src/model/takes/take.ts';
+import { LINEAR, SMOOTH } from '../../../src/model/takes/tangent-kinds.ts';
 
 function keysAt(times: readonly number[], kind = LINEAR): KeyedChannel {
   const side = { kinds: new Uint8Array(times.length).fill(kind), slopes: new Float64Array(times.length) };

@@ -7,14 +7,8 @@ import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { rootDofCount } from '../../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
-import {
-  EXTRAPOLATIONS,
-  FIXED_TANGENT,
-  type KeyedChannel,
-  restChannel,
-  SMOOTH,
-  type Take,
-} from '../../../src/model/takes/take.ts';
+import { EXTRAPOLATIONS, type KeyedChannel, restChannel, type Take } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT, SMOOTH } from '../../../src/model/takes/tangent-kinds.ts';
 import { skeleton as anySkeleton } from '../../formats/arbitraries.ts';
 import { character, skin } from '../../helpers/builders.ts';
 import { hasShared, sharedPath } from '../../helpers/shared.ts';

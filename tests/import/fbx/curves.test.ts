@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { multiplyQuaternions, writeQuaternion } from '../../../src/import/rotations.ts';
 import { writeRotation } from '../../../src/math/quaternion.ts';
-import { FIXED_TANGENT, FLAT, LINEAR } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR } from '../../../src/model/takes/tangent-kinds.ts';
 import { worldsAt } from '../scene-at.ts';
 import { CUBIC_USER, inRadians, read, sceneOf, turning, zCurve } from './small-files.ts';
 import { fbxBytes, fbxText, prop, rec, ticks } from './write-fbx.ts';

@@ -3,16 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { shownTake } from '../../../src/model/document.ts';
-import {
-  type Extrapolation,
-  FIXED_TANGENT,
-  FLAT,
-  type KeyedChannel,
-  LINEAR,
-  restChannel,
-  SMOOTH,
-  type Take,
-} from '../../../src/model/takes/take.ts';
+import { type Extrapolation, type KeyedChannel, restChannel, type Take } from '../../../src/model/takes/take.ts';
+import { FIXED_TANGENT, FLAT, LINEAR, SMOOTH } from '../../../src/model/takes/tangent-kinds.ts';
 import { valueOfChain, whySegment, whyValue } from '../../../src/teaching/explain/channel-why.ts';
 import { tangentText, whyTangent } from '../../../src/teaching/explain/tangent-why.ts';
 import { take as anyTake } from '../../formats/arbitraries.ts';

@@ -41,10 +41,14 @@ function sharedNumbers({ take }: Pick<CurrentTake, 'take'>, keys: readonly Chann
   for (const { channel: c, indices } of keys) {
     const channel = keysOf(take.channels[c]);
     for (const index of indices) {
+      // A step counts once: what arrives at it, and the value that it goes on with.
+      if (channel.times[index + 1] === channel.times[index]) continue;
+      let arriving = index;
+      while (channel.times[arriving - 1] === channel.times[index]) arriving--;
       const own = {
         time: channel.times[index],
         value: channel.values[index],
-        slopeIn: keySlope(channel, index, 'in'),
+        slopeIn: keySlope(channel, arriving, 'in'),
         slopeOut: keySlope(channel, index, 'out'),
       };
       if (!found) found = own;
@@ -55,6 +59,14 @@ function sharedNumbers({ take }: Pick<CurrentTake, 'take'>, keys: readonly Chann
     }
   }
   return found ?? MIXED;
+}
+
+/** The keys without the earlier ones of steps: a value typed for both would remove the jump. */
+function laterHalves({ take }: Pick<CurrentTake, 'take'>, keys: readonly ChannelKeys[]): readonly ChannelKeys[] {
+  return keys.map(({ channel, indices }) => {
+    const { times } = keysOf(take.channels[channel]);
+    return { channel, indices: indices.filter((k, i) => indices[i + 1] !== k + 1 || times[k + 1] !== times[k]) };
+  });
 }
 
 export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): HTMLElement {
@@ -77,7 +89,8 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     const keys = selectedKeysInView(wb);
     if (!current || !keys.length) return;
     attempt(wb.messages, () => {
-      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: current.character.id, keys, ...typed });
+      const own = typed.value === undefined ? keys : laterHalves(current, keys);
+      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: current.character.id, keys: own, ...typed });
     });
   };
   const noUnits = () => ({});

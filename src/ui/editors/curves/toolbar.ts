@@ -1,6 +1,6 @@
 /** The curve editor's buttons, in the row of tabs. All of them run actions. */
 
-import type { TangentKind } from '../../../model/takes/take.ts';
+import { TANGENT_CHOICES, type TangentChoice } from '../../../model/takes/tangent-kinds.ts';
 import { findAction, isChecked, isEnabled, tryAction } from '../../state/actions/action.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
@@ -50,7 +50,7 @@ export function curveToolbar(
     return made;
   };
   /** Pressed for the kind of the selected keys, on one half if only their tangents of that side are of it. */
-  const tangents = (kind: TangentKind, label: string) => {
+  const tangents = (kind: TangentChoice, label: string) => {
     const made = tool(`tangents.${kind}`, label, kind, () => `${label}${whichKeys(wb, kind)}`);
     tools.push(() => setAttribute(made, 'data-side', sideWithTangents(wb, kind)));
     return made;
@@ -93,14 +93,7 @@ export function curveToolbar(
   const bar = element(
     'div',
     { class: 'curve-tools', role: 'group', 'aria-label': 'Curve tools' },
-    group(
-      'Tangents',
-      'tangent-tools',
-      tangents('flat', 'Flat tangents'),
-      tangents('linear', 'Linear tangents'),
-      tangents('smooth', 'Smooth tangents'),
-      tangents('fixed', 'Fixed slopes'),
-    ),
+    group('Tangents', 'tangent-tools', ...TANGENT_CHOICES.map(({ name, label }) => tangents(name, label))),
     group(
       'Handles',
       'handle-tools',
@@ -163,7 +156,7 @@ export function curveToolbar(
 }
 
 /** Which of the selected keys have that kind of tangents. */
-function whichKeys(wb: Uses<'store' | 'timeline'>, kind: TangentKind): string {
+function whichKeys(wb: Uses<'store' | 'timeline'>, kind: TangentChoice): string {
   const has = hasTangents(wb, kind, 'both');
   if (has !== 'mixed') return has ? ': all selected keys' : '';
   const side = sideWithTangents(wb, kind);

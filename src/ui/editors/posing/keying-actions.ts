@@ -7,22 +7,16 @@ import { rangeOfKeys } from '../../../edit/takes.ts';
 import { unkeyedAt } from '../../../edit/unkeyed.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
+import { NEW_KEY_TANGENTS, TANGENTS } from '../../../model/takes/tangent-kinds.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { NO_JOINT, needs, needsSkeleton } from '../../state/actions/needs.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
 import { askForMoment } from '../../state/add-keys.ts';
 import { selectedJointsOf, selectedJointsText } from '../../state/joints/selected-joint.ts';
-import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { needsTake } from '../timeline/key-actions.ts';
 import { deleteKeysNow, dofsOfJoints, keyNow, keysNow } from './pose-edits.ts';
-
-const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
-  smooth: 'Smooth',
-  linear: 'Linear',
-  flat: 'Flat',
-};
 
 const takeInView = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
@@ -117,19 +111,20 @@ export const KEYING_ACTIONS: readonly Action[] = [
     checked: (wb) => wb.timeline.autoKey.get(),
     run: (wb) => wb.timeline.autoKey.update((on) => !on),
   },
-  ...(['smooth', 'linear', 'flat'] as const).map(
-    (tangents): Action => ({
+  ...NEW_KEY_TANGENTS.map((tangents): Action => {
+    const label = TANGENTS.find(({ name }) => name === tangents)?.label ?? tangents;
+    return {
       id: `key.tangents.${tangents}`,
-      name: `Tangents of new keys: ${TANGENT_LABELS[tangents].toLowerCase()}`,
-      label: () => TANGENT_LABELS[tangents],
+      name: `Tangents of new keys: ${label.toLowerCase()}`,
+      label: () => label,
       group: 'Keys',
       menu: 'Keys/Tangents of new keys',
       section: 2,
       radio: true,
       checked: (wb) => wb.settings.get().newKeyTangents === tangents,
       run: (wb) => wb.settings.update((s) => ({ ...s, newKeyTangents: tangents })),
-    }),
-  ),
+    };
+  }),
   {
     id: 'take.new',
     label: 'New take',

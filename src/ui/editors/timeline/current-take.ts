@@ -11,6 +11,7 @@ import type { Edit } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
+import { withWholeSteps } from '../../../edit/keys/steps.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter, shownTake } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
@@ -84,7 +85,7 @@ export function editOfTake(
   });
 }
 
-/** Selects exactly these keys; joint and character stay. */
+/** Selects exactly these keys, steps as one; joint and character stay. */
 export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): void {
   const character = currentCharacter(wb);
   if (!character) return;
@@ -92,7 +93,8 @@ export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): voi
   if (keys.length === 0 && !selection.keys) return;
   // Keys belong to a character: selecting some selects the character too.
   const own = selection.characterId === character.id ? selection : { characterId: character.id };
-  wb.store.select(withSelectedKeys(own, keys));
+  const channels = shownTake(character)?.channels ?? [];
+  wb.store.select(withSelectedKeys(own, withWholeSteps(channels, keys)));
 }
 
 /** Channels that the timeline draws now. Cached, since every row and menu entry asks. */

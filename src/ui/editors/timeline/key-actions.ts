@@ -4,13 +4,8 @@ import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { walkChannels, walkKeys } from '../../../edit/keys/key-walk.ts';
 import { stepFrames } from '../../../edit/playback.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import {
-  type Channel,
-  EXTRAPOLATIONS,
-  type Extrapolation,
-  TANGENT_KINDS,
-  type TangentKind,
-} from '../../../model/takes/take.ts';
+import { type Channel, EXTRAPOLATIONS, type Extrapolation } from '../../../model/takes/take.ts';
+import { TANGENT_CHOICES, TANGENTS } from '../../../model/takes/tangent-kinds.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { NO_CHARACTER, needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
@@ -57,13 +52,6 @@ export const needsCurveInView = needs(
   (wb) => (!needsTake(wb) ? 'No curve is shown: select a joint that has keys, or show all channels.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0,
 );
-
-export const TANGENT_LABELS: Readonly<Record<TangentKind, string>> = {
-  flat: 'Flat',
-  linear: 'Linear',
-  smooth: 'Smooth',
-  fixed: 'Fixed slope',
-};
 
 /** An action of the timeline panel. */
 function key(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
@@ -260,8 +248,8 @@ const moving: readonly Action[] = [
 ];
 
 const tangents: readonly Action[] = [
-  ...TANGENT_KINDS.map((kind, i) =>
-    key(`tangents.${kind}`, TANGENT_LABELS[kind], [String(i + 1)], {
+  ...TANGENT_CHOICES.map(({ name: kind, label }, i) =>
+    key(`tangents.${kind}`, label, [String(i + 1)], {
       menu: 'Keys/Tangents',
       section: 12,
       icon: kind,
@@ -285,8 +273,8 @@ const tangents: readonly Action[] = [
     run: (wb) => joinTangents(wb, 'break'),
   }),
   ...(['in', 'out'] as const).flatMap((side) =>
-    TANGENT_KINDS.map((kind) =>
-      key(`tangents.${side}.${kind}`, `${TANGENT_LABELS[kind]}, ${side === 'in' ? 'before' : 'after'} the key`, [], {
+    TANGENTS.map(({ name: kind, label }) =>
+      key(`tangents.${side}.${kind}`, `${label}, ${side === 'in' ? 'before' : 'after'} the key`, [], {
         menu: 'Keys/Tangents',
         section: side === 'in' ? 14 : 15,
         refuses: needsKeys,

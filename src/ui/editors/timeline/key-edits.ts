@@ -9,7 +9,8 @@ import { countKeys } from '../../../edit/keys/selection.ts';
 import type { TangentSide } from '../../../edit/keys/tangents.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { unitOfChannel } from '../../../model/skeleton/dofs.ts';
-import { type Extrapolation, keysOf, type TangentKind } from '../../../model/takes/take.ts';
+import { type Extrapolation, keysOf } from '../../../model/takes/take.ts';
+import type { TangentChoice } from '../../../model/takes/tangent-kinds.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -147,7 +148,7 @@ export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void
   wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
 }
 
-export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, side: TangentSide): void {
+export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentChoice, side: TangentSide): void {
   const current = currentTake(wb);
   const keys = selectedKeysInView(wb);
   if (current && keys.length)

@@ -53,8 +53,8 @@ export const ESSENTIALS: readonly Essentials[] = [
       { what: 'Show or hide the timeline', ids: ['page.timeline'] },
       { what: 'Insert a key', how: 'double-click on a curve' },
       {
-        what: 'Flat, linear, smooth tangents',
-        ids: ['timeline.tangents.flat', 'timeline.tangents.linear', 'timeline.tangents.smooth'],
+        what: 'Flat, linear, smooth, auto tangents, step',
+        ids: ['flat', 'linear', 'smooth', 'auto', 'step'].map((kind) => `timeline.tangents.${kind}`),
       },
       { what: 'Fit selected keys, fit all', ids: ['timeline.fitSelected', 'timeline.fitAll'] },
       { what: 'Delete selected keys', ids: ['timeline.delete'] },

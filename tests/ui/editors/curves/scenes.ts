@@ -1,6 +1,7 @@
 /** A scene of given channels on a plot of 400 × 200 pixels that shows seconds 0 … 4, and −1 … 1 of every axis. */
 import { compileTake } from '../../../../src/evaluate/compiled-take.ts';
-import { type Channel, FIXED_TANGENT } from '../../../../src/model/takes/take.ts';
+import type { Channel } from '../../../../src/model/takes/take.ts';
+import { FIXED_TANGENT } from '../../../../src/model/takes/tangent-kinds.ts';
 import type { CurveLine, CurveScene } from '../../../../src/ui/editors/curves/scene/scene.ts';
 import type { AxisName, CurveSpace } from '../../../../src/ui/editors/curves/scene/space.ts';
 import { take } from '../../builders.ts';

@@ -191,7 +191,7 @@ describe('keying from the menu', () => {
   });
 
   it('keying from the menu is enabled only if possible: no keying without a skeleton, no removing without a take', () => {
-    const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.linear', 'key.tangents.flat'];
+    const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.auto', 'key.tangents.linear', 'key.tangents.flat'];
     expect(enabled(workbench().wb)).toEqual(always);
     expect(enabled(workbench(documentOf(bare)).wb)).toEqual([
       'key.changed',

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { setTangents } from '../../../../src/edit/commands/tangents.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
-import { TANGENT_KINDS } from '../../../../src/model/takes/take.ts';
+import { TANGENT_CHOICES, type TangentChoice } from '../../../../src/model/takes/tangent-kinds.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/current-take.ts';
 import { hasTangents, sideWithTangents } from '../../../../src/ui/editors/timeline/tangent-state.ts';
 import { findAction, isChecked } from '../../../../src/ui/state/actions/action.ts';
@@ -20,36 +20,41 @@ beforeEach(() => {
   ({ wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1]), takes: [keyed] })), {}));
 });
 
-const make = (keys: readonly ChannelKeys[], kind: (typeof TANGENT_KINDS)[number], side: 'in' | 'out' | 'both') =>
+const make = (keys: readonly ChannelKeys[], kind: TangentChoice, side: 'in' | 'out' | 'both') =>
   wb.store.apply(setTangents, { characterId: 'c1', keys, side, kind });
-/** Flat, linear, smooth, fixed. */
-const states = (side: 'in' | 'out' | 'both' = 'both') => TANGENT_KINDS.map((kind) => hasTangents(wb, kind, side));
+/** Flat, linear, smooth, fixed, auto, step. */
+const states = (side: 'in' | 'out' | 'both' = 'both') => TANGENT_CHOICES.map(({ name }) => hasTangents(wb, name, side));
 
 describe('the kinds of tangents of the selected keys', () => {
   it('the kinds of tangents of the selected keys are none without keys', () => {
-    expect(states()).toEqual([false, false, false, false]);
+    expect(states()).toEqual([false, false, false, false, false, false]);
   });
 
   it('the kinds of tangents of the selected keys are told for each side, and mixed where sides differ', () => {
     make(ONE, 'smooth', 'in');
     make(ONE, 'linear', 'out');
     selectKeys(wb, ONE);
-    expect(states('in')).toEqual([false, false, true, false]);
-    expect(states('out')).toEqual([false, true, false, false]);
-    expect(states()).toEqual([false, 'mixed', 'mixed', false]);
-    expect(TANGENT_KINDS.map((kind) => sideWithTangents(wb, kind))).toEqual([undefined, 'out', 'in', undefined]);
+    expect(states('in')).toEqual([false, false, true, false, false, false]);
+    expect(states('out')).toEqual([false, true, false, false, false, false]);
+    expect(states()).toEqual([false, 'mixed', 'mixed', false, false, false]);
+    expect((['flat', 'linear', 'smooth', 'fixed'] as const).map((kind) => sideWithTangents(wb, kind))).toEqual([
+      undefined,
+      'out',
+      'in',
+      undefined,
+    ]);
     make(ONE, 'smooth', 'both');
-    expect(states()).toEqual([false, false, true, false]);
+    expect(states()).toEqual([false, false, true, false, false, false]);
     expect(sideWithTangents(wb, 'smooth')).toBeUndefined();
   });
 
   it('the kinds of tangents of the selected keys are mixed where keys differ, of one channel or of several', () => {
     make(BOTH, 'flat', 'both');
     selectKeys(wb, BOTH);
-    expect(states()).toEqual([true, false, false, false]);
+    expect(states()).toEqual([true, false, false, false, false, false]);
     make([BOTH[1]], 'fixed', 'in');
     selectKeys(wb, BOTH);
-    expect(states()).toEqual(['mixed', false, false, 'mixed']);
+    expect(states()).toEqual(['mixed', false, false, 'mixed', false, false]);
     expect(sideWithTangents(wb, 'flat')).toBe('out');
     expect(sideWithTangents(wb, 'fixed')).toBeUndefined();
   });

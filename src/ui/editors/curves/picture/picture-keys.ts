@@ -5,7 +5,8 @@
  * cell. (Ten thousand diamonds cost a software canvas more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
-import { FIXED_TANGENT, FLAT, keysOf, LINEAR } from '../../../../model/takes/take.ts';
+import { keysOf } from '../../../../model/takes/take.ts';
+import { AUTO_TANGENT, FIXED_TANGENT, FLAT, LINEAR } from '../../../../model/takes/tangent-kinds.ts';
 import { mixed } from '../scene/colours.ts';
 import { handlesOf, type TangentHandle } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, isFaint, lineOf } from '../scene/scene.ts';
@@ -234,7 +235,10 @@ function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: Pic
   return hasAny;
 }
 
-/** Their ends tell the kind of tangent: a bar if flat, a square if linear, a ring if smooth, a full dot if fixed. */
+/**
+ * Their ends tell the kind of tangent: a bar if flat, a square if linear, a ring if smooth, a triangle if auto, a full
+ * dot if fixed.
+ */
 function drawHandles(
   g: CanvasRenderingContext2D,
   scene: CurveScene,
@@ -271,7 +275,12 @@ function addHandleEnd(g: CanvasRenderingContext2D, kind: number, x: number, y: n
   const r = HANDLE_END_PIXELS;
   if (kind === FLAT) g.rect(x - 1.6 * r, y - 0.6 * r, 3.2 * r, 1.2 * r);
   else if (kind === LINEAR) g.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r);
-  else {
+  else if (kind === AUTO_TANGENT) {
+    g.moveTo(x, y - 1.2 * r);
+    g.lineTo(x + 1.2 * r, y + 0.9 * r);
+    g.lineTo(x - 1.2 * r, y + 0.9 * r);
+    g.closePath();
+  } else {
     g.moveTo(x + r, y);
     g.arc(x, y, r, 0, 2 * Math.PI);
   }

@@ -7,7 +7,9 @@
 
 import { moveKeys } from '../../../../edit/commands/keys.ts';
 import { hasKey, toggleKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
+import { wholeSteps } from '../../../../edit/keys/steps.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
+import type { KeyedChannel } from '../../../../model/takes/take.ts';
 import { shownPerUnit } from '../../../state/joints/angles.ts';
 import { timeAt, timeX } from '../../../widgets/time/time-window.ts';
 import {
@@ -67,7 +69,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const edit = editOfTake(wb, current);
   const command = aboutKeysInHand(wb, moveKeys);
   const drawn = new Map(scene.lines.map((l) => [l.channel, l]));
-  const keys = selectedKeysInView(wb);
+  const keys = withOneHalf(selectedKeysInView(wb), hit, channel);
 
   const to = (at: PointerAt) => {
     const space = plot.scene()?.space ?? scene.space;
@@ -91,6 +93,16 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
     if (!edit.cancelled) plot.say(deltaText(wb, line.unit, seconds, value));
   };
   return { edit, to };
+}
+
+/**
+ * Of a step of which one half is grabbed, and nothing else, only that half moves in value: the jump changes. In time both
+ * do, by the command.
+ */
+function withOneHalf(keys: readonly ChannelKeys[], { channel, index }: KeyHit, curve: KeyedChannel) {
+  const step = wholeSteps(curve, [index]);
+  const isAlone = keys.length === 1 && keys[0].channel === channel && keys[0].indices.length === step.length;
+  return isAlone ? [{ channel, indices: [index] }] : keys;
 }
 
 /** The change of a key of `other` when one of `line` changes by `value`. */

@@ -6,6 +6,7 @@
 import type { Edit } from '../../../../edit/change.ts';
 import type { ArgsOf, Command } from '../../../../edit/command.ts';
 import { setSlopes } from '../../../../edit/commands/tangents.ts';
+import { isStepped } from '../../../../edit/keys/steps.ts';
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import type { HandleMode } from '../../../state/timeline.ts';
 import { currentTake, editOfTake, selectedKeys } from '../../timeline/current-take.ts';
@@ -24,10 +25,15 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const wereEqual =
     channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
   const selected = selectedKeys(wb);
-  // Sets one key's slope, but keeps the whole selection with its handles.
+  // Sets one key's slope, but keeps the whole selection with its handles. A held step after the key ends, and with it
+  // what the indices of other keys mean.
+  const endsStep = channel?.kind === 'keys' && isStepped(channel, hit.index) && hit.side === 'out';
   const command: Command<ArgsOf<typeof setSlopes>, Edit> = {
     ...setSlopes,
-    run: (document, args) => ({ document: setSlopes.run(document, args).document, keys: selected }),
+    run(document, args) {
+      const edit = setSlopes.run(document, args);
+      return { document: edit.document, keys: endsStep ? edit.keys : selected };
+    },
   };
 
   const move = (at: PointerAt) => {
@@ -35,7 +41,7 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
     const line = scene && lineOf(scene, hit.channel);
     if (!scene || !current || !edit || !line) return;
     const slope = slopeFromHandle(scene, line, hit.index, hit.side, at.x, at.y);
-    const both = movesBoth(wb.timeline.view.get().handles, wereEqual, at);
+    const both = !endsStep && movesBoth(wb.timeline.view.get().handles, wereEqual, at);
     edit.preview(command, {
       characterId: current.character.id,
       keys: [{ channel: hit.channel, indices: [hit.index] }],

@@ -1,12 +1,12 @@
 /** The sentences of *Why this curve*. Numbers are those of the file: radians, lengths, weights. */
 
-import type { Keys } from '../../../../model/takes/take.ts';
+import type { KeyedCurve } from '../../../../model/takes/take.ts';
 import type { ChannelWhy, OutsideWhy, SegmentWhy } from '../../../../teaching/explain/channel-why.ts';
 import { tangentText, whyTangent } from '../../../../teaching/explain/tangent-why.ts';
 import { count, shown } from '../../../widgets/numbers/number-text.ts';
 
 /** `Key 2: 0.25 at 0.75 s`, and where its slopes come from. */
-export function keyLines(keys: Keys, key: number): readonly string[] {
+export function keyLines(keys: KeyedCurve, key: number): readonly string[] {
   return [
     `Key ${key}: ${shown(keys.values[key])} at ${shown(keys.times[key])} s`,
     tangentText(keys, whyTangent(keys, key, 'in'), shown),
@@ -52,7 +52,7 @@ function outsideLines(outside: OutsideWhy): readonly string[] {
 }
 
 /** Where the slopes of a segment come from. */
-export function slopeLines(keys: Keys, { tangents, isDegenerate }: SegmentWhy): readonly string[] {
+export function slopeLines(keys: KeyedCurve, { tangents, isDegenerate }: SegmentWhy): readonly string[] {
   const [out, into] = tangents;
   const lines = [`m₀, ${tangentText(keys, out, shown)}`, `m₁, ${tangentText(keys, into, shown)}`];
   return isDegenerate ? [...lines, 'Too steep for a cubic: a straight line, or a step.'] : lines;

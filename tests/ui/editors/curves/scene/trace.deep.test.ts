@@ -5,7 +5,8 @@ import { type CompiledTake, compileChannels } from '../../../../../src/evaluate/
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
 import { NO_COLUMN } from '../../../../../src/evaluate/plot/trace-columns.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../../src/evaluate/plot/trace-path.ts';
-import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../../../src/model/takes/take.ts';
+import { type Channel, type KeyedChannel, restChannel } from '../../../../../src/model/takes/take.ts';
+import { SMOOTH } from '../../../../../src/model/takes/tangent-kinds.ts';
 import { LineTrace, traceLine } from '../../../../../src/ui/editors/curves/scene/trace.ts';
 import { anyChannel, anyMap, PLOT } from '../arbitraries.ts';
 

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type Extrapolation, type KeyedChannel, LINEAR, restChannel } from '../../../../../src/model/takes/take.ts';
+import { type Extrapolation, type KeyedChannel, restChannel } from '../../../../../src/model/takes/take.ts';
+import { LINEAR } from '../../../../../src/model/takes/tangent-kinds.ts';
 import { whyValue } from '../../../../../src/teaching/explain/channel-why.ts';
 import { type WhyPlace, whySubject } from '../../../../../src/ui/editors/curves/why/why-subject.ts';
 import { keyLines, placeLines, slopeLines } from '../../../../../src/ui/editors/curves/why/why-text.ts';
