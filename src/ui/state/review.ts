@@ -5,7 +5,7 @@ import { NO_REVIEW, type Review, type ReviewedTake, type Verdict } from '../../m
 import type { TakeDigest } from '../../review/digest.ts';
 import type { FlagKind } from '../../review/flags.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
-import type { SortOrder } from '../widgets/sort-heads.ts';
+import type { SortOrder } from '../widgets/table/sort-heads.ts';
 
 /** More takes than these given at once are reviewed; fewer are opened. */
 export const MAX_OPENED = 20;

@@ -10,7 +10,7 @@ import { type Character, type Document, findCharacter } from '../../model/docume
 import { twinOf } from '../../model/drawn-id.ts';
 import { perObject } from '../../model/per-object.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
-import type { SortOrder } from '../widgets/sort-heads.ts';
+import type { SortOrder } from '../widgets/table/sort-heads.ts';
 
 const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
 export type TakeColumn = (typeof TAKE_COLUMNS)[number];

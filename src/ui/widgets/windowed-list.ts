@@ -68,12 +68,17 @@ export class WindowedList<Row extends WindowedRow> {
     return Math.max(1, Math.floor(this.room / this.height) - 1);
   }
 
-  /** Refills all rows in view. */
-  show(count: number): void {
+  /**
+   * Refills all rows in view.
+   *
+   * @param revealed index of a row to scroll to
+   */
+  show(count: number, revealed?: number): void {
     this.count = count;
     const { scroller, space, rowsAbove } = this.options;
     setStyle(space, 'height', `${Math.max(0, count - this.pinnedCount) * this.height}px`);
     if (rowsAbove !== undefined) setAttribute(scroller, 'aria-rowcount', String(count + rowsAbove));
+    if (revealed !== undefined) this.reveal(revealed);
     this.draw(true);
   }
 

@@ -6,7 +6,7 @@ import { jointName } from '../../../model/skeleton/joint-name.ts';
 import type { FrameComparison } from '../../../teaching/compare/compare.ts';
 import { type JointMark, jointMarks } from '../../../teaching/compare/joint-marks.ts';
 import type { ComparedResult } from '../../state/dump-comparison.ts';
-import type { SortOrder } from '../../widgets/sort-heads.ts';
+import type { SortOrder } from '../../widgets/table/sort-heads.ts';
 
 export const ROW_KINDS = ['joints', 'vertices', 'normals', 'channels'] as const;
 export type RowKind = (typeof ROW_KINDS)[number];

@@ -255,7 +255,7 @@ class ComparePanel implements TimelineTab {
     this.picked = undefined;
     this.table.setLabel(KIND_LABELS[kind]);
     // What is wrong first is above.
-    this.table.setOrder({ column: 'index', descending: false });
+    this.table.setOrder();
   }
 
   private choose(row: ComparedRow): void {

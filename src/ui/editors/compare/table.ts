@@ -1,15 +1,10 @@
-/**
- * A table of what was compared: a windowed list with a header that sorts. The focus is on the table.
- *
- *     ↑ ↓ Home End Page Up Page Down     to another row, which is selected
- *     Enter Space                        the row that is shown is selected
- */
+/** A table of what was compared. Enter and Space select the row that is shown. */
 import { type JointMark, MARK_TEXTS } from '../../../teaching/compare/joint-marks.ts';
 import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
-import { HAS_KEYS } from '../../widgets/focus/focus.ts';
-import { type SortColumn, SortHeads } from '../../widgets/sort-heads.ts';
+import type { SortColumn } from '../../widgets/table/sort-heads.ts';
+import { SortTable } from '../../widgets/table/sort-table.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { rowAfterKey, WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
+import type { WindowedRow } from '../../widgets/windowed-list.ts';
 import { numberText } from './banner-text.ts';
 import { type ComparedRow, inOrder, type RowColumn, type RowOrder } from './compared-rows.ts';
 
@@ -28,39 +23,39 @@ interface Row extends WindowedRow {
 }
 
 export class ComparedTable {
-  readonly element = element('div', {
-    class: 'sort-table compare-table',
-    role: 'grid',
-    tabindex: 0,
-    [HAS_KEYS]: true,
-    'aria-label': 'Compared',
-    'aria-colcount': COLUMNS.length,
-  });
-  private readonly space = element('div', { class: 'sort-space', role: 'rowgroup' });
-  private readonly heads = new SortHeads('compare-head', COLUMNS, (column) => this.sortBy(column));
-  private readonly list: WindowedList<Row>;
+  readonly element: HTMLElement;
+  private readonly table: SortTable<ComparedRow, Row, RowColumn>;
   private given: readonly ComparedRow[] = [];
   private rows: readonly ComparedRow[] = [];
-  private order: RowOrder = { column: 'index', descending: false };
+  private order: RowOrder = BY_INDEX;
   private selected: number | undefined;
 
   /** @param pick a row was reached by click or keys */
-  constructor(private readonly pick: (row: ComparedRow) => void) {
-    this.element.append(this.heads.element, this.space);
-    this.space.addEventListener('click', (event) => {
-      const row = this.rows[this.list.indexOf(event)];
-      if (row) this.choose(row);
-    });
-    this.element.addEventListener('keydown', (event) => this.onKey(event));
-    this.list = new WindowedList({
-      scroller: this.element,
-      space: this.space,
+  constructor(pick: (row: ComparedRow) => void) {
+    this.table = new SortTable({
+      kind: 'compare',
+      label: 'Compared',
+      columns: COLUMNS,
+      // The largest errors first.
+      mostFirst: ['error'],
       rowHeight: ['--row', 24],
-      rowsAbove: 1,
-      headHeight: () => this.heads.height,
+      isMultiple: false,
+      sort: (order) => this.setOrder(order ?? { ...this.order, descending: !this.order.descending }),
+      choose: (_, row) => {
+        this.selected = row.index;
+        this.draw(true);
+        pick(row);
+      },
+      keyOf: ({ index }) => String(index),
       make: makeRow,
-      fill: (row, index) => this.fill(row, this.rows[index]),
+      fill,
+      takesKey: ({ key, altKey, ctrlKey, metaKey }, row) => {
+        if (!row || (key !== 'Enter' && key !== ' ') || altKey || ctrlKey || metaKey) return false;
+        this.table.goTo(row);
+        return true;
+      },
     });
+    this.element = this.table.element;
   }
 
   /** @param selected index of the joint, vertex or channel of the selected row */
@@ -69,70 +64,38 @@ export class ComparedTable {
     this.selected = selected;
     if (rows !== this.given) {
       this.given = rows;
-      this.sort();
-    } else this.list.show(this.rows.length);
-    this.point();
-    if (isMoved) this.list.reveal(this.place);
+      this.rows = inOrder(rows, this.order);
+    }
+    this.draw(isMoved);
   }
 
   setLabel(label: string): void {
-    setAttribute(this.element, 'aria-label', label);
+    this.table.setLabel(label);
   }
 
-  setOrder(order: RowOrder): void {
+  setOrder(order: RowOrder = BY_INDEX): void {
     this.order = order;
-    this.sort();
+    this.rows = inOrder(this.given, order);
+    this.draw(false);
   }
 
-  private sort(): void {
-    this.rows = inOrder(this.given, this.order);
-    this.heads.show(this.order);
-    this.list.show(this.rows.length);
-    this.point();
+  private draw(reveals: boolean): void {
+    const focused = this.selected === undefined ? undefined : String(this.selected);
+    const chosen = new Set(focused === undefined ? [] : [focused]);
+    this.table.show(this.rows, { order: this.order, chosen, focused }, reveals);
   }
+}
 
-  private get place(): number {
-    return this.rows.findIndex(({ index }) => index === this.selected);
-  }
+const BY_INDEX: RowOrder = { column: 'index', descending: false };
 
-  private point(): void {
-    this.list.focus(this.place);
-  }
-
-  private choose(row: ComparedRow): void {
-    this.selected = row.index;
-    this.list.show(this.rows.length);
-    this.point();
-    this.list.reveal(this.place);
-    this.pick(row);
-  }
-
-  private sortBy(column: RowColumn): void {
-    const { order } = this;
-    // The largest errors first.
-    const descending = order.column === column ? !order.descending : column === 'error';
-    this.setOrder({ column, descending });
-  }
-
-  private fill({ element: made, index, name, mark, error }: Row, row: ComparedRow): void {
-    setAttribute(made, 'aria-selected', String(row.index === this.selected));
-    write(made.dataset, 'mark', row.mark);
-    setText(index, String(row.index));
-    setText(name, row.name);
-    setTooltip(name, row.name);
-    fillMark(mark, row.mark);
-    setText(error, numberText(row.error));
-  }
-
-  private onKey(event: KeyboardEvent): void {
-    if (event.target !== this.element || event.altKey || event.ctrlKey || event.metaKey) return;
-    const isChosen = event.key === 'Enter' || event.key === ' ';
-    const to = isChosen ? this.place : rowAfterKey(event.key, this.place, this.rows.length, this.list.page);
-    const row = to === undefined ? undefined : this.rows[to];
-    if (!row) return;
-    event.preventDefault();
-    this.choose(row);
-  }
+function fill({ element: made, index, name, mark, error }: Row, row: ComparedRow, isChosen: boolean): void {
+  setAttribute(made, 'aria-selected', String(isChosen));
+  write(made.dataset, 'mark', row.mark);
+  setText(index, String(row.index));
+  setText(name, row.name);
+  setTooltip(name, row.name);
+  fillMark(mark, row.mark);
+  setText(error, numberText(row.error));
 }
 
 function makeRow(): Row {

@@ -12,7 +12,6 @@ export interface RowState {
   /** The flag whose size is stated. */
   readonly worst: Flag | undefined;
   readonly chosen: boolean;
-  readonly focused: boolean;
   /** Whether its thumbnail plays. */
   readonly plays: boolean;
 }

@@ -75,8 +75,7 @@ class TakesPanel implements TimelineTab {
         selectCharacter(wb, row.characterId);
       },
       remove: (rows) => removeTakeRows(wb, rows),
-      menu: (row, at) => this.menu(row, at),
-      menuOfAll: (at) => openMenu(at, sectionsOf(wb, MENU_OF_ALL), { label: 'Takes' }),
+      menu: (row, at) => (row ? this.menu(row, at) : openMenu(at, sectionsOf(wb, MENU_OF_ALL), { label: 'Takes' })),
     });
     this.distances = new DistancePane(wb);
     this.tools = takeTools(wb);

@@ -1,6 +1,6 @@
 /** The header of a table whose columns can be sorted: a button each, with an arrow at the one of the order. */
-import { element, setAttribute } from './dom.ts';
-import { icon } from './icons.ts';
+import { element, setAttribute } from '../dom.ts';
+import { icon } from '../icons.ts';
 
 export type SortColumn<C extends string> = readonly [column: C, label: string, className: string, tooltip: string];
 
