@@ -38,7 +38,7 @@ import type { Action, DialogName, Loading, Workbench } from './ui/state/workbenc
 import { oncePerFrame } from './ui/widgets/frame.ts';
 import { observable } from './ui/widgets/observable.ts';
 import { Viewport } from './view/viewport.ts';
-import { WorkerClient } from './worker/client.ts';
+import { WorkerPool } from './worker/pool.ts';
 
 trustOwnScripts();
 const root = document.getElementById('app');
@@ -50,8 +50,7 @@ const messages = new Messages();
 const loading = observable<Loading | undefined>(undefined);
 const viewportElement = document.createElement('div');
 const viewport = viewportIn(viewportElement);
-const spawnWorker = () => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' });
-const worker = new WorkerClient(spawnWorker);
+const worker = new WorkerPool(() => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' }));
 const reducesMotion = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const offerSpaces = async (opened: readonly Character[]) => {
   const offers = await import('./app/space-offers.ts').catch(() => undefined);
@@ -69,7 +68,6 @@ const opener = new Opener({
   offerSpaces,
 });
 const timeline = new Timeline();
-const compareWorker = new WorkerClient(spawnWorker);
 /** Listed with the menus, after the first picture. */
 let list = () => {};
 const samples = new Promise<void>((resolve) => {
@@ -115,15 +113,9 @@ const workbench: Workbench = {
     handles,
     disk: { asksWhereToSave, pickTarget, writeTo, versionOnDisk, download },
     framesPerSecond: () => transport.get().framesPerSecond,
-    sourceWorker: new WorkerClient(spawnWorker),
-    editWorker: new WorkerClient(spawnWorker),
-    kitWorker: worker,
-    glbWorker: new WorkerClient(spawnWorker),
     timeline,
     settings,
     worker,
-    reviewWorker: new WorkerClient(spawnWorker),
-    unpackWorker: worker,
     pictured: { viewport, transport },
   }),
   kept: observable<KeptOffer | undefined>(undefined),
@@ -198,7 +190,7 @@ async function storePage(): Promise<void> {
 
 function compare(dumps: readonly DumpFile[]): void {
   const load = () => import('./app/comparing.ts');
-  onDemand(messages, 'The comparison', load).then((module) => module?.compareDropped(workbench, compareWorker, dumps));
+  onDemand(messages, 'The comparison', load).then((module) => module?.compareDropped(workbench, worker, dumps));
 }
 
 /** The opening example: a walking character. */

@@ -6,6 +6,7 @@ import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MAX_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
+import type { JobName } from '../worker/protocol.ts';
 import { forMessage } from '../worker/tracked-takes.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { SampleSwitches } from './example-display.ts';
@@ -14,8 +15,7 @@ import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';
 import type { ReviewingParts } from './reviewing.ts';
 import type { Disk, Saver } from './saver.ts';
-import { SourceTexts, type SourceTextsParts } from './source-texts.ts';
-import type { FileEditsParts } from './text-edits.ts';
+import { SourceTexts } from './source-texts.ts';
 import type { Unsaved } from './unsaved.ts';
 import { withReview } from './unsaved-review.ts';
 
@@ -31,11 +31,7 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts 
   readonly loading: Uses<'loading'>['loading'];
   /** What is in pictures. */
   readonly pictured: Uses<'viewport' | 'transport'>;
-  readonly kitWorker: Runs<'kit'>;
-  readonly glbWorker: Runs<'glb'>;
-  /** For work that may be cancelled any time. */
-  readonly sourceWorker: SourceTextsParts['worker'];
-  readonly editWorker: FileEditsParts['worker'];
+  readonly worker: Runs<JobName>;
 }
 
 export function fileActions(parts: Parts): FileActions {
@@ -45,12 +41,12 @@ export function fileActions(parts: Parts): FileActions {
     listed = list;
   });
   const source = new SourceTexts({
-    worker: parts.sourceWorker,
+    worker: parts.worker,
     handles: parts.handles,
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
     async edits(texts) {
       const { FileEdits } = await import('./text-edits.ts');
-      return new FileEdits({ ...parts, worker: parts.editWorker, texts });
+      return new FileEdits({ ...parts, texts });
     },
   });
   opener.onGiven((given) => source.note(given));
@@ -111,7 +107,7 @@ export function fileActions(parts: Parts): FileActions {
       });
     },
     saveKit() {
-      const made = async () => (await import('./kit-zip.ts')).kitZip(parts.kitWorker);
+      const made = async () => (await import('./kit-zip.ts')).kitZip(parts.worker);
       onDemand(parts.messages, 'The test kit', made).then((zip) => {
         if (zip) parts.disk.download(zip.name, new Blob([zip.bytes], { type: 'application/zip' }));
       });
@@ -128,7 +124,7 @@ export function fileActions(parts: Parts): FileActions {
     saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
     saveEverything: () => void saving((s) => s.saveEverything()),
     makeGlb: (character, options, { signal, onProgress }) =>
-      parts.glbWorker.run(
+      parts.worker.run(
         'glb',
         { character: forMessage(character), options },
         { signal, onProgress: ({ done, of }) => onProgress(done / of) },

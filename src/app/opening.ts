@@ -17,7 +17,7 @@ import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import type { Observable } from '../ui/widgets/observable.ts';
 import { runInSlices } from '../view/slices.ts';
-import { type WorkerClient, WorkerError } from '../worker/client.ts';
+import { type Runs, WorkerError } from '../worker/client.ts';
 import type { GivenBlob, ParseOutput } from '../worker/protocol.ts';
 
 export interface OpeningParts {
@@ -26,7 +26,7 @@ export interface OpeningParts {
   readonly messages: Messages;
   readonly loading: Observable<Loading | undefined>;
   readonly viewport: Pick<WorkbenchStage, 'frameAll' | 'prepare'>;
-  readonly worker: WorkerClient;
+  readonly worker: Runs<'parse'>;
   /** Whether the user wants less motion: then new takes don't start to play. */
   reducesMotion(): boolean;
   /** Takes dumps that were opened, once their character is; absent: nothing is compared. */

@@ -38,10 +38,7 @@ export interface ReviewingParts {
   readonly timeline: Timeline;
   readonly settings: Observable<Settings>;
   readonly opener: Pick<Opener, 'open'>;
-  /** Reads what is shown, beside the others. */
-  readonly worker: Runs<'parse'>;
-  readonly reviewWorker: Runs<'review'>;
-  readonly unpackWorker: Runs<'unpack'>;
+  readonly worker: Runs<'parse' | 'review' | 'unpack'>;
 }
 
 /**
@@ -74,9 +71,9 @@ export async function takeForReview(
 }
 
 /** The takes of a zip that has many, in its place. */
-async function withTakesOut({ unpackWorker }: ReviewingParts, file: GivenFile): Promise<readonly GivenFile[]> {
+async function withTakesOut({ worker }: ReviewingParts, file: GivenFile): Promise<readonly GivenFile[]> {
   if (!/\.zip$/i.test(file.path)) return [file];
-  const { takes } = await unpackWorker.run('unpack', { zip: { path: file.path, blob: file.blob }, most: MAX_OPENED });
+  const { takes } = await worker.run('unpack', { zip: { path: file.path, blob: file.blob }, most: MAX_OPENED });
   const { version } = file;
   return takes.length > 0 ? takes.map((take) => ({ ...take, ...(version !== undefined && { version }) })) : [file];
 }
@@ -202,7 +199,7 @@ class TakeFiles implements ReviewFiles {
         return file ? [{ path, blob: file.blob }] : [];
       });
       try {
-        const { takes } = await this.parts.reviewWorker.run('review', { files });
+        const { takes } = await this.parts.worker.run('review', { files });
         for (const take of takes) this.digests.set(take.path, take);
       } catch (error) {
         const problem = sentenceOf(error);

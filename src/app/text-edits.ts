@@ -27,7 +27,7 @@ export interface FileEditsParts {
   readonly messages: Pick<Messages, 'report'>;
   readonly opener: Pick<Opener, 'put'>;
   readonly unsaved: Pick<Unsaved, 'poseInFile'>;
-  readonly worker: Runs<'changes'> & Runs<'check'>;
+  readonly worker: Runs<'changes' | 'check'>;
   readonly texts: Pick<SourceTexts, 'find' | 'given' | 'opened' | 'noteWritten'>;
 }
 

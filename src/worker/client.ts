@@ -22,9 +22,9 @@ export interface JobOptions {
   readonly signal?: AbortSignal;
 }
 
-/** What runs one kind of job. */
-export interface Runs<K extends JobName> {
-  run(job: K, input: Jobs[K]['takes'], options?: JobOptions): Promise<Jobs[K]['gives']>;
+/** What runs these kinds of jobs. */
+export interface Runs<Known extends JobName> {
+  run<K extends Known>(job: K, input: Jobs[K]['takes'], options?: JobOptions): Promise<Jobs[K]['gives']>;
 }
 
 const AGAIN = 'Try again; if it stops again, use fewer or smaller files.';

@@ -9,6 +9,7 @@ import { listAsCsv } from '../../src/review/write-list.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
 import { Timeline } from '../../src/ui/state/timeline.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
+import type { Jobs } from '../../src/worker/protocol.ts';
 import { unpackTakes } from '../../src/worker/review.ts';
 
 const given = (path: string, text = ''): GivenFile => ({ path, blob: new Blob([text]), version: '1' });
@@ -21,21 +22,24 @@ function page() {
   const asked = new Promise<void>((resolve) => {
     goOn = resolve;
   });
+  const jobs: {
+    readonly [K in 'parse' | 'review' | 'unpack']: (input: Jobs[K]['takes']) => Promise<Jobs[K]['gives']>;
+  } = {
+    parse: async () => ({ files: [], broken: [], diagnostics: [], facts: [], keeps: [] }),
+    unpack: unpackTakes,
+    review: async ({ files }) => {
+      await asked;
+      read.push(...files.map(({ path }) => path));
+      return { takes: files.map(({ path }) => ({ path, problem: 'The file has no frames.' })) };
+    },
+  };
   const parts: ReviewingParts = {
     store: new Store(),
     messages: { note: (text) => notes.push(text), report: () => undefined },
     timeline: new Timeline(),
     settings: observable(DEFAULT_SETTINGS),
     opener: { open: async () => [] },
-    worker: { run: async () => ({ files: [], broken: [], diagnostics: [], facts: [], keeps: [] }) },
-    unpackWorker: { run: (_, input) => unpackTakes(input) },
-    reviewWorker: {
-      run: async (_, { files }) => {
-        await asked;
-        read.push(...files.map(({ path }) => path));
-        return { takes: files.map(({ path }) => ({ path, problem: 'The file has no frames.' })) };
-      },
-    },
+    worker: { run: (job, input) => jobs[job](input) },
   };
   const verdicts = () => parts.store.document.review?.map(({ path, verdict }) => `${path} ${verdict}`.trim());
   return { parts, notes, read, verdicts, goOn };
