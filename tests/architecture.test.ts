@@ -98,6 +98,7 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   mediabunny: ['io'],
   gifenc: ['io'],
   'lil-gui': ['ui/widgets', 'ui/editors'],
+  '@codemirror': ['ui/editors'],
   fflate: ['formats', 'import', 'export', 'io', 'app'],
   // Decoders of compressed glTF.
   meshoptimizer: ['import'],

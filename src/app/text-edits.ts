@@ -11,16 +11,13 @@ import { hasErrors } from '../model/diagnostic.ts';
 import type { Character, Document } from '../model/document.ts';
 import { baseName, type SourceFile } from '../model/files.ts';
 import type { Messages } from '../ui/state/messages.ts';
-import type { CheckedText, FileChanges, TextEdits } from '../ui/state/source.ts';
+import { type CheckedText, type FileChanges, MAX_TEXT_BYTES, type TextEdits } from '../ui/state/source.ts';
 import { bytes as inWords } from '../ui/widgets/numbers/number-text.ts';
 import type { Runs } from '../worker/client.ts';
 import type { CheckOutput } from '../worker/protocol.ts';
 import { type Opener, showingTheSame } from './opening.ts';
 import type { SourceTexts } from './source-texts.ts';
 import type { Unsaved } from './unsaved.ts';
-
-/** Longer files aren’t compared: one of this size takes 1 to 2 s. */
-export const MAX_COMPARED_BYTES = 5_000_000;
 
 export interface FileEditsParts {
   readonly store: Store;
@@ -43,9 +40,9 @@ export class FileEdits implements TextEdits {
     const file = await this.parts.texts.find(path, forever);
     // A file in a zip is unpacked by the worker.
     const bytes = file.inside === undefined ? file.blob.size : source.bytes;
-    if (bytes > MAX_COMPARED_BYTES) {
+    if (bytes > MAX_TEXT_BYTES) {
       throw new Error(
-        `Changes can be shown in files of up to ${inWords(MAX_COMPARED_BYTES)}; this one has ${inWords(bytes)}.`,
+        `Changes can be shown in files of up to ${inWords(MAX_TEXT_BYTES)}; this one has ${inWords(bytes)}.`,
       );
     }
     return worker.run('changes', { file, source, owned: owned.map(alone) });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
 import { SourceTexts } from '../../src/app/source-texts.ts';
-import { FileEdits, MAX_COMPARED_BYTES } from '../../src/app/text-edits.ts';
+import { FileEdits } from '../../src/app/text-edits.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
@@ -15,6 +15,7 @@ import { readWhole } from '../../src/formats/reader.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
+import { MAX_TEXT_BYTES } from '../../src/ui/state/source.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
 import { realFiles } from '../formats/real-files.ts';
@@ -154,7 +155,7 @@ describe('a text that is edited', () => {
 
   it('is compared up to a size, and says which', async () => {
     const { texts, edits } = new Opened('a.skel', SKEL);
-    texts.note([{ path: 'a.skel', blob: new Blob([new Uint8Array(MAX_COMPARED_BYTES + 1)]) }]);
+    texts.note([{ path: 'a.skel', blob: new Blob([new Uint8Array(MAX_TEXT_BYTES + 1)]) }]);
     await expect(edits.changes('a.skel')).rejects.toThrow(
       'Changes can be shown in files of up to 5.0 MB; this one has 5.0 MB.',
     );

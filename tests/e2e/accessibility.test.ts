@@ -169,8 +169,14 @@ const STATES: readonly (readonly [name: string, enter: (page: Page) => Promise<u
     'a text is edited, and has an error',
     async (page) => {
       await click(page.locator('.source-tools button', { hasText: 'Edit' }));
-      await page.locator('.source-field-text').fill(SKEL.replace('0.8 0 boxmin', 'x 0 boxmin'));
+      const field = page.getByRole('textbox', { name: /^Text of / });
+      await field.and(page.locator(':focus')).waitFor();
+      await page.keyboard.press('Control+a');
+      await page.keyboard.insertText(SKEL.replace('0.8 0 boxmin', 'x 0 boxmin'));
       await page.locator('.source-problems li').first().waitFor();
+      await page.keyboard.press('Control+f');
+      await page.keyboard.type('joint');
+      await page.getByText('2 matches').waitFor();
     },
   ],
   [

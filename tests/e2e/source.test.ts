@@ -88,15 +88,18 @@ describe('the text of files', () => {
       const field = page.getByRole('textbox', { name: 'Text of figure.skel' });
       await field.press('Control+Enter');
       await page.getByText('Nothing was edited, so nothing was applied.').waitFor();
-      await field.fill(SKEL.replace('0 1 0', '0 x 0'));
-      await page.locator('.source-gutter-line[data-severity="error"]', { hasText: '6' }).waitFor();
+      const type = async (text: string) => {
+        await page.keyboard.press('Control+a');
+        await page.keyboard.insertText(text);
+      };
+      await type(SKEL.replace('0 1 0', '0 x 0'));
       await page.getByRole('button', { name: /^Line 6: Expected/ }).waitFor();
       await page.keyboard.press('Control+Enter');
       await page.getByText('Not applied. The text has 1 error.').waitFor();
       await page.keyboard.press('Escape');
       await page.getByRole('alertdialog', { name: 'Discard the edits?' }).waitFor();
       await page.keyboard.press('Escape');
-      await field.fill(SKEL.replace('0 1 0', '0 2 0'));
+      await type(SKEL.replace('0 1 0', '0 2 0'));
       await page.keyboard.press('Control+Enter');
       await page.getByText('Applied to figure.skel. One Undo reverts it').waitFor();
       await page.keyboard.press('Escape');
@@ -111,7 +114,8 @@ describe('the text of files', () => {
       await expect.poll(() => shownFile()).toBe('broken.skel');
       // It is corrected where it is shown.
       await page.getByRole('button', { name: 'Edit', exact: true }).click();
-      await page.getByRole('textbox', { name: 'Text of broken.skel' }).fill(BROKEN.replace(' x', ' 2'));
+      await page.getByRole('textbox', { name: 'Text of broken.skel' }).and(page.locator(':focus')).waitFor();
+      await type(BROKEN.replace(' x', ' 2'));
       await page.keyboard.press('Control+Enter');
       await page.getByText('Applied to broken.skel. One Undo reverts it').waitFor();
       await page.keyboard.press('Escape');
@@ -134,5 +138,65 @@ describe('the text of files', () => {
       await page.setViewportSize({ width: 390, height: 844 });
       await page.evaluate(() => window.marrow.run('page.tab.source'));
       await page.locator('.timeline-more', { hasText: 'Source' }).waitFor();
+    }));
+
+  it('the text editor is fetched by Edit; by keyboard it finds, replaces, undoes, matches braces, marks errors and applies', () =>
+    withPage(async ({ page, asked }) => {
+      await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
+      await page.getByRole('treeitem', { name: 'leg' }).waitFor();
+      await page.evaluate(() => window.marrow.run('page.tab.source'));
+      await page.getByText('11 lines').waitFor();
+      const fetched = () => asked().filter((path) => /^assets\/text-editor-/.test(path) && path.endsWith('.js')).length;
+      await expect.poll(fetched).toBe(0);
+      await page.getByRole('button', { name: 'Edit', exact: true }).click();
+      const field = page.getByRole('textbox', { name: 'Text of figure.skel' });
+      await field.and(page.locator(':focus')).waitFor();
+      await expect.poll(fetched).toBe(1);
+      const text = () => field.evaluate((one) => [...one.querySelectorAll('.cm-line')].map((line) => line.textContent));
+      const lines = SKEL.split('\n');
+      await expect.poll(text).toEqual(lines);
+      await page.locator('.cm-word', { hasText: 'rotylimit' }).waitFor();
+
+      await page.keyboard.press('Control+End');
+      await page.keyboard.press('ArrowUp');
+      await expect.poll(() => page.locator('.cm-matchingBracket').allTextContents()).toEqual(['{', '}']);
+      await page.keyboard.press('Control+f');
+      await page.getByRole('textbox', { name: 'Find', exact: true }).and(page.locator(':focus')).waitFor();
+      await page.keyboard.type('boxmin');
+      await page.getByText('2 matches').waitFor();
+      await page.keyboard.press('Enter');
+      await page.locator('.cm-searchMatch-selected').waitFor();
+      for (let stop = 0; stop < 3; stop++) await page.keyboard.press('Tab');
+      await page.getByRole('textbox', { name: 'Replace with' }).and(page.locator(':focus')).waitFor();
+      await page.keyboard.type('boxmean');
+      await page.keyboard.press('Tab');
+      await page.keyboard.press('Tab');
+      await page.keyboard.press('Space');
+      await expect.poll(text).toEqual(lines.map((line) => line.replace('boxmin', 'boxmean')));
+      await page.locator('.cm-lint-marker').first().waitFor();
+      await page.keyboard.press('Escape');
+      await page.getByRole('search').waitFor({ state: 'detached' });
+      await page.keyboard.press('Control+z');
+      await expect.poll(text).toEqual(lines);
+      // With nothing left to undo in the text, the document stays too.
+      await page.keyboard.press('Control+z');
+      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toMatch(/figure/);
+
+      await page.keyboard.press('Control+g');
+      await page.keyboard.type('6');
+      await page.keyboard.press('Enter');
+      await page.keyboard.type('offset 0 x 0');
+      await page.locator('.cm-lint-marker-error').hover();
+      await page.locator('.cm-tooltip .cm-diagnostic-error', { hasText: /^Expected/ }).waitFor();
+      await page.getByRole('button', { name: /^Line 6: Expected/ }).waitFor();
+      // Letters and Space are typed, not the page's shortcuts; F1 is the manual, of which Escape leads back.
+      for (let n = 0; n < 3; n++) await page.keyboard.press('Backspace');
+      await page.keyboard.type('3 0');
+      await page.getByText('The text can be applied.').waitFor();
+      await page.keyboard.press('Control+Enter');
+      await page.getByText('Applied to figure.skel. One Undo reverts it').waitFor();
+      await page.keyboard.press('Escape');
+      await page.locator('.source-line[data-change="changed"]', { hasText: 'offset 0 3 0' }).waitFor();
+      await expect.poll(() => page.locator('.source-lines:focus').count()).toBe(1);
     }));
 });

@@ -5,6 +5,9 @@ import type { SourceFile } from '../../model/files.ts';
 import type { SourceMap } from '../../model/source-map.ts';
 import type { LineHunk } from '../../model/text-changes.ts';
 
+/** Longer texts are neither compared nor edited: comparing one of this size takes 1 to 2 s. */
+export const MAX_TEXT_BYTES = 5_000_000;
+
 /** A place in a file, as messages name it. */
 export interface SourcePlace {
   /** Without folders. */

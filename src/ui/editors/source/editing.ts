@@ -2,7 +2,7 @@
 import { sentenceOf } from '../../../model/failure.ts';
 import { baseName } from '../../../model/files.ts';
 import { onDemand } from '../../state/on-demand.ts';
-import type { TextEdits } from '../../state/source.ts';
+import { MAX_TEXT_BYTES, type TextEdits } from '../../state/source.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, write } from '../../widgets/dom.ts';
 import { bytes, count } from '../../widgets/numbers/number-text.ts';
@@ -10,8 +10,8 @@ import { contentKey, type TextState } from './as-opened.ts';
 import type { OpenedSource } from './opened-source.ts';
 import type { Draft, TextEditor } from './text-editor.ts';
 
-/** A field of 55,000 lines takes half a second to open, and 60 ms to draw a key. */
-const MAX_EDITED = { bytes: 3_000_000, lines: 50_000 };
+/** More lines are not edited. */
+const MAX_LINES = 500_000;
 
 type Parts = Uses<'store' | 'messages'>;
 
@@ -53,8 +53,8 @@ export class Editing {
     if (!isOpen && !hasErrors) return `Nothing open belongs to ${name}.`;
     if (!map) return `${name} is being read.`;
     const { bytes: size, count: lines } = map.index;
-    if (size <= MAX_EDITED.bytes && lines <= MAX_EDITED.lines) return undefined;
-    const most = `${bytes(MAX_EDITED.bytes)} and ${count(MAX_EDITED.lines)} lines`;
+    if (size <= MAX_TEXT_BYTES && lines <= MAX_LINES) return undefined;
+    const most = `${bytes(MAX_TEXT_BYTES)} and ${count(MAX_LINES)} lines`;
     return `Texts up to ${most} can be edited here; this one has ${bytes(size)} and ${count(lines)} lines.`;
   }
 
@@ -122,6 +122,10 @@ export class Editing {
 
   goTo(line: number): void {
     this.editor?.goTo(line);
+  }
+
+  askText(): void {
+    this.editor?.askText();
   }
 
   find(text: string): boolean {

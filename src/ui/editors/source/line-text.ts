@@ -1,6 +1,9 @@
 /** The text of single lines of a file, decoded only near those that are asked for. */
 import { type LineIndex, lastUpTo } from '../../../model/source-map.ts';
 
+/** Words that open a block or name a value, apart from numbers: they are coloured. */
+export const WORDS = /(?<=^|[\s{}])[A-Za-z_][^\s{}]*/g;
+
 /** Longer lines are cut, in characters: a frame of a large capture has some thousand. */
 export const MAX_SHOWN = 2000;
 /** Bytes read at an entry of the index: all its lines begin within the first half. */

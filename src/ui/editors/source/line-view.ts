@@ -15,7 +15,7 @@ import { oncePerFrame } from '../../widgets/frame.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { rowAfterKey } from '../../widgets/windowed-list.ts';
-import type { ShownLine } from './line-text.ts';
+import { type ShownLine, WORDS } from './line-text.ts';
 import { clampTop, MAX_HEIGHT, scrollHeight, scrollTopOf, type TallList, topAt, topToReveal } from './tall-scroll.ts';
 
 /** As in the styles. */
@@ -255,11 +255,10 @@ function makeRow(): Row {
   };
 }
 
-/** Words that open a block or name a value, apart from numbers. */
 function coloured(text: string): (Node | string)[] {
   const parts: (Node | string)[] = [];
   let at = 0;
-  for (const { 0: word, index } of text.matchAll(/(?<=^|[\s{}])[A-Za-z_][^\s{}]*/g)) {
+  for (const { 0: word, index } of text.matchAll(WORDS)) {
     if (index > at) parts.push(text.slice(at, index));
     parts.push(element('span', { class: 'source-word' }, word));
     at = index + word.length;

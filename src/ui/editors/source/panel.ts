@@ -361,9 +361,11 @@ class SourcePanel implements TimelineTab {
       this.goToChange(event.shiftKey ? -1 : 1);
       return;
     }
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
+    if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
+    const isEdited = this.editing.path !== undefined;
     const key = event.key.toLowerCase();
     if (key === 'g') this.controls.askLine();
+    else if (key === 'f' && isEdited) this.editing.askText();
     else if (key === 'f') this.controls.askText();
     else return;
     event.preventDefault();

@@ -5,7 +5,7 @@ import { type LineHunk, lineNow } from '../../../model/text-changes.ts';
 const RISING: readonly Severity[] = ['info', 'warning', 'error'];
 
 /** The worst one of each line. */
-export function worstFirst(diagnostics: readonly Diagnostic[]): ReadonlyMap<number, Diagnostic> {
+function worstFirst(diagnostics: readonly Diagnostic[]): ReadonlyMap<number, Diagnostic> {
   const byLine = new Map<number, Diagnostic>();
   for (const found of diagnostics) {
     const known = byLine.get(found.line);

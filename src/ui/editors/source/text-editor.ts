@@ -1,7 +1,6 @@
 /**
- * The text of a file as a field to type in, with line numbers, and the problems of what was typed: in the margin, and as
- * a list below. A plain field, which brings its own undo, selection and accessibility, and draws a key of 50,000 lines
- * within 60 ms; an editor such as CodeMirror would be several times the script of this tab.
+ * Editing the text of a file: its field, the problems of what was typed, in the margin and as a list below, and a bar
+ * that applies or discards the edits.
  *
  *     Ctrl+Enter   applies the text          Escape   leaves, and asks about edits
  */
@@ -9,16 +8,12 @@
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import type { CheckedText } from '../../state/source.ts';
-import { button, element, setAttribute, setText, uniqueId, write } from '../../widgets/dom.ts';
-import { HAS_KEYS } from '../../widgets/focus/focus.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
-import { oncePerFrame } from '../../widgets/frame.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { worstFirst } from './problems.ts';
+import { CodeField } from './code-field.ts';
 
-/** As in the styles. */
-const LINE_HEIGHT = 18;
 /** Milliseconds without typing. */
 const PAUSE = 400;
 const MAX_PROBLEMS = 20;
@@ -39,16 +34,8 @@ interface Calls {
 
 export class TextEditor {
   readonly element: HTMLElement;
-  private readonly status = element('span', {
-    class: 'source-edit-status',
-    role: 'status',
-    id: uniqueId('source-edit'),
-  });
-  private readonly field = element('textarea', {
-    ...{ class: 'source-field-text', wrap: 'off', spellcheck: 'false', autocapitalize: 'off', autocomplete: 'off' },
-    ...{ [HAS_KEYS]: true, 'aria-describedby': this.status.id },
-  });
-  private readonly gutter = element('div', { class: 'source-gutter', 'aria-hidden': 'true' });
+  private readonly status = element('span', { class: 'source-edit-status', role: 'status' });
+  private readonly field = new CodeField(() => this.typed());
   private readonly list = element('ul', {
     class: 'source-problems',
     'aria-label': 'Problems in the text',
@@ -62,11 +49,10 @@ export class TextEditor {
   private readonly keep: HTMLButtonElement;
   private name = '';
   private base = '';
-  private checked: { readonly text: string; readonly result: CheckedText } | undefined;
+  /** Of the text as it is; undefined once it is edited. */
+  private checked: CheckedText | undefined;
   private isChecking = false;
   private timer = 0;
-  private problems: ReadonlyMap<number, Diagnostic> = new Map();
-  private readonly drawSoon = oncePerFrame(() => this.draw());
 
   constructor(private readonly calls: Calls) {
     const keys = isMac ? '⌘↩' : 'Ctrl+Enter';
@@ -93,25 +79,19 @@ export class TextEditor {
     this.element = element(
       'div',
       { class: 'source-edit', hidden: true },
-      element('div', { class: 'source-edit-body' }, this.gutter, this.field),
+      this.field.element,
       this.list,
       this.bar,
       this.question,
     );
-    this.field.addEventListener('input', () => this.typed());
-    this.field.addEventListener('scroll', () => this.drawSoon());
     this.element.addEventListener('keydown', (event) => this.onKey(event));
-    new ResizeObserver(() => this.drawSoon()).observe(this.field);
   }
 
   /** Shows a text, or edits of it that were left. */
   open(name: string, base: string, draft?: Draft): void {
     this.name = name;
     this.base = withPlainEnds(draft?.base ?? base);
-    this.field.value = draft?.text ?? this.base;
-    setAttribute(this.field, 'aria-label', `Text of ${name}`);
-    this.field.setSelectionRange(0, 0);
-    this.field.scrollTop = 0;
+    this.field.open(this.label, draft?.text ?? this.base, this.base);
     this.reset();
     if (draft) this.typed();
     if (draft && withPlainEnds(base) !== draft.base) this.warnOfChange();
@@ -125,27 +105,23 @@ export class TextEditor {
       this.warnOfChange();
       return;
     }
-    const { scrollTop, selectionStart } = this.field;
     this.base = now;
-    this.field.value = now;
-    this.field.setSelectionRange(selectionStart, selectionStart);
-    this.field.scrollTop = scrollTop;
+    this.field.replace(this.label, now);
     this.reset();
   }
 
   get hasEdits(): boolean {
-    return this.field.value !== this.base;
+    return this.field.hasEdits;
   }
 
   get draft(): Draft | undefined {
-    return this.hasEdits ? { base: this.base, text: this.field.value } : undefined;
+    return this.hasEdits ? { base: this.base, text: this.field.text } : undefined;
   }
 
   /** Forgets the text; edits too. */
   close(): void {
-    clearTimeout(this.timer);
     this.base = '';
-    this.field.value = '';
+    this.field.open(this.label, '');
     this.reset();
   }
 
@@ -156,39 +132,33 @@ export class TextEditor {
   }
 
   focus(): void {
-    this.field.focus({ preventScroll: true });
+    this.field.focus();
   }
 
   /** @param line from 1 */
   goTo(line: number): void {
-    const { field } = this;
-    let at = 0;
-    for (let left = line - 1; left > 0 && at >= 0; left--) at = field.value.indexOf('\n', at) + 1 || field.value.length;
-    const end = field.value.indexOf('\n', at);
-    field.setSelectionRange(at, end < 0 ? field.value.length : end);
-    const top = (line - 1) * LINE_HEIGHT;
-    const { scrollTop, clientHeight } = field;
-    if (top < scrollTop || top + LINE_HEIGHT > scrollTop + clientHeight) field.scrollTop = top - clientHeight / 3;
-    this.focus();
+    this.field.goTo(line);
+  }
+
+  /** Opens search and replace. */
+  askText(): void {
+    this.field.askText();
   }
 
   /** The next occurrence after the selection, from the start again; false if there is none. */
   find(text: string): boolean {
-    const { field } = this;
-    const [all, wanted] = [field.value.toLowerCase(), text.toLowerCase()];
-    const after = all.indexOf(wanted, field.selectionEnd);
-    const at = after < 0 ? all.indexOf(wanted) : after;
-    if (at < 0) return false;
-    this.goTo(lineAt(all, at));
-    field.setSelectionRange(at, at + wanted.length);
-    return true;
+    return this.field.find(text);
+  }
+
+  private get label(): string {
+    return `Text of ${this.name}`;
   }
 
   private reset(): void {
     clearTimeout(this.timer);
     this.checked = undefined;
     this.isChecking = false;
-    this.problems = new Map();
+    this.field.mark([]);
     this.ask(false, false);
     this.show();
   }
@@ -197,33 +167,33 @@ export class TextEditor {
     clearTimeout(this.timer);
     this.checked = undefined;
     if (this.hasEdits) this.timer = window.setTimeout(() => void this.check(), PAUSE);
-    else this.problems = new Map();
+    else this.field.mark([]);
     this.show();
   }
 
   /** Reads the text, if it was edited since; of several only the last one counts. */
   private async check(): Promise<CheckedText | undefined> {
     clearTimeout(this.timer);
-    const text = this.field.value;
-    if (this.checked?.text === text) return this.checked.result;
+    if (this.checked) return this.checked;
     if (this.isChecking) {
       this.timer = window.setTimeout(() => void this.check(), PAUSE);
       return undefined;
     }
     this.isChecking = true;
-    const { base } = this;
+    const { base, field } = this;
+    const { revision } = field;
     try {
-      const result = await this.calls.check(text, base);
-      if (this.field.value !== text || this.base !== base) return undefined;
-      this.checked = { text, result };
-      this.problems = worstFirst(result.diagnostics.filter(({ line }) => line > 0));
+      const result = await this.calls.check(field.text, base);
+      if (field.revision !== revision || this.base !== base) return undefined;
+      this.checked = result;
+      field.mark(result.diagnostics);
       return result;
     } catch (error) {
       this.say(sentenceOf(error));
       return undefined;
     } finally {
       this.isChecking = false;
-      if (this.checked?.text === text) this.show();
+      if (this.checked && field.revision === revision) this.show();
     }
   }
 
@@ -239,7 +209,8 @@ export class TextEditor {
     if (!apply) this.say(`Not applied. ${this.whyNot() ?? ''}`.trim());
     else if (isSame) this.say('Nothing was applied: only blanks or comments were edited, which the page doesn’t keep.');
     else if (apply()) {
-      this.base = this.field.value;
+      this.base = this.field.text;
+      this.field.settle();
       this.reset();
       this.calls.applied();
       this.say(`Applied to ${name}. One Undo reverts it.`);
@@ -247,7 +218,7 @@ export class TextEditor {
   }
 
   private discardNow(): void {
-    this.field.value = this.base;
+    this.field.discard();
     this.reset();
     this.say('The edits were discarded.');
     this.focus();
@@ -267,7 +238,7 @@ export class TextEditor {
 
   /** Why the text can't be applied; undefined if it can. */
   private whyNot(): string | undefined {
-    const found = this.checked?.result;
+    const found = this.checked;
     if (!found || found.apply) return undefined;
     const errors = found.diagnostics.filter(({ severity }) => severity === 'error').length;
     return `The text has ${plural(errors, 'error')}. Correct ${errors === 1 ? 'it' : 'them'} first.`;
@@ -277,7 +248,7 @@ export class TextEditor {
     const { checked, hasEdits } = this;
     setAttribute(this.apply, 'aria-disabled', hasEdits && !this.whyNot() ? undefined : 'true');
     write(this.discard, 'hidden', !hasEdits);
-    const found = checked?.result.diagnostics ?? [];
+    const found = checked?.diagnostics ?? [];
     write(this.list, 'hidden', found.length === 0);
     this.list.replaceChildren(...found.slice(0, MAX_PROBLEMS).map((each) => this.problem(each)));
     if (found.length > MAX_PROBLEMS) {
@@ -286,7 +257,6 @@ export class TextEditor {
     if (!hasEdits) this.say('Edit the text, then apply it.');
     else if (!checked) this.say('Checking…');
     else this.say(this.whyNot() ?? 'The text can be applied.');
-    this.drawSoon();
   }
 
   private problem({ severity, line, message }: Diagnostic): HTMLElement {
@@ -301,28 +271,10 @@ export class TextEditor {
     setText(this.status, text);
   }
 
-  /** The numbers of the lines in view. */
-  private draw(): void {
-    const { field, gutter } = this;
-    if (this.element.hidden) return;
-    const lines = field.value.split('\n').length;
-    const first = Math.floor(field.scrollTop / LINE_HEIGHT);
-    const last = Math.min(lines, first + Math.ceil(field.clientHeight / LINE_HEIGHT) + 1);
-    this.element.style.setProperty('--source-digits', String(Math.max(3, String(lines).length)));
-    const numbers: HTMLElement[] = [];
-    for (let line = first + 1; line <= last; line++) {
-      const problem = this.problems.get(line);
-      const number = element('span', { class: 'source-gutter-line', 'data-severity': problem?.severity }, String(line));
-      number.style.top = `${(line - 1) * LINE_HEIGHT - field.scrollTop}px`;
-      if (problem) setTooltip(number, problem.message);
-      numbers.push(number);
-    }
-    gutter.replaceChildren(...numbers);
-  }
-
   private onKey(event: KeyboardEvent): void {
     const isApply = event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey;
-    if (event.isComposing || !(isApply || event.key === 'Escape')) return;
+    // The field closes its search first.
+    if (event.defaultPrevented || event.isComposing || !(isApply || event.key === 'Escape')) return;
     event.preventDefault();
     event.stopPropagation();
     if (isApply) void this.applyNow();
@@ -331,13 +283,7 @@ export class TextEditor {
   }
 }
 
-/** As a field has them. */
+/** As the field has them. */
 function withPlainEnds(text: string): string {
   return text.replace(/\r*\n|\r/g, '\n');
-}
-
-function lineAt(text: string, at: number): number {
-  let line = 1;
-  for (let end = text.indexOf('\n'); end >= 0 && end < at; end = text.indexOf('\n', end + 1)) line++;
-  return line;
 }

@@ -1,5 +1,5 @@
 /** Keyboard listener of the page; `shortcuts.ts` decides what keys mean. */
-import { elementWithKeys, isTextField, letGoOfClicked } from '../../widgets/focus/focus.ts';
+import { elementWithKeys, focusedWithin, isTextField, letGoOfClicked } from '../../widgets/focus/focus.ts';
 import { rescueFocus } from '../../widgets/focus/focus-regions.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 import { continuesTyping, isTypedIn, watchTyping } from '../../widgets/focus/typing.ts';
@@ -26,7 +26,7 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
     return;
   }
   if (isNowhere(target) && isUsedUnderPointer(event)) return;
-  if (swallows(focusKind(target), event, isMac)) return;
+  if (swallows(focusKind(focusedWithin(target)), event, isMac)) return;
   // The rest of a word isn't a row of shortcuts.
   if (continuesTyping(event)) {
     event.preventDefault();

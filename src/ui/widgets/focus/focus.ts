@@ -8,13 +8,21 @@
 /** Marks the element that handles a panel's keys: the plot of the curves, the dope sheet. */
 export const HAS_KEYS = 'data-has-keys';
 
-/** Whether it accepts typed characters. */
+/** Whether it accepts typed characters, or in its shadow tree what has the focus, or would get it. */
 export function isTextField(target: Element | null): target is HTMLElement {
+  const tree = target?.shadowRoot;
+  if (tree) return isTextField(tree.activeElement ?? tree.querySelector('[autofocus]'));
   if (target instanceof HTMLTextAreaElement) return true;
   if (target instanceof HTMLInputElement) return !NO_TEXT.test(target.type);
   return target instanceof HTMLElement && target.isContentEditable;
 }
 const NO_TEXT = /^(checkbox|radio|button|submit|reset|color|file|range|image)$/;
+
+/** What has the focus inside an element's shadow tree; the element itself without one. */
+export function focusedWithin(target: Element): Element {
+  const inner = target.shadowRoot?.activeElement;
+  return inner ? focusedWithin(inner) : target;
+}
 
 /** Moves the focus from a field, which commits what was typed, to the panel of `near`, or to the field's region. */
 export function leaveField(field: HTMLElement, near: Element = field): void {

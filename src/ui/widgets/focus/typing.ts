@@ -12,7 +12,8 @@ let typedAt = Number.NEGATIVE_INFINITY;
 export function watchTyping(signal: AbortSignal): void {
   const options = { capture: true, signal };
   window.addEventListener('focusin', () => (typedIn = undefined), options);
-  window.addEventListener('input', (event) => (typedIn = event.target), options);
+  // Of a shadow tree, the field in it.
+  window.addEventListener('input', (event) => (typedIn = event.composedPath()[0]), options);
   window.addEventListener(
     'keydown',
     (event) => {
