@@ -9,6 +9,7 @@
  */
 import { integer } from './binary.ts';
 import type { FbxReport } from './failure.ts';
+import { NumberPool } from './number-pool.ts';
 import type { FbxFile, FbxRecord, FbxValue } from './record.ts';
 
 const MAX_DEPTH = 64;
@@ -24,7 +25,8 @@ export function textVersion(bytes: Uint8Array): number | undefined {
 
 /** The records of a text. Fails where it is no FBX. */
 export function readAscii(bytes: Uint8Array, report: FbxReport): FbxFile {
-  return { version: textVersion(bytes) ?? 0, isText: true, records: new AsciiReader(bytes, report).file() };
+  const pool = new NumberPool();
+  return { version: textVersion(bytes) ?? 0, isText: true, pool, records: new AsciiReader(bytes, pool, report).file() };
 }
 
 const TAB = 9;
@@ -44,6 +46,7 @@ class AsciiReader {
 
   constructor(
     private readonly bytes: Uint8Array,
+    private readonly pool: NumberPool,
     private readonly report: FbxReport,
   ) {
     if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
@@ -154,7 +157,7 @@ class AsciiReader {
       report.fail('brace-missing', `Expected { with the array, found ${this.found(this.at)}.`, this.at);
     this.at++;
     this.skip();
-    const out = new Float64Array(count);
+    const out = this.pool.doubles(count);
     let read = 0;
     if (bytes[this.at] !== CLOSE) {
       this.at++;

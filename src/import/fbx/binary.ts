@@ -11,6 +11,7 @@
  */
 import type { FbxReport } from './failure.ts';
 import { canUnpackTo, inflateExactly } from './inflate.ts';
+import { NumberPool } from './number-pool.ts';
 import type { FbxFile, FbxNumbers, FbxRecord, FbxValue } from './record.ts';
 
 const MAGIC = 'Kaydara FBX Binary  \0';
@@ -40,26 +41,50 @@ function isLittleEndian(bytes: Uint8Array): boolean {
 /** The records of a binary file of version 7.0 or later. Fails if it is damaged. */
 export function readBinary(bytes: Uint8Array<ArrayBuffer>, report: FbxReport): FbxFile {
   const version = binaryVersion(bytes);
-  return { version, isText: false, records: new BinaryReader(bytes, version >= 7500, report).file() };
+  const pool = new NumberPool();
+  return { version, isText: false, pool, records: new BinaryReader(bytes, version >= 7500, pool, report).file() };
 }
+
+/** Values of a record that a list is made for at once. */
+const MAX_USUAL = 64;
+const NO_RECORDS: readonly FbxRecord[] = [];
 
 interface Cursor {
   at: number;
 }
 
+/** Types of values that are one number, and of arrays; each is the code of its letter. */
+const BOOLS = [67, 90, 66];
+const INT16 = 89;
+const INT32 = 73;
+const FLOAT32 = 70;
+const FLOAT64 = 68;
+const INT64 = 76;
+const TEXT = 83;
+const RAW = 82;
+const FLOATS = 102;
+const DOUBLES = 100;
+const LONGS = 108;
+const INTS = 105;
+const BYTES = 98;
+const CHARS = 99;
+
 class BinaryReader {
-  private readonly view: DataView;
+  private readonly view: DataView<ArrayBuffer>;
+  private readonly texts: Texts;
   private readonly headerBytes: number;
   private readonly isLittle: boolean;
 
   constructor(
     private readonly bytes: Uint8Array<ArrayBuffer>,
     private readonly isWide: boolean,
+    private readonly pool: NumberPool,
     private readonly report: FbxReport,
   ) {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     this.headerBytes = isWide ? 25 : 13;
     this.isLittle = isLittleEndian(bytes);
+    this.texts = new Texts(bytes);
   }
 
   file(): FbxRecord[] {
@@ -98,18 +123,23 @@ class BinaryReader {
     }
     if (rest > end) report.fail('bad-record', 'A record is shorter than its name and values.', offset);
     if (depth > MAX_DEPTH) report.fail('too-deep', `Records are nested more than ${MAX_DEPTH} deep.`, offset);
-    const name = textOf(this.bytes.subarray(cursor.at, values));
+    const name = this.texts.of(cursor.at, values);
     cursor.at = values;
     // Each value has a byte for its type.
     if (count > valueBytes) report.fail('bad-record', `${name} claims ${count} values in ${valueBytes} bytes.`, offset);
-    const read: FbxValue[] = [];
-    for (let i = 0; i < count; i++) read.push(this.value(cursor, rest));
+    // A list that grows has room for sixteen more, which is several times what most records have.
+    const read = count <= MAX_USUAL ? new Array<FbxValue>(count) : [];
+    for (let i = 0; i < count; i++) read[i] = this.value(cursor, rest);
     cursor.at = rest;
-    const children: FbxRecord[] = [];
-    while (cursor.at < end) {
-      const child = this.record(cursor, end, depth + 1);
-      if (!child) break;
-      children.push(child);
+    let children = NO_RECORDS;
+    if (rest < end) {
+      const inside: FbxRecord[] = [];
+      while (cursor.at < end) {
+        const child = this.record(cursor, end, depth + 1);
+        if (!child) break;
+        inside.push(child);
+      }
+      children = inside;
     }
     cursor.at = end;
     return { name, values: read, children, offset };
@@ -118,75 +148,110 @@ class BinaryReader {
   /** A length or an end in the header of a record. */
   private size(at: number): number {
     const { view, isLittle } = this;
-    return this.isWide ? Number(view.getBigUint64(at, isLittle)) : view.getUint32(at, isLittle);
+    if (!this.isWide) return view.getUint32(at, isLittle);
+    const [low, high] = isLittle ? [at, at + 4] : [at + 4, at];
+    return view.getUint32(high, isLittle) * 2 ** 32 + view.getUint32(low, isLittle);
   }
 
   private value(cursor: Cursor, limit: number): FbxValue {
     const { view, bytes, isLittle } = this;
     const start = cursor.at;
     if (start >= limit) this.report.fail('bad-value', 'Expected a value, found the end of its record.', start);
-    const type = String.fromCharCode(bytes[start]);
+    const type = bytes[start];
     const at = start + 1;
-    const take = (size: number) => {
-      if (at + size > limit) this.report.fail('bad-value', 'A value is longer than its record.', start);
-      cursor.at = at + size;
-    };
+    const size = bytesOf(type);
+    if (size === 0) {
+      const found = `found the byte ${type}: the file is damaged.`;
+      this.report.fail('bad-value', `Expected a type of value, ${found}`, start);
+    }
+    this.move(cursor, at + size, limit, start);
     switch (type) {
-      case 'C':
-      case 'Z':
-      case 'B':
-        take(1);
-        return view.getUint8(at);
-      case 'Y':
-        take(2);
+      case INT16:
         return view.getInt16(at, isLittle);
-      case 'I':
-        take(4);
+      case INT32:
         return view.getInt32(at, isLittle);
-      case 'F':
-        take(4);
+      case FLOAT32:
         return view.getFloat32(at, isLittle);
-      case 'D':
-        take(8);
+      case FLOAT64:
         return view.getFloat64(at, isLittle);
-      case 'L':
-        take(8);
-        return integer(view.getBigInt64(at, isLittle));
-      case 'S':
-      case 'R': {
-        take(4);
-        const length = view.getUint32(at, isLittle);
-        take(4 + length);
-        const data = bytes.subarray(at + 4, at + 4 + length);
-        return type === 'S' ? textOf(data) : data;
+      case INT64:
+        return this.long(at);
+      case TEXT:
+      case RAW: {
+        const from = at + 4;
+        this.move(cursor, from + view.getUint32(at, isLittle), limit, start);
+        return type === TEXT ? this.texts.of(from, cursor.at) : bytes.subarray(from, cursor.at);
       }
-      case 'f':
-      case 'd':
-      case 'l':
-      case 'i':
-      case 'b':
-      case 'c': {
-        take(12);
+      case FLOATS:
+      case DOUBLES:
+      case LONGS:
+      case INTS:
+      case BYTES:
+      case CHARS: {
         const count = view.getUint32(at, isLittle);
         const encoding = view.getUint32(at + 4, isLittle);
         const length = view.getUint32(at + 8, isLittle);
-        const width = elementBytes(type);
-        const size = count * width;
-        take(12 + (encoding === 0 ? size : length));
-        const data = this.array(bytes.subarray(at + 12, cursor.at), encoding, size, start);
-        if (!isLittle) reverseEach(data, width);
-        return numbers(type, data, count);
+        const unpacked = count * elementBytes(type);
+        const from = at + 12;
+        this.move(cursor, from + (encoding === 0 ? unpacked : length), limit, start);
+        // Numbers in a file are hardly ever aligned.
+        if (encoding === 0) return this.numbers(view, from, type, count);
+        const data = this.unpacked(bytes.subarray(from, cursor.at), encoding, unpacked, start);
+        return this.numbers(new DataView(data.buffer), 0, type, count);
       }
       default:
-        return this.report.fail(
-          'bad-value',
-          `Expected a type of value, found the byte ${bytes[start]}: the file is damaged.`,
-          start,
-        );
+        return view.getUint8(at);
     }
   }
 
-  private array(
+  /** Moves the cursor to the end of a value or of its beginning. */
+  private move(cursor: Cursor, end: number, limit: number, start: number): void {
+    if (end > limit) this.report.fail('bad-value', 'A value is longer than its record.', start);
+    cursor.at = end;
+  }
+
+  /** A 64-bit integer. */
+  private long(at: number): number | bigint {
+    const { view, isLittle } = this;
+    const [low, high] = isLittle ? [at, at + 4] : [at + 4, at];
+    const number = view.getInt32(high, isLittle) * 2 ** 32 + view.getUint32(low, isLittle);
+    return Number.isSafeInteger(number) ? number : view.getBigInt64(at, isLittle);
+  }
+
+  /** So many numbers at an offset of a view. */
+  private numbers(view: DataView<ArrayBuffer>, from: number, type: ArrayType, count: number): FbxNumbers {
+    const { isLittle, pool } = this;
+    switch (type) {
+      case FLOATS: {
+        const out = pool.floats(count);
+        for (let i = 0; i < count; i++) out[i] = view.getFloat32(from + 4 * i, isLittle);
+        return out;
+      }
+      case DOUBLES: {
+        const out = pool.doubles(count);
+        for (let i = 0; i < count; i++) out[i] = view.getFloat64(from + 8 * i, isLittle);
+        return out;
+      }
+      case INTS: {
+        const out = pool.integers(count);
+        for (let i = 0; i < count; i++) out[i] = view.getInt32(from + 4 * i, isLittle);
+        return out;
+      }
+      case LONGS: {
+        const out = pool.doubles(count);
+        const [low, high] = isLittle ? [from, from + 4] : [from + 4, from];
+        // Rounded once, by the sum, as the integer would be.
+        for (let i = 0; i < count; i++) {
+          out[i] = view.getInt32(high + 8 * i, isLittle) * 2 ** 32 + view.getUint32(low + 8 * i, isLittle);
+        }
+        return out;
+      }
+      default:
+        return new Uint8Array(view.buffer, view.byteOffset + from, count);
+    }
+  }
+
+  private unpacked(
     data: Uint8Array<ArrayBuffer>,
     encoding: number,
     size: number,
@@ -199,48 +264,45 @@ class BinaryReader {
         offset,
       );
     }
-    // Copied, since numbers have to be aligned.
-    if (encoding === 0) return data.slice();
     if (canUnpackTo(data.length, size)) {
       this.report.budget.spend(size / 8, 'A compressed array');
-      const unpacked = inflateExactly(data, size);
-      if (unpacked) return unpacked;
+      const found = inflateExactly(data, size);
+      if (found) return found;
     }
     return this.report.fail('bad-array', `A compressed array is damaged: it does not expand to ${size} bytes.`, offset);
   }
 }
 
-function elementBytes(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c'): number {
-  if (type === 'd' || type === 'l') return 8;
-  return type === 'f' || type === 'i' ? 4 : 1;
-}
-
-/** Reverses the bytes of each element. */
-function reverseEach(data: Uint8Array, width: number): void {
-  if (width === 1) return;
-  for (let at = 0; at + width <= data.length; at += width) data.subarray(at, at + width).reverse();
-}
-
-/** Numbers of little-endian bytes, as all machines in use have them. */
-function numbers(type: 'f' | 'd' | 'l' | 'i' | 'b' | 'c', data: Uint8Array<ArrayBuffer>, count: number): FbxNumbers {
+/** Bytes of a value of one number, or of the beginning of others; 0 for what is no type. */
+function bytesOf(type: number): number {
   switch (type) {
-    case 'f':
-      return new Float32Array(data.buffer, 0, count);
-    case 'd':
-      return new Float64Array(data.buffer, 0, count);
-    case 'i':
-      return new Int32Array(data.buffer, 0, count);
-    case 'l': {
-      const low = new Uint32Array(data.buffer, 0, 2 * count);
-      const high = new Int32Array(data.buffer, 0, 2 * count);
-      const out = new Float64Array(count);
-      // Rounded once, by the sum, as the integer would be.
-      for (let i = 0; i < count; i++) out[i] = high[2 * i + 1] * 2 ** 32 + low[2 * i];
-      return out;
-    }
+    case INT16:
+      return 2;
+    case INT32:
+    case FLOAT32:
+    case TEXT:
+    case RAW:
+      return 4;
+    case FLOAT64:
+    case INT64:
+      return 8;
+    case FLOATS:
+    case DOUBLES:
+    case LONGS:
+    case INTS:
+    case BYTES:
+    case CHARS:
+      return 12;
     default:
-      return data;
+      return BOOLS.includes(type) ? 1 : 0;
   }
+}
+
+type ArrayType = typeof FLOATS | typeof DOUBLES | typeof LONGS | typeof INTS | typeof BYTES | typeof CHARS;
+
+function elementBytes(type: ArrayType): number {
+  if (type === DOUBLES || type === LONGS) return 8;
+  return type === FLOATS || type === INTS ? 4 : 1;
 }
 
 /** As a number where that is exact. */
@@ -249,13 +311,48 @@ export function integer(value: bigint): number | bigint {
   return Number.isSafeInteger(number) ? number : value;
 }
 
-/** UTF-8; nearly all names are short and ASCII, for which a decoder takes several times as long. */
-function textOf(bytes: Uint8Array): string {
-  if (bytes.length > 64) return UTF8.decode(bytes);
+/** Entries of `Texts`; a power of two. */
+const TEXT_SLOTS = 1024;
+/** Bytes of a text that is looked up. */
+const MAX_SHORT = 64;
+
+/**
+ * The texts of a file, each decoded once: a few hundred names make up nearly all of it, and a decoder takes as long to
+ * begin as for hundreds of letters.
+ */
+class Texts {
+  private readonly texts: string[] = [];
+  private readonly starts = new Int32Array(TEXT_SLOTS);
+  private readonly lengths = new Int32Array(TEXT_SLOTS).fill(-1);
+
+  constructor(private readonly bytes: Uint8Array) {}
+
+  /** UTF-8. */
+  of(start: number, end: number): string {
+    const { bytes, starts, lengths, texts } = this;
+    const length = end - start;
+    if (length > MAX_SHORT) return UTF8.decode(bytes.subarray(start, end));
+    let hash = length;
+    for (let at = start; at < end; at++) hash = (Math.imul(hash, 31) + bytes[at]) | 0;
+    const slot = (hash ^ (hash >>> 16)) & (TEXT_SLOTS - 1);
+    if (lengths[slot] === length) {
+      const known = starts[slot];
+      let i = 0;
+      while (i < length && bytes[known + i] === bytes[start + i]) i++;
+      if (i === length) return texts[slot];
+    }
+    starts[slot] = start;
+    lengths[slot] = length;
+    texts[slot] = decoded(bytes, start, end);
+    return texts[slot];
+  }
+}
+
+function decoded(bytes: Uint8Array, start: number, end: number): string {
   let text = '';
-  for (const byte of bytes) {
-    if (byte > 127) return UTF8.decode(bytes);
-    text += String.fromCharCode(byte);
+  for (let at = start; at < end; at++) {
+    if (bytes[at] > 127) return UTF8.decode(bytes.subarray(start, end));
+    text += String.fromCharCode(bytes[at]);
   }
   return text;
 }

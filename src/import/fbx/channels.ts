@@ -5,7 +5,7 @@
 import type { Extrapolation, KeyedChannel } from '../../model/takes/take.ts';
 import { type Beyond, CUBIC, evaluateCurve, type FbxCurve, HOLD, LINE } from './curve.ts';
 import { fitKeys } from './fit.ts';
-import { KeyList } from './key-list.ts';
+import { KeyList, LINE_SLOPE } from './key-list.ts';
 
 /** Weights that differ less from a third are one. */
 const SAME_WEIGHT = 2e-4;
@@ -66,8 +66,8 @@ function addKeys(list: KeyList, curve: FbxCurve, tolerance: number): void {
     if (!isSpan) {
       list.add(t1, v1, 0, 0);
     } else if (spans[key] === LINE) {
-      list.leave('line');
-      list.add(t1, v1, 'line', 0);
+      list.leave(LINE_SLOPE);
+      list.add(t1, v1, LINE_SLOPE, 0);
     } else if (spans[key] === CUBIC && isWeighted(curve, key)) {
       addWeighted(list, curve, key, tolerance);
     } else if (spans[key] === CUBIC) {

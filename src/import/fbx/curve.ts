@@ -11,7 +11,8 @@
  */
 import { lastNotAbove } from '../../math/search.ts';
 import type { FbxReport } from './failure.ts';
-import { childOf, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './record.ts';
+import type { NumberPool } from './number-pool.ts';
+import { childOf, type FbxFile, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './record.ts';
 
 /** A curve as columns with an entry per key; values are those of the file, angles in degrees. */
 export interface FbxCurve {
@@ -23,7 +24,7 @@ export interface FbxCurve {
   /** Value per second on the left and on the right of each key. */
   readonly slopesIn: Float64Array;
   readonly slopesOut: Float64Array;
-  /** How far a handle reaches, as a fraction of its span: a third, unless weighted. */
+  /** How far a handle reaches, as a fraction of its span: a third, unless weighted. May be longer. */
   readonly weightsIn: Float64Array;
   readonly weightsOut: Float64Array;
   readonly before: Beyond;
@@ -68,7 +69,7 @@ const BITS_IN_TEXT = 7200;
 export function curveOf(
   record: FbxRecord,
   ticks: number,
-  { version, isText }: { readonly version: number; readonly isText: boolean },
+  { version, isText, pool }: Pick<FbxFile, 'version' | 'isText' | 'pool'>,
   report: FbxReport,
 ): FbxCurve | undefined {
   const ownTimes = numbersOf(childOf(record, 'KeyTime'));
@@ -82,15 +83,16 @@ export function curveOf(
     report.warn('bad-curve', `A curve has ${count} times and ${ownValues.length} values.`, record.offset, 'left out');
     return undefined;
   }
-  const [times, values] = sorted(ownTimes, ownValues, ticks);
+  const [times, values] = sorted(ownTimes, ownValues, ticks, pool);
+  const isWeighted = flags.some((flag) => (flag & (WEIGHTED_FLAG | NEXT_WEIGHTED_FLAG)) !== 0);
   const curve = {
     times,
     values,
     spans: new Uint8Array(count),
-    slopesIn: new Float64Array(count),
-    slopesOut: new Float64Array(count),
-    weightsIn: new Float64Array(count).fill(THIRD),
-    weightsOut: new Float64Array(count).fill(THIRD),
+    slopesIn: pool.doubles(count),
+    slopesOut: pool.doubles(count),
+    weightsIn: isWeighted ? new Float64Array(count).fill(THIRD) : thirds(count),
+    weightsOut: isWeighted ? new Float64Array(count).fill(THIRD) : thirds(count),
     before: beyondOf(childOf(record, 'Pre-Extrapolation')),
     after: beyondOf(childOf(record, 'Post-Extrapolation')),
   };
@@ -103,15 +105,29 @@ export function curveOf(
   return curve;
 }
 
+/** Shared by all curves without weights. */
+let allThirds = new Float64Array(0);
+
+/** As many thirds, or more, which must not be changed. */
+function thirds(count: number): Float64Array {
+  if (allThirds.length < count) allThirds = new Float64Array(2 * count).fill(THIRD);
+  return allThirds;
+}
+
 /** Seconds in ascending order, with their values. Times that are no number, and values that are no single, count as 0. */
-function sorted(ticks: FbxNumbers, values: FbxNumbers, ticksPerSecond: number): [Float64Array, Float64Array] {
-  const times = new Float64Array(ticks.length);
+function sorted(
+  ticks: FbxNumbers,
+  values: FbxNumbers,
+  ticksPerSecond: number,
+  pool: NumberPool,
+): [Float64Array, Float64Array] {
+  const times = pool.doubles(ticks.length);
   let isSorted = true;
   for (let i = 0; i < times.length; i++) {
     times[i] = finite(ticks[i] / ticksPerSecond);
     if (i > 0 && !(times[i] >= times[i - 1])) isSorted = false;
   }
-  const numbers = new Float64Array(values.length);
+  const numbers = pool.doubles(values.length);
   // Texts can say more than the format holds: slopes and fitted keys of 1e308 would be no numbers.
   for (let i = 0; i < numbers.length; i++) numbers[i] = Number.isFinite(Math.fround(values[i])) ? values[i] : 0;
   if (isSorted) return [times, numbers];
@@ -144,29 +160,26 @@ function writeKey(curve: FbxCurve, key: number, flags: number, data: Float32Arra
   const hasNext = next < times.length;
   const duration = hasNext ? times[next] - times[key] : 0;
   const isCubic = (flags & CONSTANT_FLAG) === 0 && (flags & CUBIC_FLAG) !== 0;
-  const setNext = (slope: number) => {
-    if (hasNext) slopesIn[next] = slope;
-  };
   if (!isCubic) {
     const isConstant = (flags & CONSTANT_FLAG) !== 0;
     const chord = duration > 0 && !isConstant ? (values[next] - values[key]) / duration : 0;
     spans[key] = isConstant ? ((flags & NEXT_FLAG) !== 0 ? HOLD_NEXT : HOLD) : LINE;
     slopesOut[key] = chord;
-    setNext(chord);
+    if (hasNext) slopesIn[next] = chord;
     return;
   }
   spans[key] = CUBIC;
   if ((flags & WEIGHTED_FLAG) !== 0) weightsOut[key] = weightAt(data, at + 2, 0);
   if ((flags & NEXT_WEIGHTED_FLAG) !== 0 && hasNext) weightsIn[next] = weightAt(data, at + 2, 16);
-  const sides = sidesOf(curve, key);
   if ((flags & TCB_FLAG) !== 0) {
-    writeTcb(curve, key, sides, data[at], data[at + 1], data[at + 2]);
-    setNext(0);
+    writeTcb(curve, key, sidesOf(curve, key), data[at], data[at + 1], data[at + 2]);
+    if (hasNext) slopesIn[next] = 0;
     return;
   }
   if ((flags & USER_FLAG) !== 0) {
     slopesOut[key] = finite(data[at]);
   } else {
+    const sides = sidesOf(curve, key);
     // What the file has in place of slopes is a bias: to the right from this key, to the left from the one before.
     const right = finite(data[at]);
     const left = slopesIn[key];
@@ -174,7 +187,7 @@ function writeKey(curve: FbxCurve, key: number, flags: number, data: Float32Arra
     slopesOut[key] = autoSlope(sides, weightsIn[key], weightsOut[key], right, flags);
     slopesIn[key] = isOne ? slopesOut[key] : autoSlope(sides, weightsIn[key], weightsOut[key], -left, flags);
   }
-  setNext(finite(data[at + 1]));
+  if (hasNext) slopesIn[next] = finite(data[at + 1]);
 }
 
 function finite(value: number): number {

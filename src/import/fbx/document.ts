@@ -48,43 +48,56 @@ const OLD_TIME_DEFINITION = 127;
 
 /** Values by name: an object's own, and for those it lacks, the ones of the template for objects of its kind. */
 export class Properties {
-  private readonly values = new Map<string, readonly FbxValue[]>();
+  /** The values of each from the fifth on are its own, after name, type, label and flags. Made when first asked. */
+  private byName: Map<string, readonly FbxValue[]> | undefined;
 
   constructor(
-    record: FbxRecord | undefined,
+    private readonly record: FbxRecord | undefined,
     private readonly template?: Properties,
-  ) {
-    for (const { name, values } of childOf(record, 'Properties70')?.children ?? []) {
-      const key = values[0];
-      // Name, type, label, flags, values.
-      if (name === 'P' && typeof key === 'string') this.values.set(key, values.slice(4));
-    }
-  }
+  ) {}
 
-  /** The values of a property, or else of the template of its kind; undefined if neither has it. */
-  of(name: string): readonly FbxValue[] | undefined {
-    return this.values.get(name) ?? this.template?.of(name);
+  /** One of the values of a property, or else of the template of its kind; undefined if neither has it. */
+  private at(name: string, index: number): FbxValue | undefined {
+    this.byName ??= namedIn(this.record);
+    const values = this.byName.get(name);
+    return values ? values[4 + index] : this.template?.at(name, index);
   }
 
   /** A property's first value as a number; undefined if there is none, or it is not finite. */
   number(name: string): number | undefined {
-    const value = this.of(name)?.[0];
+    const value = this.at(name, 0);
     const number = typeof value === 'bigint' ? Number(value) : value;
     return typeof number === 'number' && Number.isFinite(number) ? number : undefined;
   }
 
   /** A property's first three values; `otherwise` if they are not three finite numbers. */
   vector(name: string, otherwise: Vec3): Vec3 {
-    const [x, y, z] = this.of(name) ?? [];
-    const isVector = [x, y, z].every((value) => typeof value === 'number' && Number.isFinite(value));
-    return isVector ? [Number(x), Number(y), Number(z)] : otherwise;
+    const [x, y, z] = [this.at(name, 0), this.at(name, 1), this.at(name, 2)];
+    return isNumber(x) && isNumber(y) && isNumber(z) ? [x, y, z] : otherwise;
   }
 
   /** A property's first value as text; undefined if it is no text. */
   text(name: string): string | undefined {
-    const value = this.of(name)?.[0];
+    const value = this.at(name, 0);
     return typeof value === 'string' ? value : undefined;
   }
+}
+
+function isNumber(value: FbxValue | undefined): value is number {
+  return typeof value === 'number' && Number.isFinite(value);
+}
+
+const NO_VALUES: Map<string, readonly FbxValue[]> = new Map();
+
+function namedIn(record: FbxRecord | undefined): Map<string, readonly FbxValue[]> {
+  const own = childOf(record, 'Properties70');
+  if (!own) return NO_VALUES;
+  const byName = new Map<string, readonly FbxValue[]>();
+  for (const { name, values } of own.children) {
+    const key = values[0];
+    if (name === 'P' && typeof key === 'string') byName.set(key, values);
+  }
+  return byName;
 }
 
 /** Sorts the records of a file into objects, and follows its connections. */

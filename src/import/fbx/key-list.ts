@@ -2,23 +2,23 @@
 import type { Extrapolation, KeyedChannel, Tangents } from '../../model/takes/take.ts';
 import { FIXED_TANGENT, FLAT, LINEAR } from '../../model/takes/tangent-kinds.ts';
 
-/** A slope at a key, or that of the straight line to its neighbour. */
-export type Slope = number | 'line';
+/** The slope of the straight line to a key's neighbour. No slope of a key is none. */
+export const LINE_SLOPE = Number.NaN;
 
 /** The keys of one channel, in the order in which they are added. */
 export class KeyList {
   private readonly times: number[] = [];
   private readonly values: number[] = [];
-  private readonly slopesIn: Slope[] = [];
-  private readonly slopesOut: Slope[] = [];
+  private readonly slopesIn: number[] = [];
+  private readonly slopesOut: number[] = [];
 
   /** Number of keys so far. */
   get count(): number {
     return this.times.length;
   }
 
-  /** Appends a key at the time of the last one or later. */
-  add(time: number, value: number, slopeIn: Slope, slopeOut: Slope): void {
+  /** Appends a key at the time of the last one or later, with slopes per second or `LINE_SLOPE`. */
+  add(time: number, value: number, slopeIn: number, slopeOut: number): void {
     this.times.push(time);
     this.values.push(value);
     this.slopesIn.push(slopeIn);
@@ -26,7 +26,7 @@ export class KeyList {
   }
 
   /** Sets what follows the last key. */
-  leave(slope: Slope): void {
+  leave(slope: number): void {
     this.slopesOut[this.slopesOut.length - 1] = slope;
   }
 
@@ -65,13 +65,13 @@ export class KeyList {
   }
 }
 
-/** A slope that is too steep to be a number is that of the straight line. */
-function tangentsOf(slopes: readonly Slope[], factor: number): Tangents {
+/** A slope that is too steep to be a number is that of the straight line, too. */
+function tangentsOf(slopes: readonly number[], factor: number): Tangents {
   const kinds = new Uint8Array(slopes.length).fill(LINEAR);
   const own = new Float64Array(slopes.length);
   for (let k = 0; k < own.length; k++) {
     const slope = slopes[k];
-    if (slope === 'line' || !Number.isFinite(slope * factor)) continue;
+    if (!Number.isFinite(slope * factor)) continue;
     kinds[k] = slope === 0 ? FLAT : FIXED_TANGENT;
     own[k] = slope * factor;
   }

@@ -30,6 +30,7 @@ export class NodeMotion {
   private readonly translating: (Driven | undefined)[];
   private readonly rotating: (Driven | undefined)[];
   private readonly scaling: (Driven | undefined)[];
+  private readonly isScaled: boolean;
   private readonly value = new Float64Array(3);
   private readonly a = new Float64Array(4);
   private readonly b = new Float64Array(4);
@@ -43,6 +44,8 @@ export class NodeMotion {
     this.translating = driversOf(take, id, 'Lcl Translation');
     this.rotating = driversOf(take, id, 'Lcl Rotation');
     this.scaling = driversOf(take, id, 'Lcl Scaling');
+    this.isScaled = this.scaling.some((driver) => driver !== undefined);
+    this.scale.set(node.scale);
   }
 
   /** Computes all three. */
@@ -68,6 +71,7 @@ export class NodeMotion {
 
   /** Computes the scale alone. */
   scaleAt(time: number): void {
+    if (!this.isScaled) return;
     this.scale.set(this.node.scale);
     for (let l = 0; l < this.layers.length; l++) {
       const layer = this.layers[l];

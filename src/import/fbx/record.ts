@@ -4,6 +4,8 @@
  *     Name: value, value { Name: … }
  */
 
+import type { NumberPool } from './number-pool.ts';
+
 /** A list of numbers; `l` arrays (64-bit integers) become doubles, exact up to 2^53. */
 export type FbxNumbers = Float64Array | Float32Array | Int32Array | Uint8Array;
 
@@ -24,6 +26,8 @@ export interface FbxFile {
   /** 7400 for 7.4. */
   readonly version: number;
   readonly isText: boolean;
+  /** Holds its numbers, and what is computed of them on the way. */
+  readonly pool: NumberPool;
   readonly records: readonly FbxRecord[];
 }
 
