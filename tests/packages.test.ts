@@ -40,7 +40,7 @@ describe('packages', () => {
     expect(loose.filter(([path, { integrity }]) => path && !integrity?.startsWith('sha512-'))).toEqual([]);
     const { dependencies, devDependencies } = read('package.json');
     for (const [name, version] of Object.entries({ ...dependencies, ...devDependencies })) {
-      expect([name, version]).toEqual([name, expect.stringMatching(/^\d+\.\d+\.\d+[\w.-]*$/)]);
+      expect([name, version]).toEqual([name, expect.stringMatching(/^(npm:[@\w/-]+@)?\d+\.\d+\.\d+[\w.-]*$/)]);
     }
   });
 });

@@ -103,9 +103,8 @@ export type BoxSide = 'min' | 'max';
  * A box with one face moved. A face stops at the opposite one; in files min may exceed max, and such a box's faces move
  * freely.
  * @param by in the box's space, along the axis; 0 changes nothing
- * @param both moves the opposite face the other way
- * @param step that the face's position snaps to
- * @param unitsPerPixel in the box's space: changed numbers are rounded to the precision of a drag
+ * @param options `both` moves the opposite face the other way; `step`: what the face's position snaps to;
+ *   `unitsPerPixel`, in the box's space: changed numbers are rounded to the precision of a drag
  */
 export function boxWithFace(
   { min, max }: Box,

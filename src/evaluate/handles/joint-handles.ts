@@ -82,8 +82,7 @@ export function axisOf(id: HandleId): 0 | 1 | 2 | undefined {
 }
 
 /**
- * Linked DOFs have no handles, since they can't be set by hand.
- * @param dofs, world, placement as for `dofAxes`
+ * Linked DOFs have no handles, since they can't be set by hand. The arguments are those of `dofAxes`.
  */
 export function jointHandles(
   skeleton: Skeleton,

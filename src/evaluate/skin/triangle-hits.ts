@@ -43,12 +43,11 @@ function grown<T extends Float64Array | Uint32Array | Uint8Array>(old: T, wide: 
 }
 
 /**
- * Adds where a segment passes through a triangle, by Möller and Trumbore's test.
+ * Adds where a segment passes through a triangle, by Möller and Trumbore's test. The segment starts at (ox, oy, oz), and
+ * (dx, dy, dz) leads to its end.
  *
  * @param t index of the triangle
  * @param vertex triangles at it are passed over; -1: none
- * @param ox, oy, oz start of the segment
- * @param dx, dy, dz from there to its end
  */
 export function hitTriangle(
   { positions: p, triangles }: TriangleMesh,
