@@ -73,6 +73,10 @@ let list = () => {};
 const samples = new Promise<void>((resolve) => {
   list = resolve;
 }).then(() => listSamples(document.baseURI));
+let fillPanels = (_when: Promise<unknown>) => {};
+const panelsFilled = new Promise((resolve) => {
+  fillPanels = resolve;
+});
 const unsaved = new Unsaved(store);
 const handles = new DiskHandles();
 
@@ -139,7 +143,7 @@ opener.subscribe(({ given, files }) => {
 markUnsaved(workbench.files, window);
 offerInstalling(workbench.offline, window);
 const forever = new AbortController().signal;
-const theme = startFirstPicture(root, workbench, forever);
+const theme = startFirstPicture(root, workbench, panelsFilled, forever);
 viewport.setFramesPerSecond(transport.get().framesPerSecond);
 transport.subscribe((now) => {
   viewport.setPlayedRange(now.range);
@@ -166,6 +170,7 @@ const rest = restOfPage(root, opening, {
   },
   mount: ({ mountWorkbench }) => mountWorkbench(root, workbench, { theme, setActions }, forever),
 });
+fillPanels(rest.filled);
 window.marrow = scriptingApi(workbench, opener, rest);
 onLaunched((files) => void opener.open(() => files), window);
 void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles, timeline.review) }, opening);

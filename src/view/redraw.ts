@@ -29,6 +29,11 @@ export class Redraw {
     this.requestFrame();
   }
 
+  /** What was requested while a frame is prepared is drawn by that frame. */
+  include(): void {
+    this.isStale = false;
+  }
+
   /** Draws without waiting for a frame; nothing after a failure. */
   tryNow(nowMs: number): void {
     this.isStale = false;

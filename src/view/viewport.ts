@@ -388,6 +388,8 @@ export class Viewport {
     if (!screen.canDraw) return;
     this.update();
     framer.settle(shown.playedRange, shown.timeSeconds, display.followRoot);
+    // The camera that follows, or frames something, has moved for this frame; one that travels moves for the next, too.
+    this.redraw.include();
     rig.tick(nowMs);
     rig.fitDepth(characters.content, display.grid);
     const { camera } = rig;

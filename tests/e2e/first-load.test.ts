@@ -1,9 +1,10 @@
-/** What is loaded before the first picture of a first visit, and that nothing is loaded twice. */
+/** What is loaded before the first picture of a first visit, that nothing is loaded twice, and what comes next. */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync } from 'node:zlib';
 import { expect, it } from 'vitest';
+import { drawNothing } from '../helpers/gl-calls.ts';
 import { withPage } from '../helpers/page.ts';
 
 const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
@@ -14,6 +15,8 @@ declare global {
   interface Window {
     /** Addresses that were asked for before the first skin was drawn; see `noteFirstPicture`. */
     beforePicture?: readonly string[];
+    /** With the character, while the inspector is empty; see `countFrames`. */
+    framesBeforeInspector?: number;
   }
 }
 
@@ -33,6 +36,27 @@ function noteFirstPicture(): void {
     note(count);
     drawElementsInstanced.call(this, mode, count, type, offset, instances);
   };
+}
+
+/** Runs in the page. */
+function countFrames(): void {
+  let isDrawn = false;
+  window.framesBeforeInspector = 0;
+  const { prototype } = WebGL2RenderingContext;
+  const { drawElementsInstanced } = prototype;
+  prototype.drawElementsInstanced = function (mode, count, type, offset, instances) {
+    isDrawn ||= count >= 3000;
+    drawElementsInstanced.call(this, mode, count, type, offset, instances);
+  };
+  const inFrame = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (callback) =>
+    inFrame((now) => {
+      isDrawn = false;
+      callback(now);
+      if (isDrawn && !document.querySelector('.inspector .lil-slider')) {
+        window.framesBeforeInspector = (window.framesBeforeInspector ?? 0) + 1;
+      }
+    });
 }
 
 const sizeOf = (path: string) => brotliCompressSync(readFileSync(join(DIST, path))).length;
@@ -58,4 +82,16 @@ it('a first visit loads at most 260 kB before its first picture, the example wit
       await expect.poll(twice).toEqual([]);
     },
     { walking: true, serviceWorker: true, early: true, before: noteFirstPicture },
+  ));
+
+it('the inspector is filled before the fourth frame, and then the example plays', () =>
+  withPage(
+    async ({ page }) => {
+      await page.locator('.inspector .lil-slider').first().waitFor({ state: 'attached' });
+      // The first picture, its texture, and what menus and panels have changed.
+      expect(await page.evaluate(() => window.framesBeforeInspector)).toBeLessThanOrEqual(3);
+      const time = page.getByRole('textbox', { name: 'Time in seconds' });
+      await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(0);
+    },
+    { walking: true, fullMotion: true, firstVisit: true, early: true, before: [drawNothing, countFrames] },
   ));

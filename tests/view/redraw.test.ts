@@ -76,3 +76,13 @@ it('asks for no frame and draws none once it has ended', () => {
   redraw.now(0);
   expect([frames, drawn]).toEqual([1, 0]);
 });
+
+it('draws what is requested while a frame is prepared with that frame', () => {
+  redraw.request();
+  redraw.include();
+  frame();
+  expect(drawn).toBe(0);
+  redraw.request();
+  frame();
+  expect(drawn).toBe(1);
+});

@@ -17,8 +17,17 @@ type Shown = Uses<
   'store' | 'actions' | 'viewport' | 'viewportElement' | 'transport' | 'timeline' | 'settings' | 'messages' | 'files'
 >;
 
-/** Returns the current theme. `signal` removes the listeners on window and document. */
-export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSignal): Observable<ThemeName> {
+/**
+ * Returns the current theme. `signal` removes the listeners on window and document.
+ *
+ * @param ready it doesn't play until then: frames that are drawn without a GPU would keep the panels from being filled
+ */
+export function startFirstPicture(
+  root: HTMLElement,
+  wb: Shown,
+  ready: Promise<unknown>,
+  signal: AbortSignal,
+): Observable<ThemeName> {
   const { viewport, viewportElement, store, settings } = wb;
   const theme = followTheme(wb, signal);
   sizePanels(root, settings.get());
@@ -56,7 +65,7 @@ export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSig
   });
   show();
   document.body.append(dropTarget(wb, signal));
-  startPlayer(wb, signal);
+  startPlayer(wb, signal, ready);
   return theme;
 }
 

@@ -1,25 +1,32 @@
 /**
- * The right panel, in place from the start; its content is loaded after the first frame, playing or not. While the manual
- * is read, it has this place.
+ * The right panel, in place from the start; its content is loaded after the first picture, playing or not. While the
+ * manual is read, it has this place.
  */
 
 import { MANUAL_WINDOW, type ManualPage } from '../state/manual-link.ts';
-import { afterFrame, onDemand } from '../state/on-demand.ts';
+import { onDemand, soon } from '../state/on-demand.ts';
 import { isPanelOpen, openPanel } from '../state/panels/panels.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { element } from '../widgets/dom.ts';
 import { returnFocus } from '../widgets/focus/focus-regions.ts';
 import type { ManualPanel } from './help/manual-panel.ts';
 
-export function inspectorPanel(wb: Workbench, signal: AbortSignal): HTMLElement {
+export interface InspectorPanel {
+  readonly element: HTMLElement;
+  /** Resolves when its content is there, or couldn't be loaded. */
+  readonly filled: Promise<void>;
+}
+
+export function inspectorPanel(wb: Workbench, signal: AbortSignal): InspectorPanel {
   const panel = element('section', { class: 'panel inspector', 'aria-label': 'Inspector', 'data-panel': 'inspector' });
-  afterFrame(wb, async () => {
+  const fill = async () => {
     const module = await onDemand(wb.messages, 'The inspector', () => import('../editors/inspector/inspector.ts'));
     module?.fillInspector(wb, panel);
-  });
+  };
+  const filled = new Promise<void>((done) => soon(wb, () => done(fill())));
   showManualIn(wb, panel);
   followManualLinks(wb, signal);
-  return panel;
+  return { element: panel, filled };
 }
 
 function showManualIn(wb: Uses<'manual' | 'messages' | 'settings'>, panel: HTMLElement): void {

@@ -46,6 +46,8 @@ export interface Beginnings {
 
 /** The page once it is built. */
 export interface MountedPage {
+  /** Resolves when all panels have their content. */
+  readonly filled: Promise<void>;
   /** For `marrow.run`: a command or an action by its id; returns a promise if it is loaded first. */
   run(id: string, args: Readonly<Record<string, unknown>>): Promise<void> | undefined;
   /** For `marrow.commands`. */
@@ -94,6 +96,7 @@ export function mountWorkbench(
     for (const stop of stops) stop();
   });
   const stage = viewportPane(wb, signal);
+  const inspector = inspectorPanel(wb, signal);
   const timeline = timelinePanel(wb, [takeCell(wb), scrubber.element], loadTab, signal);
   const tabSwitches = timelineSwitches(wb, timeline.goTo, signal);
   layout(
@@ -103,7 +106,7 @@ export function mountWorkbench(
       menuBar: menuBar(wb),
       outliner: outliner(wb),
       stage,
-      inspector: inspectorPanel(wb, signal),
+      inspector: inspector.element,
       transport: transport(wb, tabSwitches),
       timeline: timeline.element,
       status: statusBar(wb, signal),
@@ -116,7 +119,7 @@ export function mountWorkbench(
   startTooltips(signal);
   openSelectsAsMenus(signal);
   listenToKeys(wb, signal);
-  return { run: (id, args) => runById(wb, id, args), commands };
+  return { filled: inspector.filled, run: (id, args) => runById(wb, id, args), commands };
 }
 
 /** The band of a moment is a script of its own, loaded with the first. */

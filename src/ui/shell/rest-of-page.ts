@@ -9,13 +9,15 @@ import type { MountedPage } from './mount.ts';
 type Rest = typeof import('./mount.ts');
 
 export interface RestOfPage {
+  /** Resolves when its panels have their content, or soon after the first picture if that takes longer. */
+  readonly filled: Promise<unknown>;
   /** Undefined until it is mounted. */
   readonly page: MountedPage | undefined;
   /** Loads it now. Resolves when mounted; with undefined when loading has failed, which the page says. */
   fetch(): Promise<MountedPage | undefined>;
 }
 
-/** Maximum delay while a large file is read. */
+/** Maximum delay while a large file is read, and of a first picture that doesn't move yet. */
 const PATIENCE_MS = 2000;
 
 export interface RestParts {
@@ -35,10 +37,17 @@ export function restOfPage(
   const early: Event[] = [];
   let page: MountedPage | undefined;
   let fetching: Promise<MountedPage | undefined> | undefined;
+  let fill = (_when: Promise<unknown>) => {};
+  const filled = new Promise((resolve) => {
+    fill = resolve;
+  });
   const fetchAndMount = async () => {
+    // Beside, and not one after the other. What becomes of it is seen to where it is used.
+    import('../editors/inspector/inspector.ts').catch(() => {});
     try {
       const [rest] = await Promise.all([import('./mount.ts'), beside()]);
       page = mount(rest);
+      fill(page.filled);
     } catch (error) {
       const why = sentenceOf(error);
       // There is no message line yet.
@@ -62,7 +71,9 @@ export function restOfPage(
   }
   const drawn = firstPicture.then(nextFrame, nextFrame);
   void Promise.race([drawn, new Promise((resolve) => setTimeout(resolve, PATIENCE_MS))]).then(fetch);
+  void drawn.then(() => setTimeout(fill, PATIENCE_MS));
   return {
+    filled,
     get page() {
       return page;
     },

@@ -42,9 +42,12 @@ export function whenIdle(wb: Uses<'loading'>, run: () => void): void {
   });
 }
 
-/** Runs it after the next frame: a page that plays is hardly ever idle. Files being loaded come first. */
-export function afterFrame(wb: Uses<'loading'>, run: () => void): void {
-  afterLoading(wb, run, (look) => requestAnimationFrame(() => setTimeout(look)));
+/**
+ * Runs it in a task of its own, with the next frame still to come: a page that plays is hardly ever idle, and without a
+ * GPU a frame takes longer than a panel. Files being loaded come first.
+ */
+export function soon(wb: Uses<'loading'>, run: () => void): void {
+  afterLoading(wb, run, (look) => setTimeout(look));
 }
 
 /** @param later calls what it is given when there is time for it */

@@ -10,12 +10,14 @@ import { dropStale, followUnkeyed } from '../posing/unkeyed-values.ts';
 /** A tab that was in the background continues where it was. */
 const LONGEST_STEP_SECONDS = 1;
 
-/** Runs until aborted. */
+/** Runs until aborted. @param ready time stands still until then; default: from the start */
 export function startPlayer(
   wb: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'settings' | 'messages'>,
   signal: AbortSignal,
+  ready?: Promise<unknown>,
 ): void {
   let before: number | undefined;
+  let isReady = ready === undefined;
   const queue = oncePerFrame((nowMs) => {
     if (signal.aborted || !wb.transport.get().playing) return;
     const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (nowMs - before) / 1000);
@@ -26,7 +28,7 @@ export function startPlayer(
   }, 'advance');
   const stop = wb.transport.subscribe((now, then) => {
     if (now.playing && !then.playing) before = undefined;
-    if (now.playing) queue();
+    if (now.playing && isReady) queue();
     if (now.timeSeconds !== then.timeSeconds) showTime(wb, now.timeSeconds);
   });
   const stopFollowing = followUnkeyed(wb);
@@ -34,7 +36,12 @@ export function startPlayer(
     stop();
     stopFollowing();
   });
-  if (wb.transport.get().playing) queue();
+  const begin = () => {
+    isReady = true;
+    if (wb.transport.get().playing) queue();
+  };
+  if (ready) void ready.then(begin);
+  else begin();
   wb.viewport.seek(wb.transport.get().timeSeconds);
 }
 

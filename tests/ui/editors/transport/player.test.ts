@@ -34,6 +34,21 @@ it('advances time by the elapsed time between frames', () => {
   expect(seeks).toEqual([0, 0.016, expect.closeTo(0.05)]);
 });
 
+it('time stands still until the page is ready, and then goes on without a jump', async () => {
+  const { wb } = workbench(undefined, { range: [0, 10], playing: true });
+  let isReady = () => {};
+  const ready = new Promise<void>((resolve) => {
+    isReady = resolve;
+  });
+  startPlayer(wb, stop.signal, ready);
+  wb.transport.update((p) => ({ ...p, rate: 2 }));
+  expect(frames).toHaveLength(0);
+  isReady();
+  await ready;
+  for (const now of [5000, 5016]) frame(now);
+  expect(wb.transport.get().timeSeconds).toBeCloseTo(0.032);
+});
+
 it('playback advances and is drawn in every frame', () => {
   const { wb } = workbench(undefined, { range: [0, 10], playing: true });
   const drawn: number[] = [];
