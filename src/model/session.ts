@@ -77,6 +77,8 @@ export interface Display {
   readonly followRoot: boolean;
   /** Cancels the root's travel over the ground. */
   readonly inPlace: boolean;
+  /** Keyed channels hold the value of their last key: to block poses. Never in pictures, videos or files. */
+  readonly stepped: boolean;
 }
 
 /** The display settings of a first visit. */
@@ -102,4 +104,5 @@ export const DEFAULT_DISPLAY: Display = {
   follow: false,
   followRoot: false,
   inPlace: false,
+  stepped: false,
 };

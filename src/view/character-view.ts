@@ -10,11 +10,13 @@
  *
  * A large skin isn't shown at once: `prepare` converts and uploads it in slices, then shows it.
  */
+
 import { type Bone, Box3, Group, PerspectiveCamera, Scene, Sphere, Vector3, type WebGLRenderer } from 'three';
 import { skinParts } from '../evaluate/shapes/skin-parts.ts';
 import { posedBounds } from '../evaluate/skin/bounds.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/space/placements.ts';
 import { upAxis } from '../evaluate/space/space.ts';
+import { steppedCharacter } from '../evaluate/stepped-take.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownSkin } from '../model/document.ts';
@@ -169,8 +171,9 @@ export class CharacterView {
     this.display = display;
     this.heat = heat;
     this.timeSeconds = timeSeconds;
-    if (this.player?.fits(character)) this.player.character = character;
-    else this.player = new PosePlayer(character);
+    const played = display.stepped ? steppedCharacter(character) : character;
+    if (this.player?.fits(played)) this.player.character = played;
+    else this.player = new PosePlayer(played);
 
     const hasNewPlaces = character.placements.length !== this.groups.length;
     if (hasNewPlaces) this.rebuildPlacements(character.placements.length);
@@ -195,8 +198,8 @@ export class CharacterView {
   }
 
   /** Whether another display, or another joint's heat map, changes nothing of how it is drawn and posed. */
-  isDrawnAlike({ inPlace }: Display): boolean {
-    return !this.skin && this.display?.inPlace === inPlace;
+  isDrawnAlike({ inPlace, stepped }: Display): boolean {
+    return !this.skin && this.display?.inPlace === inPlace && this.display.stepped === stepped;
   }
 
   /** See `Viewport.heatSkin`. Another skin has no values until it is given some. */

@@ -69,6 +69,8 @@ export class ShownDocument {
   private look: Look | undefined;
   private themeName: ThemeName = 'dark';
   private surroundings = EVERYTHING;
+  /** Pictures are drawn, which show motion as it is. */
+  private isShot = false;
   private framesPerSecond = 30;
   /** Poses or the set of characters have changed since the last update. */
   private hasMoved = true;
@@ -107,7 +109,8 @@ export class ShownDocument {
     this.selection = selection;
     this.picked.follow(selection);
     this.display = display;
-    characters.show(document, display, selection, this.timeSeconds, everything, this.look);
+    const drawn = this.isShot && display.stepped ? { ...display, stepped: false } : display;
+    characters.show(document, drawn, selection, this.timeSeconds, everything, this.look);
     this.tints = tints;
     for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
     this.stage.setShadow(display.shadow);
@@ -125,10 +128,12 @@ export class ShownDocument {
     if (document) this.show(document, selection, display, tints);
   }
 
-  /** Draws this besides the characters; undefined: as ever. */
+  /** For pictures: draws this besides the characters, and no stepped preview; undefined: as ever. */
   surround(surroundings = EVERYTHING): void {
     const { hasBackground, hasGrid, hasTools } = surroundings;
     this.surroundings = surroundings;
+    this.isShot = surroundings !== EVERYTHING;
+    if (this.display.stepped) this.setLook(this.look);
     this.stage.setBackground(hasBackground);
     this.grid.object.visible = this.display.grid && hasGrid;
     this.tools.visible = hasTools;

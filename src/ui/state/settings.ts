@@ -159,6 +159,8 @@ function parseDisplay(kept: Record<string, unknown>): Display {
     // Not remembered: a camera that follows from the start looks like a fault.
     follow: DEFAULT_DISPLAY.follow,
     followRoot: DEFAULT_DISPLAY.followRoot,
+    // Likewise a motion that jumps.
+    stepped: DEFAULT_DISPLAY.stepped,
   };
 }
 

@@ -8,8 +8,9 @@ import { setDofs } from '../../../edit/commands/pose.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { findKey } from '../../../edit/keys/same-time.ts';
 import { keysAtTime } from '../../../edit/keys/selection.ts';
-import { channelOf, isDriven } from '../../../evaluate/pose.ts';
+import { channelOf, dofCountOf, isDriven, poseAt } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
+import { steppedCharacter } from '../../../evaluate/stepped-take.ts';
 import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/skeleton/dofs.ts';
@@ -66,8 +67,18 @@ export function keyNow(
   pausePlayback(wb);
   const { timeSeconds } = wb.transport.get();
   const options = keyOptions(wb);
-  const sampled = sampledDofs(findCharacter(wb.store.document, characterId), dofs);
-  if (!sampled || sampled.keyable) {
+  const character = findCharacter(wb.store.document, characterId);
+  const sampled = sampledDofs(character, dofs);
+  if (character && !sampled && wb.settings.get().display.stepped && silentChannels(character) === 0) {
+    // What is keyed is what is shown.
+    const held = heldValues(character, timeSeconds, dofs);
+    addKeys(wb, setDofs, (outsideCycle) => ({
+      characterId,
+      dofs: held,
+      timeSeconds,
+      key: { ...options, ...(outsideCycle && { outsideCycle }) },
+    }));
+  } else if (!sampled || sampled.keyable) {
     addKeys(wb, keyPose, (outsideCycle) => ({ characterId, dofs, timeSeconds, ...options, outsideCycle }));
   }
   if (!sampled) return false;
@@ -76,6 +87,13 @@ export function keyNow(
     module?.offerToConvert(wb, characterId, sampled.dofs, options);
   });
   return true;
+}
+
+/** The values that the stepped preview shows. */
+function heldValues(character: Character, timeSeconds: number, dofs?: readonly number[]): readonly DofValue[] {
+  const shown = new Float64Array(dofCountOf(character));
+  poseAt(steppedCharacter(character), timeSeconds, shown);
+  return (dofs ?? [...shown.keys()]).map((index) => ({ index, value: shown[index] }));
 }
 
 /** Those of a character's DOFs that are sampled, and whether any others take keys; undefined if none are. */

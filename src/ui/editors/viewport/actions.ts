@@ -1,5 +1,6 @@
 /** Actions for camera and display. */
 
+import { boolean, record } from '../../../edit/schema/shape.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { baseName, sameName } from '../../../model/files.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
@@ -71,6 +72,9 @@ const needsBoxed = needs(NO_BOXES, areBoxesVisible);
 const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
 const skinStyles = (wb: Uses<'store'>) => SKIN_STYLES.filter(([style]) => style !== 'textured' || isAnyTextured(wb));
 const boxStyles = (wb: Uses<'store'>) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
+
+/** What scripts give to a switch. */
+const SWITCH = record({ on: boolean });
 
 export const VIEW_ACTIONS: readonly Action[] = [
   {
@@ -166,6 +170,20 @@ export const VIEW_ACTIONS: readonly Action[] = [
   { ...toggle('trail', 'Motion path', undefined, []), also: 'trail trajectory' },
   { ...toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']), also: 'ghosts' },
   { ...toggle('grid', 'Grid', 'grid', ['G']), also: 'floor ground background' },
+  {
+    id: 'view.steppedPreview',
+    label: 'Stepped preview',
+    group: 'Draw',
+    menu: 'View',
+    section: 2,
+    also: 'blocking hold pose to pose',
+    shortcuts: ['Shift+D'],
+    checked: (wb) => wb.settings.get().display.stepped,
+    run(wb, args) {
+      const stepped = args === undefined ? !wb.settings.get().display.stepped : SWITCH.read(args, '').on;
+      setDisplay(wb, { stepped });
+    },
+  },
   { ...toggle('shadow', 'Shadow', 'shadow', ['Shift+G']), also: 'light' },
   { ...toggle('floorAtLowest', 'Floor at lowest point', undefined, []), also: 'ground origin level' },
 ];
