@@ -1,4 +1,4 @@
-/** Auto tangents on the command line, against the reference's numbers. */
+/** Auto tangents and tweens on the command line, against the reference's numbers. */
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -10,6 +10,13 @@ import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
 interface Craft {
   readonly kinds: readonly { readonly anim: string; readonly kinds: readonly (readonly [string, string])[][] }[];
   readonly derive: readonly { readonly anim: string; readonly slopes: readonly (readonly number[])[] }[];
+  readonly tween: readonly TweenCase[];
+}
+interface TweenCase {
+  readonly anim: string;
+  readonly u: number;
+  readonly times: readonly number[];
+  readonly values: readonly (readonly (number | null)[])[];
 }
 interface KeysJson {
   readonly keys: readonly {
@@ -22,7 +29,7 @@ interface KeysJson {
   }[][];
 }
 
-describeShared('auto tangents of the reference files', () => {
+describeShared('auto tangents and tweens of the reference files', () => {
   const craft = conformance<Craft>('craft.json');
   const folder = mkdtempSync(join(tmpdir(), 'marrow-craft-'));
   afterAll(() => rmSync(folder, { recursive: true }));
@@ -61,6 +68,16 @@ describeShared('auto tangents of the reference files', () => {
     expect((await command(['convert', 'data/craft/auto.anim', out, '--tangents', kind], sharedPath(''))).code).toBe(0);
     const { keys } = await keysOf(out);
     expect(new Set(keys.flat().flatMap((key) => [key.tangentIn, key.tangentOut]))).toEqual(new Set([kind]));
+  });
+
+  it.each(craft.tween)('$anim has the reference’s tween by $u', async ({ anim, u, times, values }) => {
+    const args = ['channels', anim, '--times', times.join(','), '--tween', String(u), '--json'];
+    const { tween } = await commandJson<{ readonly tween: (number | null)[][] }>(args, sharedPath(''));
+    expect(tween.map((row) => row.map((value) => value === null))).toEqual(
+      values.map((row) => row.map((value) => value === null)),
+    );
+    const numbers = (rows: readonly (readonly (number | null)[])[]) => rows.flat().filter((value) => value !== null);
+    expectClose(numbers(tween), numbers(values), WITHIN.reference, 'tween');
   });
 
   it('another word is refused, and so is more than one output', async () => {

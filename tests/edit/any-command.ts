@@ -105,6 +105,19 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     timeSeconds: time(dice),
     ...autoKey(dice),
   }),
+  'pose.tween': ({ dice, character }) => ({
+    characterId: character.id,
+    timeSeconds: time(dice),
+    u: value(dice),
+    toward: dice.pick(['keys', 'rest', undefined]),
+    ...autoKey(dice),
+  }),
+  'pose.relax': ({ dice, character }) => ({
+    characterId: character.id,
+    timeSeconds: time(dice),
+    amount: value(dice),
+    ...autoKey(dice),
+  }),
   'pose.dropUnkeyed': ({ dice }) => ({ exceptSeconds: dice.is(0.5) ? time(dice) : null }),
   'poses.mirror': ({ dice, character }) => ({
     characterId: character.id,
@@ -306,6 +319,9 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     ...(s.dice.is(0.3) && { slopeIn: value(s.dice) }),
     ...(s.dice.is(0.3) && { slopeOut: value(s.dice) }),
   }),
+  'keys.tween': (s) => ({ ...of(s), u: value(s.dice) }),
+  'keys.relax': (s) => ({ ...of(s), amount: value(s.dice) }),
+  'keys.ease': (s) => ({ ...of(s), amount: value(s.dice) }),
   'keys.snap': (s) => ({
     ...of(s),
     framesPerSecond: s.dice.pick([4, 30]),
@@ -313,7 +329,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   }),
   'keys.remove': (s) => ({ ...of(s), timeSeconds: time(s.dice) }),
   'keys.ripple': (s) => ({ ...of(s), seconds: seconds(s.dice) }),
-  'keys.setTangents': (s) => ({ ...of(s), side: side(s.dice), kind: s.dice.pick(TANGENT_KINDS) }),
+  'keys.setTangents': (s) => ({ ...of(s), side: side(s.dice), kind: s.dice.pick([...TANGENT_KINDS, 'step']) }),
   'keys.setSlopes': (s) => ({ ...of(s), side: side(s.dice), slope: value(s.dice) }),
   'keys.unify': of,
   'keys.break': of,

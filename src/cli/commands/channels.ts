@@ -2,13 +2,14 @@
 import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
+import { neighboursAt, tweened } from '../../evaluate/tween.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { keysOf, type Take } from '../../model/takes/take.ts';
 import { TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { FILE_EXITS } from '../io.ts';
 import { loadAny } from '../load.ts';
 import { files } from '../options/inputs.ts';
-import { numbers } from '../options/kinds.ts';
+import { number, numbers } from '../options/kinds.ts';
 import { flag, option } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';
 import { printJson, report } from '../report.ts';
@@ -20,11 +21,15 @@ export const channels = shellCommand({
   inputs: files('FILE.anim', { 'FILE.anim': 'An animation; no skeleton is needed, and no limits are enforced.' }),
   options: {
     times: option(numbers('T,T,…'), 'Evaluates the channels at these times, in seconds.', { isRequired: true }),
+    tween: option(
+      number('U'),
+      'Adds to the JSON, for each channel and time, the value this share of the way from the key before to the key after, or null without both.',
+    ),
     json: flag('Prints JSON, which adds the slopes at the times and the keys of each channel.'),
   },
   examples: ['marrow channels wasp_walk.anim --times -1,0,0.5 --json'],
   exits: FILE_EXITS,
-  async run({ inputs, options: { times, json } }, io) {
+  async run({ inputs, options: { times, json, tween } }, io) {
     const { all, diagnostics } = await loadAny(inputs, io.folder);
     if (all.length !== 1 || all[0].kind !== 'anim') throw new UsageError('channels takes one .anim file.');
     report(diagnostics, io);
@@ -32,8 +37,9 @@ export const channels = shellCommand({
     const take = content?.kind === 'anim' ? content.take : undefined;
     const values = take ? valuesAt(take, times) : [];
     if (json) {
+      const tweens = take && tween !== undefined && { tween: tweensAt(take, times, tween) };
       const curves = take && { slopes: slopesAt(take, times), keys: take.channels.map((_, c) => keysIn(take, c)) };
-      await printJson({ channels: values, times, ...curves, diagnostics }, io);
+      await printJson({ channels: values, times, ...curves, ...tweens, diagnostics }, io);
     } else await io.out(values.map((row, c) => `channel ${c}: ${row.join(' ')}\n`).join(''));
     return hasErrors(diagnostics) ? 1 : 0;
   },
@@ -42,6 +48,16 @@ export const channels = shellCommand({
 function valuesAt(take: Take, times: readonly number[]): number[][] {
   const compiled = compileTake(take);
   return take.channels.map((_, c) => times.map((time) => evaluateChannel(compiled, c, time)));
+}
+
+/** Null where a channel has no key on both sides of a time. */
+function tweensAt(take: Take, times: readonly number[], share: number): (number | null)[][] {
+  return take.channels.map((channel) =>
+    times.map((time) => {
+      const near = channel.kind === 'keys' ? neighboursAt(channel, time) : undefined;
+      return near ? tweened(near, share) : null;
+    }),
+  );
 }
 
 /** In value per second, on the side after the time. */

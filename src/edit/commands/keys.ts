@@ -2,8 +2,10 @@
 
 import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
+import type { Character, Document } from '../../model/document.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { followingSamples } from '../../model/takes/take.ts';
+import { wholeFilePose } from '../../model/skeleton/dofs.ts';
+import { followingSamples, type KeyedChannel } from '../../model/takes/take.ts';
 import { TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
 import { indexIn } from '../arguments.ts';
 import {
@@ -11,10 +13,12 @@ import {
   checkedChannels,
   checkedKeys,
   keyable,
+  type OfKeys,
   requireKeyable,
   takeOf,
   withTakeChannels,
 } from '../channel-edits.ts';
+import { requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type KeyPlacing, placeOf } from '../keys/cycle.ts';
@@ -26,7 +30,8 @@ import { rippleRoom, withKeysRippled } from '../keys/ripple.ts';
 import { withKeysScaled } from '../keys/scale.ts';
 import { withKeysSet, withKeysSnapped } from '../keys/set.ts';
 import { wholeSteps } from '../keys/steps.ts';
-import { boolean, ifGiven, index, list, number, optional } from '../schema/shape.ts';
+import { type KeyTween, withKeysTweened } from '../keys/tween.ts';
+import { boolean, ifGiven, index, list, number, oneOf, optional } from '../schema/shape.ts';
 import { CHANNELS, KEYS, NOW, onCollision, PLACING, tangentKind } from '../schema/shared-shapes.ts';
 import { curvesIn, keysIn } from '../step-names.ts';
 
@@ -112,30 +117,54 @@ export const moveKeys = command({
   },
 });
 
+/** The values that keys can be scaled about: of the selected ones of each channel, or the file pose. */
+export const SCALE_ABOUT = ['first', 'last', 'mean', 'pose'] as const;
+
 /** Scales keys in time and value about a point, and selects them at their new places; see `keys/scale.ts`. */
 export const scaleKeys = command({
   id: 'keys.scale',
   args: {
     ...KEYS,
     /** Take time that stays fixed. */
-    pivotSeconds: number,
-    /** Negative mirrors. */
-    timeFactor: number,
+    pivotSeconds: optional(number),
+    /** Negative mirrors; default 1. */
+    timeFactor: optional(number),
     valueFactor: number,
     /** The value that stays fixed, one per entry of `keys`; default 0. */
     pivotValues: optional(list(number)),
+    /** Which value stays fixed, instead: the first, last or mean one of the keys of a channel, or the file pose. */
+    about: optional(oneOf(SCALE_ABOUT)),
     onCollision,
   },
   label: (document, { characterId, keys }) => `Scale ${keysIn(document, characterId, keys)}`,
   run(document, args) {
-    const { characterId, keys, pivotSeconds, timeFactor, valueFactor, pivotValues, onCollision = 'replace' } = args;
+    const { characterId, keys, pivotSeconds = 0, timeFactor = 1, valueFactor, onCollision = 'replace' } = args;
+    const { pivotValues, about } = args;
+    const file = about === 'pose' ? filePoseOf(requireCharacter(document, characterId)) : undefined;
     const pivots = pivotValues && numberForEach(pivotValues, keys, '"pivotValues"');
     return changeKeys(document, { characterId, keys }, (channel, indices, entry) => {
-      const pivotValue = pivots?.[entry] ?? 0;
+      const own = about && pivotOf(about, channel, indices, file?.[keys[entry].channel] ?? 0);
+      const pivotValue = own ?? pivots?.[entry] ?? 0;
       return withKeysScaled(channel, indices, { pivotSeconds, timeFactor, pivotValue, valueFactor }, onCollision);
     });
   },
 });
+
+function filePoseOf({ skeleton, morphs }: Character): readonly number[] {
+  return wholeFilePose(skeleton, morphs);
+}
+
+function pivotOf(
+  about: (typeof SCALE_ABOUT)[number],
+  { values }: KeyedChannel,
+  indices: readonly number[],
+  file: number,
+): number {
+  if (about === 'pose') return file;
+  if (about === 'first') return values[indices[0]];
+  if (about === 'last') return values[indices[indices.length - 1]];
+  return indices.reduce((sum, k) => sum + values[k], 0) / indices.length;
+}
 
 /** Exact numbers, as typed. A time can only be set for one key per channel, otherwise refused. */
 export const setKeys = command({
@@ -188,6 +217,38 @@ export const snapKeys = command({
     );
   },
 });
+
+/** Sets keys to values between the keys around each run of them. */
+export const tweenKeys = command({
+  id: 'keys.tween',
+  args: { ...KEYS, u: number },
+  label: (document, { characterId, keys }) => `Tween ${keysIn(document, characterId, keys)}`,
+  run: (document, { u, ...of }) => tweened(document, of, { kind: 'tween', u }),
+});
+
+/** Moves keys toward the straight line between the keys around each run, by a share; less than 0 pushes them away. */
+export const relaxKeys = command({
+  id: 'keys.relax',
+  args: { ...KEYS, amount: number },
+  label: (document, { characterId, keys, amount }) =>
+    `${amount < 0 ? 'Push' : 'Relax'} ${keysIn(document, characterId, keys)}`,
+  run: (document, { amount, ...of }) => tweened(document, of, { kind: 'relax', amount }),
+});
+
+/** Eases keys: more than 0 keeps them near the key before their run, less than 0 near the one after it. */
+export const easeKeys = command({
+  id: 'keys.ease',
+  args: { ...KEYS, amount: number },
+  label: (document, { characterId, keys }) => `Ease ${keysIn(document, characterId, keys)}`,
+  run: (document, { amount, ...of }) => tweened(document, of, { kind: 'ease', amount }),
+});
+
+function tweened(document: Document, of: OfKeys, tween: KeyTween) {
+  return changeKeys(document, of, (channel, indices) => ({
+    channel: withKeysTweened(channel, indices, tween),
+    indices,
+  }));
+}
 
 /**
  * Channels that lose all their keys rest at their value at the given time; those converted from samples that are still

@@ -22,8 +22,9 @@ import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
-import { boolean, index, list, number, oneOf, record } from '../schema/shape.ts';
-import { CHARACTER, key, NOW } from '../schema/shared-shapes.ts';
+import { type Tween, tweenedPose } from '../pose/tween.ts';
+import { boolean, index, list, number, oneOf, optional, record } from '../schema/shape.ts';
+import { CHARACTER, indices, key, NOW } from '../schema/shared-shapes.ts';
 import { characterIn, dofsIn, poseLabel } from '../step-names.ts';
 import { withTake } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
@@ -77,6 +78,51 @@ export const resetPose = command({
       return new Map(values.entries());
     }),
 });
+
+/** The ways a pose can be tweened: between the keys around the time, or toward the file pose. */
+export const TWEEN_TOWARD = ['keys', 'rest'] as const;
+
+const OF_POSE = {
+  ...NOW,
+  /** Indices into the character's DOFs; default all. Those without a key on both sides are left alone. */
+  dofs: optional(indices),
+  key,
+} as const;
+
+/** Sets DOFs to values between their keys around the time: 0 is that before, 1 that after; any number. */
+export const tweenPose = command({
+  id: 'pose.tween',
+  args: { ...OF_POSE, u: number, toward: optional(oneOf(TWEEN_TOWARD)) },
+  label: (document, args) => `Tween ${whatOf(document, args)}${args.toward === 'rest' ? ' toward rest' : ''}`,
+  run: (document, { u, toward = 'keys', ...of }) => tweened(document, of, { kind: toward, u }),
+});
+
+/** Moves DOFs toward the straight line between their keys around the time, by a share; less than 0 pushes them away. */
+export const relaxPose = command({
+  id: 'pose.relax',
+  args: { ...OF_POSE, amount: number },
+  label: (document, args) => `${args.amount < 0 ? 'Push' : 'Relax'} ${whatOf(document, args)}`,
+  run: (document, { amount, ...of }) => tweened(document, of, { kind: 'relax', amount }),
+});
+
+interface OfPose {
+  readonly characterId: string;
+  readonly timeSeconds: number;
+  readonly dofs?: readonly number[];
+  readonly key?: KeyOptions;
+}
+
+function tweened(document: Document, { characterId, timeSeconds, dofs, key }: OfPose, tween: Tween): Document | Edit {
+  return setValues(document, characterId, timeSeconds, key, (character) => {
+    const count = dofCountOf(character);
+    const given = dofs?.map((dof) => indexIn(dof, 0, count, 'DOF'));
+    return tweenedPose(character, timeSeconds, tween, given).values;
+  });
+}
+
+function whatOf(document: Document, { characterId, dofs }: OfPose): string {
+  return dofs ? dofsIn(requireCharacter(document, characterId), dofs) : characterIn(document, characterId);
+}
 
 /** Sets whether the limits of a character are enforced; its values stay as they are. */
 export const setClamping = command({

@@ -36,7 +36,7 @@ export function withKeysMoved(
 export function withValues(
   channel: KeyedChannel,
   indices: readonly number[],
-  change: (value: number) => number,
+  change: (value: number, key: number) => number,
 ): KeyedChannel {
   const values = channel.values.slice();
   let changed = false;
@@ -45,7 +45,7 @@ export function withValues(
     values[k] = value;
   };
   for (const k of indices) {
-    const value = change(values[k]);
+    const value = change(values[k], k);
     if (!Number.isFinite(value)) throw new CommandError('That value is too large.');
     set(k, isHeld(channel, k) ? values[k - 1] : value);
     if (isHeld(channel, k + 1)) set(k + 1, values[k]);
