@@ -86,16 +86,30 @@ export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: DragTarge
   return 'pin' in dragged ? pins.findIndex(({ id }) => id === dragged.pin) : pins.length;
 }
 
+/** How the root is held: not at all, its position, or its turn too. */
+export type RootHold = 'moves' | 'in place' | 'fixed';
+
+/**
+ * How a character's root is held. In the axis-angle form it is the first bone, which turns in place unless that is locked;
+ * arms of one or two bones could reach nothing otherwise.
+ */
+export function rootHold({ form }: Pick<Skeleton, 'form'>, { stiff, rootIsFree }: Omit<IkSetup, 'pins'>): RootHold {
+  if (rootIsFree) return 'moves';
+  const isLocked = stiff.some(({ joint, stiffness }) => joint === 0 && stiffness === undefined);
+  return form === 'axis-angle' && !isLocked ? 'in place' : 'fixed';
+}
+
 /**
  * Stiffness of each of the character's DOFs except morphs: `ikStiffness` with the settings' joints locked (Infinity) or
  * stiffened. Root translation depends on `rootIsFree` only; locking the root joint locks its rotation, and so does a
- * root that is fixed, except in the axis-angle form, whose root is the first bone. If a locked joint's DOFs are linked,
+ * root that is fixed (`rootHold`). If a locked joint's DOFs are linked,
  * the DOFs they follow are locked too, or it would bend with them.
  */
-export function stiffnessOf(skeleton: Skeleton, { stiff, rootIsFree }: Omit<IkSetup, 'pins'>): Float64Array {
+export function stiffnessOf(skeleton: Skeleton, setup: Omit<IkSetup, 'pins'>): Float64Array {
+  const { stiff, rootIsFree } = setup;
   const stiffness = ikStiffness(skeleton, rootIsFree);
   const { firstDof, travel, jointCount, couples } = compileSkeleton(skeleton);
-  const root: readonly StiffJoint[] = rootIsFree || skeleton.form === 'axis-angle' ? [] : [{ joint: 0 }];
+  const root: readonly StiffJoint[] = rootHold(skeleton, setup) === 'fixed' ? [{ joint: 0 }] : [];
   for (const { joint, stiffness: factor = Infinity } of [...stiff, ...root]) {
     if (joint >= jointCount) continue;
     for (let dof = firstDof[joint]; dof < firstDof[joint + 1]; dof++) {

@@ -8,6 +8,7 @@ import {
   pinTargets,
   pointAt,
   reachOfSkeleton,
+  rootHold,
   stiffnessOf,
 } from '../../../src/evaluate/ik/set-up.ts';
 import { solve } from '../../../src/evaluate/ik/solve.ts';
@@ -114,11 +115,18 @@ describe('how unwilling DOFs are', () => {
     ]);
   });
 
-  it('keeps position and turn of a fixed root, but in the axis-angle form, whose root is a bone', () => {
+  it('keeps position and turn of a fixed root; in the axis-angle form, whose root is a bone, its turn once that is locked', () => {
     const fixed = { stiff: [], rootIsFree: false };
     const ends = [Infinity, Infinity, Infinity];
     expect([...stiffnessOf(CHAIN, fixed)]).toEqual([...ends, ...ends, 1, 1, 1, 1, 1, 1]);
-    expect([...stiffnessOf({ ...CHAIN, form: 'axis-angle' }, fixed)]).toEqual([...ends, 1, 1, 1, 1, 1, 1, 1, 1, 1]);
+    const axes = { ...CHAIN, form: 'axis-angle' } as const;
+    expect([...stiffnessOf(axes, fixed)]).toEqual([...ends, 1, 1, 1, 1, 1, 1, 1, 1, 1]);
+    expect([rootHold(CHAIN, fixed), rootHold(axes, fixed)]).toEqual(['fixed', 'in place']);
+    expect(rootHold(axes, { stiff: [], rootIsFree: true })).toBe('moves');
+    expect(rootHold(axes, { stiff: [{ joint: 0, stiffness: 4 }], rootIsFree: false })).toBe('in place');
+    const locked = { stiff: [{ joint: 0 }], rootIsFree: false };
+    expect(rootHold(axes, locked)).toBe('fixed');
+    expect([...stiffnessOf(axes, locked)]).toEqual([...ends, ...ends, 1, 1, 1, 1, 1, 1]);
   });
 
   it('locks what a locked joint follows, however far', () => {

@@ -4,7 +4,7 @@
  */
 
 import { PIN_AXES, type PinAxes } from '../../../evaluate/handles/pin-handles.ts';
-import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import { ikOf, type RootHold, rootHold } from '../../../evaluate/ik/set-up.ts';
 import { defaultIk } from '../../../model/ik.ts';
 import { currentCharacter, findAction, tryById } from '../../state/actions/action.ts';
 import { itemOf } from '../../state/actions/menu-entries.ts';
@@ -20,6 +20,17 @@ import { whileShown } from '../posing/while-shown.ts';
 import { REACH_MEANINGS, REACH_NAMES, reachShown } from './reach-choice.ts';
 import { selectedPin } from './selected-pin.ts';
 
+const ROOT_NAMES: Readonly<Record<RootHold, string>> = {
+  moves: 'Root moves',
+  'in place': 'Root in place',
+  fixed: 'Root fixed',
+};
+const ROOT_MEANINGS: Readonly<Record<RootHold, string>> = {
+  moves: 'moves when a pin needs it',
+  'in place': 'keeps its position and turns, as the first bone; lock it to keep its turn too',
+  fixed: 'keeps its position and turn; only other joints bend',
+};
+
 /** Created once; up to date while shown. */
 export function ikControls(
   wb: Uses<'store' | 'actions' | 'posing' | 'settings'>,
@@ -30,10 +41,8 @@ export function ikControls(
   );
   setActionTooltip(wb, root, 'ik.rootFree', () => {
     const character = currentCharacter(wb);
-    if (!character) return 'Allow root to move';
-    return ikOf(character).rootIsFree
-      ? `${character.name}’s root moves when a pin needs it`
-      : `${character.name}’s root is fixed; only joints bend`;
+    if (!character?.skeleton) return 'Allow root to move';
+    return `${character.name}’s root ${ROOT_MEANINGS[rootHold(character.skeleton, ikOf(character))]}`;
   });
   const reach = keepsFocusElsewhere(
     element('button', { type: 'button', class: 'tool text-tool ik-reach' }, element('span', {}), icon('fold')),
@@ -74,7 +83,7 @@ export function ikControls(
       write(all, 'hidden', !setup?.pins.length);
     }
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
-    setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
+    setText(root, ROOT_NAMES[character?.skeleton && setup ? rootHold(character.skeleton, setup) : 'moves']);
     root.classList.toggle('asked', setup?.rootIsFree === false && wantsRoot.get());
     setText(hint, ikHintText(setup?.pins.length ?? 0));
     write(hint, 'hidden', mode === 'pose' || hasDragged.get() || setup === undefined);
