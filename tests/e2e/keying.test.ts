@@ -118,7 +118,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
     await expect.poll(() => page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
     const pressed = () =>
       page.locator('.tangent-tools [aria-pressed]').evaluateAll((all) => all.map((one) => one.ariaPressed));
-    await expect.poll(pressed).toEqual(['false', 'false', 'mixed', 'mixed']);
+    await expect.poll(pressed).toEqual(['false', 'false', 'mixed', 'mixed', 'false', 'false']);
     await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
     await page.getByRole('menuitem', { name: 'Tangents', exact: true }).hover();
     for (const [name, checked] of [
@@ -130,7 +130,7 @@ async function makeTake({ files, joint, channel }: Subject): Promise<void> {
       await expect.poll(() => item.getAttribute('aria-checked'), { message: name }).toBe(checked);
     }
     await page.getByRole('menuitemcheckbox', { name: 'Smooth', exact: true }).click();
-    await expect.poll(pressed).toEqual(['false', 'false', 'true', 'false']);
+    await expect.poll(pressed).toEqual(['false', 'false', 'true', 'false', 'false', 'false']);
 
     // Extrapolation from the menu, for all keys.
     await page.locator('.curve-plot').focus();
