@@ -124,6 +124,8 @@ export class Opener {
               onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
             });
       for (const file of files) if (output.keeps.includes(file.path)) this.before.set(file.path, file);
+      // A take that waited for its skeleton is not read again with the next one.
+      for (const { kind, source } of output.files) if (kind === 'amc') this.before.delete(source.path);
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
       // The user has opened something meanwhile, which takes precedence over the example.

@@ -7,9 +7,9 @@ import { CommandError } from '../edit/command-error.ts';
 import { formatKindOf, isSaved, KINDS } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { Format } from '../files/readers.ts';
-import { bvhOf, type NamedCapture, skelOf } from '../files/save/character-files.ts';
+import { bvhOf, type NamedCapture, skelOf, withoutBones } from '../files/save/character-files.ts';
 import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversion.ts';
-import { bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
+import { acclaimCopies, bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
 import { type Output, outputOf } from '../files/save/output.ts';
 import { copiesOf, isCopy } from '../files/save/saving.ts';
 import { unitNotKept } from '../files/save/unit-not-kept.ts';
@@ -32,7 +32,13 @@ function charactersOf(files: readonly ParsedFile[], { edit }: PickOptions): read
 }
 
 /** What is to be written, or why nothing is. */
-export type Picked = { readonly output: Output } | { readonly refusal: Diagnostic };
+export type Picked =
+  | {
+      readonly output: Output;
+      /** Written beside it, all by their own names. */
+      readonly beside?: readonly Output[];
+    }
+  | { readonly refusal: Diagnostic };
 
 /**
  * The content of the file `out`. What edits refuse, for which nothing may be left, is told as everything else.
@@ -50,6 +56,7 @@ export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: 
 
 function pick(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   const { kind } = format;
+  if (kind === 'asf' || kind === 'amc') return acclaimOf(files, format, out, options);
   const fitting = files.filter((file) => file.kind === kind);
   if (fitting.length > 1)
     return {
@@ -74,9 +81,12 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
     ? convertedTo(target, files, format, out, options)
     : (partOf(files, format, out, options) ?? copiedTo(files, format, out, options));
   if (converted) return converted;
+  return { refusal: nothingFor(files, format, out) };
+}
+
+function nothingFor(files: readonly ParsedFile[], { label }: Format, out: string): Diagnostic {
   const held = files.map((file) => file.source.path).join(', ') || 'nothing';
-  const message = `Expected ${format.label} input for ${out}, found ${held}.`;
-  return { refusal: refusal('part-missing', message, out) };
+  return refusal('part-missing', `Expected ${label} input for ${out}, found ${held}.`, out);
 }
 
 /** Once for all characters. */
@@ -99,7 +109,7 @@ function unneeded(files: readonly ParsedFile[], only: ParsedFile, out: string): 
 function saying(picked: Picked, told: readonly Diagnostic[]): Picked {
   if (!('output' in picked) || told.length === 0) return picked;
   const { output } = picked;
-  return { output: { ...output, diagnostics: () => [...output.diagnostics(), ...told] } };
+  return { ...picked, output: { ...output, diagnostics: () => [...output.diagnostics(), ...told] } };
 }
 
 /** The skin or morph of a character whose file holds all of it; undefined if it holds none. */
@@ -202,7 +212,7 @@ function convertedTo(
     return { output: outputOf(bvhCopy(`${stem(out)}.bvh`, captures)) };
   }
   // One kind only: `--to skel` writes skeletons with their takes. A `.skel` may have several roots.
-  const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
+  const skeletons = characters.flatMap((character) => skelOf(withoutBones(character)) ?? []);
   if (target === 'skel' && skeletons.length && (files.length === 1 || isAxisAngleName(out))) {
     return skelInForm(skeletons, files[0].source.name, out);
   }
@@ -219,6 +229,22 @@ function convertedTo(
       ),
     };
   return { output: made[0] };
+}
+
+/** A skeleton with its takes, whichever of both OUT names: one needs the other. */
+function acclaimOf(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
+  const characters = charactersOf(files, options).filter(({ skeleton }) => skeleton);
+  const [character] = characters;
+  if (!character) return { refusal: nothingFor(files, format, out) };
+  if (characters.length > 1) {
+    const names = characters.map(({ name }) => name);
+    return { refusal: tooMany(format, names, out, '"--to asf --out DIR" writes each.') };
+  }
+  const why = KINDS.asf.save.obstacle(character);
+  if (why !== undefined) return { refusal: refusal('conversion-refused', why, out) };
+  const outputs = acclaimCopies(character, options, stem(out)).map(outputOf);
+  const [first, ...others] = outputs;
+  return { output: first, beside: others };
 }
 
 function stem(name: string): string {

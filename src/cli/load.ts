@@ -2,8 +2,8 @@
  * Files from disk to models, through the same readers as in the page, a megabyte at a time: memory is bounded by the
  * model, not the file.
  */
-import { statSync } from 'node:fs';
-import { basename, dirname, isAbsolute, relative, resolve, sep } from 'node:path';
+import { readdirSync, statSync } from 'node:fs';
+import { basename, dirname, isAbsolute, posix, relative, resolve, sep } from 'node:path';
 import { unreadMessage } from '../files/foreign.ts';
 import { type OpenResult, openFiles } from '../files/open/open-files.ts';
 import { type Format, formatOf } from '../files/readers.ts';
@@ -131,6 +131,7 @@ async function importGiven(given: readonly GivenPath[], folder: string, near = g
         bytes,
         beside: async (wanted) =>
           isFile(absolute) ? besideOnDisk(absolute, wanted, folder) : besideInZip(file, wanted, near),
+        near: (extension) => namesNear(file, extension, near),
       });
       out.set(path, { bytes: bytes.length, diagnostics, ...(value && { content: value }), beside });
       for (const part of beside) out.set(part.path, 'part');
@@ -150,6 +151,36 @@ function besideOnDisk(absolute: string, wanted: string, folder: string): Beside 
   const path = relative(folder, found).split(sep).join('/');
   return { bytes, source: { name: basename(found), path, bytes: bytes.length } };
 }
+
+/**
+ * Files with an extension that one may belong to, relative to it: those of its folder that were given, else all that were
+ * given, else those that are in its folder on disk.
+ */
+function namesNear(
+  { path, absolute, zip }: GivenPath,
+  extension: string,
+  near: readonly GivenPath[],
+): readonly string[] {
+  const given = near.filter((file) => file.zip === zip && file.path.toLowerCase().endsWith(`.${extension}`));
+  const own = given.filter((file) => dirname(file.absolute) === dirname(absolute));
+  const found = own.length > 0 ? own : given;
+  if (found.length === 0 && isFile(absolute)) return namesOnDisk(dirname(absolute), extension);
+  return found.map((file) =>
+    zip === undefined
+      ? relative(dirname(absolute), file.absolute).split(sep).join('/')
+      : posix.relative(posix.dirname(path), file.path),
+  );
+}
+
+/** Read once, however many takes a folder has. */
+function namesOnDisk(folder: string, extension: string): readonly string[] {
+  const key = `${folder} ${extension}`;
+  const known = NAMES.get(key) ?? readdirSync(folder).filter((name) => name.toLowerCase().endsWith(`.${extension}`));
+  NAMES.set(key, known);
+  return known;
+}
+
+const NAMES = new Map<string, readonly string[]>();
 
 /** For each archive, what finds its files. */
 const findersIn = perObject(async (near: readonly GivenPath[]) => {

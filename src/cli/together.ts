@@ -30,17 +30,26 @@ export function openedTogether(files: readonly GivenPath[]): readonly (readonly 
     // Folders also hold readmes and pictures, which are left out.
     return as !== undefined && as !== 'texture' && as !== 'dump';
   });
-  const withParts = new Set(
-    groupsIn(opened).flatMap((group) => (group.parts.length > 0 ? [group.skeleton?.source.path] : [])),
-  );
+  const groups = groupsIn(opened);
+  const withParts = new Set(groups.flatMap((group) => (group.parts.length > 0 ? [group.skeleton?.source.path] : [])));
   const isAlone = ({ path }: GivenPath) => isWhole(path) && !withParts.has(path);
-  const others = opened.filter((file) => !isAlone(file));
-  return [...opened.filter(isAlone).map((file) => [file]), ...(others.length > 0 ? [others] : [])];
+  // A skeleton with its takes, which come with it: those of one at a time.
+  const byPath = new Map(opened.map((file) => [file.path, file]));
+  const sessions = groups.flatMap(({ skeleton, parts }) =>
+    skeleton && parts.length > 0 && parts.every((part) => isWhole(part.source.path))
+      ? [[skeleton, ...parts].flatMap(({ source }) => byPath.get(source.path) ?? [])]
+      : [],
+  );
+  const inSession = new Set(sessions.flat());
+  const others = opened.filter((file) => !isAlone(file) && !inSession.has(file));
+  const alone = opened.filter((file) => isAlone(file) && !inSession.has(file));
+  return [...alone.map((file) => [file]), ...sessions, ...(others.length > 0 ? [others] : [])];
 }
 
-/** Whether files of that name take no parts, as a rule. */
+/** Whether files of that name take no parts, as a rule, and are none: a take that comes with its skeleton is whole. */
 export function isWhole(path: string): boolean {
   const format = formatOf(path);
   const opening = format && openingOf(format.kind);
+  if (opening?.as === 'part') return opening.skeletonFile !== undefined;
   return opening?.as === 'characters' && !opening.takesParts;
 }

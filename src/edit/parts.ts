@@ -92,8 +92,9 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
       if (place === undefined) return UNMARKED;
       left.delete(place);
       const { withoutMarkers: _own, ...mark } = marks[place] ?? UNMARKED;
-      const isOfBvh = mark.file?.kind === 'bvh';
-      if (isOfBvh ? !holdsTheSame(a[place], content) : !areTheSame(a[place], content)) return { ...mark, revision: 0 };
+      const isCaptured = mark.file?.kind === 'bvh' || mark.file?.kind === 'amc';
+      if (isCaptured ? !holdsTheSame(a[place], content) : !areTheSame(a[place], content))
+        return { ...mark, revision: 0 };
       if (haveSameMarkers(a[place], content)) return marks[place] ?? UNMARKED;
       return mark.id === 0 ? mark : { ...mark, revision: 0, withoutMarkers: ownRevision(marks[place]) };
     });
@@ -109,7 +110,7 @@ function sameItems(list: readonly PartMark[], known: readonly PartMark[]): reado
   return list.length === known.length && list.every((mark, i) => mark === known[i]) ? known : list;
 }
 
-/** Whether two takes are the same to a `.bvh`, which stores neither playback range nor interpolation. */
+/** Whether two takes are the same to a `.bvh` or `.amc`, which stores neither playback range nor interpolation. */
 function holdsTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean {
   if (!a.samples || !b.samples || a.name !== b.name || a.channels !== b.channels) return false;
   const { interpolation: _a, ...before } = a.samples;

@@ -14,7 +14,7 @@ import { writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, isBvh, shownTake } from '../model/document.ts';
+import { type Character, isOfJoints, shownTake } from '../model/document.ts';
 import type { Capture } from '../model/files.ts';
 import { boneEnds } from '../model/skeleton/bone-ends.ts';
 import { firstDofs, rootDofCount } from '../model/skeleton/dofs.ts';
@@ -24,8 +24,7 @@ import { columnOf } from '../model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../model/takes/take.ts';
 import { eachFrame, type Frames, framesOf, playedTake } from './bake.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
-import { zxyAngles } from './rotations/euler-angles.ts';
-import { type JointPlan, MATRIX_CHANNELS, planJoints } from './samples/bvh-joints.ts';
+import { type JointPlan, planJoints } from './samples/bvh-joints.ts';
 import { framesOfTake } from './samples/key-frames.ts';
 
 /** A character as a BVH capture, with what was lost on the way. */
@@ -72,7 +71,8 @@ export function toBvhCapture(character: Character, frames: Frames, file = ''): B
   const { skeleton } = character;
   if (!skeleton) throw new Error(`${character.name} has no skeleton.`);
   const take = shownTake(character);
-  if (isUntouched(character, take, frames)) return { capture: { skeleton, ...(take && { take }) }, diagnostics: [] };
+  if (isUntouched(character, take, frames, 'bvh'))
+    return { capture: { skeleton, ...(take && { take }) }, diagnostics: [] };
   return new Figuring(character, skeleton, frames, file).result();
 }
 
@@ -80,9 +80,16 @@ export function toBvhCapture(character: Character, frames: Frames, file = ''): B
  * Whether the take consists only of its samples, which are then written exactly as they are; or the skeleton is in the
  * pose that a file without frames is read in.
  */
-function isUntouched(character: Character, take: Take | undefined, frames: Frames): boolean {
+export function isUntouched(
+  character: Character,
+  take: Take | undefined,
+  frames: Frames,
+  format: 'bvh' | 'asf',
+): boolean {
   const { skeleton, clampsToLimits, driver } = character;
-  if (driver || !skeleton || !isBvh(character) || rootDofCount(skeleton) > 0) return false;
+  if (driver || !skeleton || !isOfJoints(character, format)) return false;
+  const first = rootDofCount(skeleton);
+  if (take ? take.channels.slice(0, first).some((c) => c.kind !== 'rest' || c.value !== 0) : first > 0) return false;
   if (!take) return isAtOffsets(character, skeleton);
   const { samples } = take;
   if (samples?.startSeconds !== frames.startSeconds || samples.frameSeconds !== frames.frameSeconds) return false;
@@ -92,7 +99,7 @@ function isUntouched(character: Character, take: Take | undefined, frames: Frame
   if (clampsToLimits && !compiled.lower.every((v, d) => v <= UNLIMITED.min && compiled.upper[d] >= UNLIMITED.max)) {
     return false;
   }
-  for (let d = 0; d < compiled.dofCount; d++) if (take.channels[d]?.kind !== 'samples') return false;
+  for (let d = 0; d < compiled.dofCount; d++) if (take.channels[first + d]?.kind !== 'samples') return false;
   return true;
 }
 
@@ -227,8 +234,8 @@ class Figuring {
       // A BVH joint keeps its channels in order; a root that something else moves gets the missing ones.
       const own = bvhChannelsOf(motion);
       if (own && !plan.isScaled && (parent >= 0 || rootDofCount(skeleton) === 0)) return own;
-      const positions = parent < 0 || moving.has(j) ? POSITIONS : [];
-      const turns = plan.angles ? plan.angles.map(({ channel }) => channel) : MATRIX_CHANNELS;
+      const positions = parent < 0 || moving.has(j) || plan.positions ? POSITIONS : [];
+      const turns = plan.angles ? plan.angles.map(({ channel }) => channel) : plan.matrix.channels;
       return [...positions, ...turns];
     });
   }
@@ -268,7 +275,7 @@ class Figuring {
         const plan = plans[j];
         if (!plan.angles) {
           angles.set(turns.subarray(3 * j, 3 * j + 3));
-          zxyAngles(local, 16 * j, angles, 0);
+          plan.matrix.write(local, 16 * j, angles, 0);
           turns.set(angles, 3 * j);
         }
         for (const channel of channels[j]) {
@@ -278,7 +285,7 @@ class Figuring {
           }
           const angle = plan.angles?.find((a) => a.channel === channel);
           if (!angle) {
-            values[at++] = turns[3 * j + MATRIX_CHANNELS.indexOf(channel)] / RADIANS_PER_DEGREE;
+            values[at++] = turns[3 * j + plan.matrix.channels.indexOf(channel)] / RADIANS_PER_DEGREE;
             continue;
           }
           const dof = starts[j] + angle.dof;

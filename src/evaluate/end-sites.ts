@@ -1,6 +1,9 @@
 /** Ends of a posed skeleton's bones: BVH's End Sites, and the tips of bones along +y. */
-import { transformPoint, type Vec3 } from '../math/vec3.ts';
-import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import { add, transformPoint, type Vec3 } from '../math/vec3.ts';
+import { firstDofs } from '../model/skeleton/dofs.ts';
+import { perSkeleton } from '../model/skeleton/per-skeleton.ts';
+import type { Joint, Skeleton } from '../model/skeleton/skeleton.ts';
+import { stretchOf } from '../model/skeleton/stretch.ts';
 
 /** Where the end of a bone is in a pose. */
 export interface EndSitePosition {
@@ -13,11 +16,31 @@ export interface EndSitePosition {
 /**
  * In joint order, and in file order within each joint.
  * @param world 16 per joint, column-major (`worldMatrices`)
+ * @param dofs of the character, which may lengthen bones; absent: at their own length
  */
-export function endSitePositions({ joints }: Skeleton, world: Float64Array): EndSitePosition[] {
-  return joints.flatMap(({ endSites = [] }, joint) =>
-    endSites.map((end) => ({ joint, position: endSitePosition(end, world, joint) })),
+export function endSitePositions(skeleton: Skeleton, world: Float64Array, dofs?: Float64Array): EndSitePosition[] {
+  const lengths = lengthDofs(skeleton);
+  return skeleton.joints.flatMap((joint, j) =>
+    (joint.endSites ?? []).map((end) => ({
+      joint: j,
+      position: endSitePosition(dofs && lengths[j] >= 0 ? lengthened(joint, end, dofs[lengths[j]]) : end, world, j),
+    })),
   );
+}
+
+/** For each joint the character's DOF that lengthens its bone; -1 for none. Cached. */
+const lengthDofs = perSkeleton((skeleton): Int32Array => {
+  const starts = firstDofs(skeleton);
+  return Int32Array.from(skeleton.joints, (joint, j) => {
+    const stretch = stretchOf(joint);
+    return stretch ? starts[j] + stretch.dof : -1;
+  });
+});
+
+/** An End Site of a bone that is longer by `by`. */
+function lengthened(joint: Joint, end: Vec3, by: number): Vec3 {
+  const stretch = stretchOf(joint);
+  return stretch ? add(end, stretch.along, by) : end;
 }
 
 /**

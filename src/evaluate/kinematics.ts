@@ -13,7 +13,9 @@ import { couplesOf, type DofCouple } from '../model/skeleton/couples.ts';
 import { rootDofCount } from '../model/skeleton/dofs.ts';
 import { dofsOf, factorsOf, offsetBesideDofs, takesLimits } from '../model/skeleton/joint-types.ts';
 import { perSkeleton } from '../model/skeleton/per-skeleton.ts';
-import { type Motion, type Skeleton, UNLIMITED } from '../model/skeleton/skeleton.ts';
+import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../model/skeleton/skeleton.ts';
+import { stretchOf } from '../model/skeleton/stretch.ts';
+import { atTip } from './motions/acclaim.ts';
 import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
 import { appliedDofs, eulerDofs } from './rotations/euler-dofs.ts';
@@ -89,11 +91,18 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     lower: Float64Array.from(lower),
     upper: Float64Array.from(upper),
     limited: Int32Array.from([...lower.keys()].filter((d) => lower[d] > UNLIMITED.min || upper[d] < UNLIMITED.max)),
-    motions: joints.map((j) => jointMotion(j.motion)),
+    motions: joints.map((joint) => motionOf(joint, joints, firstDof)),
     turns: dofsOfAll(joints, firstDof, turnsOf),
     slides,
     couples: couplesOf(skeleton).ordered,
   };
+}
+
+/** The rule of a joint; where a DOF lengthens the bone above, from the tip of that. */
+function motionOf({ motion, parent }: Joint, joints: readonly Joint[], firstDof: Int32Array): JointMotion {
+  const own = jointMotion(motion);
+  const stretch = parent < 0 ? undefined : stretchOf(joints[parent]);
+  return stretch ? atTip(own, firstDof[parent] + stretch.dof, stretch.along) : own;
 }
 
 /** Three DOFs of each joint, by what its motion tells of its own; −1 for none. */
@@ -104,7 +113,10 @@ function dofsOfAll(
 ): Int32Array {
   const dofs = new Int32Array(3 * joints.length).fill(-1);
   for (let j = 0; j < joints.length; j++) {
-    const three = own(joints[j].motion);
+    const { parent, motion } = joints[j];
+    // Such a joint is not T(offset + t)·R: its offset varies.
+    if (own === turnsOf && parent >= 0 && stretchOf(joints[parent])) continue;
+    const three = own(motion);
     for (let k = 0; k < 3; k++) if (three[k] >= 0) dofs[3 * j + k] = firstDof[j] + three[k];
   }
   return dofs;

@@ -7,6 +7,7 @@
  */
 import { perObject } from '../model/per-object.ts';
 import type { Motion } from '../model/skeleton/skeleton.ts';
+import { acclaimMotion } from './motions/acclaim.ts';
 import { prismaticMotion, screwMotion } from './motions/axis.ts';
 import { BALLS } from './motions/ball.ts';
 import type { JointMotion } from './motions/motion.ts';
@@ -31,6 +32,7 @@ const MOTION_RULES: Rules = {
   fixed: () => FIXED,
   compound: ({ dofs }) => productOf(dofs.map(factorOf)),
   bvh: bvhMotion,
+  acclaim: acclaimMotion,
 };
 
 const TRANSLATIONAL = productOf(['tx', 'ty', 'tz'].map(factorOf));

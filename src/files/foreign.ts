@@ -99,14 +99,14 @@ const FOREIGN: readonly Foreign[] = [
   { name: 'an Alembic file', now: BY_BLENDER, extensions: ['abc'], start: /^Ogawa/ },
   {
     name: 'an Acclaim skeleton',
-    now: 'Convert it with its .amc to .bvh, as MotionBuilder and amc2bvh do, and open that.',
-    extensions: ['asf'],
+    now: renamed('asf'),
     start: /^\s*(#[^\n\r]*[\n\r]\s*)*:version\b/i,
+    of: ['asf'],
   },
   {
     name: 'Acclaim motion',
-    now: 'Convert it with its .asf to .bvh, as MotionBuilder and amc2bvh do, and open that.',
-    extensions: ['amc'],
+    now: renamed('amc'),
+    of: ['amc'],
     start: /^(\s*#!OML|\s*(#[^\n\r]*[\n\r]\s*)*:fully-specified\b)/i,
   },
   {

@@ -12,12 +12,14 @@ import { baseName, type ContentOf, type SourceFile } from '../model/files.ts';
 export type ImportedKind = 'gltf' | 'fbx';
 
 /** The result of reading a file of another program. */
-export interface ImportedFile {
+export interface ImportedFile<C = ContentOf<'character' | 'asf' | 'amc'>> {
   /** Absent if and only if there is an error. */
-  readonly value?: ContentOf<'character'>;
+  readonly value?: C;
   readonly diagnostics: readonly Diagnostic[];
   /** Other files that were used. */
   readonly beside: readonly SourceFile[];
+  /** It has an error because another file is missing: it is read again when that is given. */
+  readonly isWaiting?: true;
 }
 
 const SCENES: { readonly [K in ImportedKind]: (given: Import) => Promise<Imported> } = {
@@ -29,10 +31,10 @@ const SCENES: { readonly [K in ImportedKind]: (given: Import) => Promise<Importe
 };
 
 /** Never throws for anything that the file holds. */
-export async function importFile(kind: ImportedKind, given: Import): Promise<ImportedFile> {
+export async function importFile(kind: ImportedKind, given: Import): Promise<ImportedFile<ContentOf<'character'>>> {
   const { scene, diagnostics, beside = [] } = await SCENES[kind](given);
   if (!scene) return { diagnostics, beside };
-  const failed = (code: string, message: string): ImportedFile => {
+  const failed = (code: string, message: string): ImportedFile<ContentOf<'character'>> => {
     return { diagnostics: [...diagnostics, withoutPlace('error', code, message, given.fileName)], beside };
   };
   try {

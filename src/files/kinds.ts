@@ -7,10 +7,11 @@
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
 import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
 import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
-import { type Character, isBvh, shownSkin, shownTake } from '../model/document.ts';
-import type { ContentOf, FileContent, FileKind, WholeCharacter } from '../model/files.ts';
+import { type Character, isBvh, isOfJoints, shownSkin, shownTake } from '../model/document.ts';
+import type { ContentOf, FileContent, FileKind, SourceFile, WholeCharacter } from '../model/files.ts';
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/skeleton/axis-angle.ts';
 import { jointDofCount } from '../model/skeleton/dofs.ts';
+import { stretches } from '../model/skeleton/joint-types.ts';
 import { withPositions } from '../model/skeleton/position-channels.ts';
 import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
@@ -18,7 +19,7 @@ import { bindingCount, type Skin, textureNames, vertexCount } from '../model/ski
 import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { keysOf, type Take } from '../model/takes/take.ts';
-import { type PartOrigin, withMorph, withSkin, withTake } from './open/assemble.ts';
+import { type PartOrigin, withAcclaimTake, withMorph, withSkin, withTake } from './open/assemble.ts';
 
 /** One kind of file: its names, its content, and how it is saved. */
 export interface Kind {
@@ -50,6 +51,12 @@ const hasSkeleton = ({ skeleton }: Character) => skeleton !== undefined;
 const isAxisAngle = ({ skeleton }: Character) => skeleton !== undefined && savesAsAxisAngle(skeleton);
 const isAnyones = () => true;
 
+/** Acclaim has neither scales nor shear. */
+function acclaimObstacle({ skeleton }: Character): string | undefined {
+  const joint = skeleton?.joints.find(({ motion }) => stretches(motion));
+  return joint && `${joint.name || 'A joint'} scales or shears, which Acclaim can’t store.`;
+}
+
 /** All kinds of files, by the name of their format. */
 export const KINDS = {
   skel: {
@@ -59,7 +66,7 @@ export const KINDS = {
     save: {
       label: 'Skeleton (.skel)',
       has: hasSkeleton,
-      isOwn: (c) => !hasSkeleton(c) || !(isBvh(c) || isAxisAngle(c)),
+      isOwn: (c) => !hasSkeleton(c) || (isOfJoints(c, 'skel') && !isAxisAngle(c)),
     },
   },
   // Readers recognise the axis-angle form by content, whatever the extension; saving depends on the extension.
@@ -101,7 +108,7 @@ export const KINDS = {
     save: {
       label: 'Animation (.anim)',
       has: (c) => shownTake(c) !== undefined,
-      isOwn: (c) => !isBvh(c),
+      isOwn: (c) => !hasSkeleton(c) || isOfJoints(c, 'skel'),
     },
   },
   rig: {
@@ -123,6 +130,28 @@ export const KINDS = {
       label: 'Motion capture (.bvh)',
       has: hasSkeleton,
       isOwn: (c) => !hasSkeleton(c) || isBvh(c),
+    },
+  },
+  asf: {
+    extensions: ['asf'],
+    label: 'Acclaim skeleton',
+    content: 'asf',
+    save: {
+      label: 'Acclaim skeleton (.asf)',
+      has: hasSkeleton,
+      obstacle: acclaimObstacle,
+      isOwn: (c) => !hasSkeleton(c) || isOfJoints(c, 'asf'),
+    },
+  },
+  amc: {
+    extensions: ['amc'],
+    label: 'Acclaim motion',
+    content: 'amc',
+    save: {
+      label: 'Acclaim motion (.amc)',
+      has: (c) => hasSkeleton(c) && shownTake(c) !== undefined,
+      obstacle: acclaimObstacle,
+      isOwn: (c) => !hasSkeleton(c) || isOfJoints(c, 'asf'),
     },
   },
   pose: {
@@ -227,6 +256,8 @@ export interface PartOpening<C> {
   add(character: Character, content: C, from: PartOrigin): Character;
   /** Only for a character with a skin; the name of the skin tells which. */
   readonly onSkin?: true;
+  /** It comes with its skeleton, and needs no other file once it is read: the file of that; undefined if none is known. */
+  skeletonFile?(content: C): SourceFile | undefined;
   /** It belongs to a character that takes no other parts, too, if there is no other. */
   readonly onAny?: true;
   /** Why it is not used without a character, as a sentence; absent: it is one by itself and waits for a skeleton. */
@@ -275,6 +306,16 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
         guessed ? { ...bare(withPositions(skeleton, guessed.positions), take), space: guessed } : bare(skeleton, take),
       ),
     takesParts: false,
+  },
+  asf: {
+    as: 'characters',
+    characters: ({ skeleton, space }) => [{ ...bare(skeleton), ...(space && { space }), clampsToLimits: false }],
+    takesParts: true,
+  },
+  amc: {
+    as: 'part',
+    skeletonFile: (take) => take.of,
+    add: withAcclaimTake,
   },
   pose: { as: 'poses' },
   character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
@@ -340,6 +381,20 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
       endSites: sum(joints.map(({ endSites = [] }) => endSites.length)),
       dofs: sum(captures.map(({ skeleton }) => jointDofCount(skeleton))),
       roots: captures.length,
+      frames: samples?.frameCount ?? 0,
+      ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
+    };
+  },
+  asf: ({ skeleton }) => ({
+    joints: skeleton.joints.length,
+    endSites: sum(skeleton.joints.map(({ endSites = [] }) => endSites.length)),
+    dofs: jointDofCount(skeleton),
+  }),
+  amc({ skeleton, take: { samples } }) {
+    const range = samples && rangeOfSamples(samples);
+    return {
+      joints: skeleton.joints.length,
+      dofs: jointDofCount(skeleton),
       frames: samples?.frameCount ?? 0,
       ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
     };

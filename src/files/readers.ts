@@ -19,7 +19,7 @@ import type { Diagnostic } from '../model/diagnostic.ts';
 import type { ContentOf, FileContent, FileKind } from '../model/files.ts';
 import { capturedContent } from './captured.ts';
 import { HEAD_BYTES, otherContent } from './foreign.ts';
-import type { ImportedFile, ImportedKind } from './imports.ts';
+import type { ImportedFile } from './imports.ts';
 import { type FormatKind, formatKindOf, type HeldBy, KINDS } from './kinds.ts';
 
 /** @param byteLength the file's size, if known; only a hint */
@@ -39,6 +39,8 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   gltf: notStreamed,
   fbx: notStreamed,
+  asf: notStreamed,
+  amc: notStreamed,
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
@@ -72,10 +74,10 @@ export function formatOf(fileName: string): Format | undefined {
     kind: KINDS[format].content,
     label: KINDS[format].label,
     reader,
-    ...(isImported(format) && {
+    ...(READERS[format] === notStreamed && {
       imports: async (given: Import) => {
         const other = otherContent(given.fileName, format, given.bytes);
-        return other ? { diagnostics: [other], beside: [] } : (await import('./imports.ts')).importFile(format, given);
+        return other ? { diagnostics: [other], beside: [] } : importer(format, given);
       },
     }),
     ...(layout && {
@@ -103,13 +105,23 @@ function readerOf(format: FormatKind): MakeReader<FileContent> {
     });
 }
 
-function isImported(format: FormatKind): format is ImportedKind & FormatKind {
-  return READERS[format] === notStreamed;
+/** What reads a file whole is fetched for it. */
+async function importer(format: FormatKind, given: Import): Promise<ImportedFile> {
+  switch (format) {
+    case 'asf':
+    case 'amc':
+      return (await import('./acclaim.ts')).readAcclaim(format, given);
+    case 'gltf':
+    case 'fbx':
+      return (await import('./imports.ts')).importFile(format, given);
+    default:
+      throw new Error(`Files of the kind ${format} are read in pieces.`);
+  }
 }
 
 /** For files that `imports` reads. */
-function notStreamed(name: string): Reader<ContentOf<'character'>> {
-  return bytesReader<ContentOf<'character'>>(name, (_, report) => {
+function notStreamed(name: string): Reader<never> {
+  return bytesReader<never>(name, (_, report) => {
     report.error(
       'import-needed',
       'Files from other programs are not read here. Convert it to Marrow’s own formats first.',

@@ -1,4 +1,6 @@
 /** The writer of each kind of file, fetched when something is saved; readers are in `readers.ts`. */
+import { writeAmc } from '../formats/acclaim/write-amc.ts';
+import { writeAsf } from '../formats/acclaim/write-asf.ts';
 import { writeAnim } from '../formats/anim/write.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
 import { writeMarkers } from '../formats/markers/write.ts';
@@ -13,6 +15,7 @@ import type { FileContent } from '../model/files.ts';
 import { vertexCount } from '../model/skin.ts';
 import { formatKindOf, type HeldBy, isSaved, KINDS, SAVED_KINDS, type SavedKind } from './kinds.ts';
 import {
+  acclaimCopies,
   animCopies,
   axskelCopies,
   bvhCopies,
@@ -49,6 +52,22 @@ export interface PlayedRange {
 }
 
 const joints = ({ skeleton }: Character) => [{ count: skeleton?.joints.length ?? 0, one: 'joint' }];
+
+function framesDetail(character: Character, framesPerSecond: number): readonly (string | Counted)[] {
+  const take = shownTake(character);
+  const frames = take?.samples?.frameCount;
+  if (!take) return ['the pose, 1 frame'];
+  return [frames === undefined ? `at ${framesPerSecond} frames per second` : { count: frames, one: 'frame' }];
+}
+
+/** What formats of a value per frame leave out. */
+function lostAsFrames({ takes, skins }: Character): readonly string[] {
+  const isKeyed = takes.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
+  return [
+    ...(isKeyed ? ['Keys and tangents become one value per frame.'] : []),
+    ...(skins.length ? ['Skins and their morphs are left out.'] : []),
+  ];
+}
 
 /** The writer of each kind that can be saved. */
 export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
@@ -89,22 +108,21 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
   },
   bvh: {
     write: ({ captures }, name) => writeBvh(captures, name),
-    detail(character, framesPerSecond) {
-      const take = shownTake(character);
-      const frames = take?.samples?.frameCount;
-      if (!take) return ['the pose, 1 frame'];
-      return [frames === undefined ? `at ${framesPerSecond} frames per second` : { count: frames, one: 'frame' }];
-    },
+    detail: framesDetail,
     copies: bvhCopies,
-    lost: (character) => {
-      if (isBvh(character)) return [];
-      const isKeyed = character.takes.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
-      return [
-        'Limits are applied, but not stored.',
-        ...(isKeyed ? ['Keys and tangents become one value per frame.'] : []),
-        ...(character.skins.length ? ['Skins and their morphs are left out.'] : []),
-      ];
-    },
+    lost: (character) => (isBvh(character) ? [] : ['Limits are applied, but not stored.', ...lostAsFrames(character)]),
+  },
+  asf: {
+    write: ({ skeleton }, name) => writeAsf(skeleton, name),
+    detail: joints,
+    copies: acclaimCopies,
+    lost: lostAsFrames,
+  },
+  amc: {
+    write: ({ skeleton, take }, name) => writeAmc({ skeleton, take }, name),
+    detail: framesDetail,
+    copies: acclaimCopies,
+    lost: lostAsFrames,
   },
   pose: {
     write: ({ poses }, name) => writePoses(poses, name),

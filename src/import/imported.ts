@@ -14,6 +14,8 @@ export interface Import {
    * A file that this one names, by its path relative to it, `/` between folders; undefined if it was not given.
    */
   beside(path: string): Promise<Beside | undefined>;
+  /** Names of the files of its folder with an extension, which it may belong to; absent: none are known. */
+  near?(extension: string): readonly string[];
 }
 
 /** A file that another one names. */

@@ -1,25 +1,27 @@
 /** Splits a character into the parts that are saved separately (`part.ts`). */
-import { type Character, isBvh } from './document.ts';
+import { type Character, isBvh, isOfJoints } from './document.ts';
 import type { PartContents, PartKind } from './files.ts';
-import { NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
+import { isSkeletonKind, NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
 
 /** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
   const { name, skeleton, skins, morphs, takes, poses, parts = NO_MARKS } = character;
   const capture = skeleton && isBvh(character) ? skeleton : undefined;
+  const isAcclaim = isOfJoints(character, 'asf');
   const captured: Part[] = [];
   const animations: Part[] = [];
   takes.forEach((take, i) => {
     const mark = parts.takes[i];
-    if (capture && !isFrom(mark, 'anim', take.name)) {
-      captured.push(part('bvh', take.name, { skeleton: capture, take }, mark));
+    if (skeleton && (capture || isAcclaim) && !isFrom(mark, 'anim', take.name)) {
+      captured.push(part(isAcclaim ? 'amc' : 'bvh', take.name, { skeleton, take }, mark));
     } else animations.push(part('anim', take.name, take, mark));
   });
   // Without a take, the skeleton is saved alone.
   if (capture && captured.length === 0) captured.push(part('bvh', capture.name, { skeleton: capture }, parts.skeleton));
   return [
+    ...(skeleton && isAcclaim ? [part('asf', skeleton.name, skeleton, parts.skeleton)] : []),
     ...captured,
-    ...(skeleton && !capture ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
+    ...(skeleton && !capture && !isAcclaim ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
     ...skins.map((skin, i) => part('skin', skin.name, skin, parts.skins[i])),
     ...morphs.map((morph, i) => part('morph', morph.name, morph, parts.morphs[i])),
     ...animations,
@@ -43,5 +45,5 @@ function part<K extends PartKind>(kind: K, name: string, content: PartContents[K
 /** Skeletons and poses are named independently of their files; all others take the file's name. */
 function isFrom(mark: PartMark | undefined, kind: PartKind, name: string): boolean {
   const { file } = mark ?? {};
-  return file?.kind === kind && (kind === 'skel' || kind === 'pose' || file.holds === name);
+  return file?.kind === kind && (isSkeletonKind(kind) || kind === 'pose' || file.holds === name);
 }

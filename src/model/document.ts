@@ -5,11 +5,12 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { IkSetup } from './ik.ts';
+import type { JointType } from './joint-types/type.ts';
 import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
 import { perObject } from './per-object.ts';
 import type { NamedPose } from './poses.ts';
-import { isOfBvh } from './skeleton/joint-types.ts';
+import { jointTypeOf } from './skeleton/joint-types.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { Space } from './space.ts';
@@ -154,7 +155,12 @@ export function isMoved(character: Character): boolean {
 
 /** Whether a character is a BVH capture as it is, so that its file holds all of it. */
 export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
-  return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;
+  return isOfJoints({ skeleton }, 'bvh');
+}
+
+/** Whether all of a character's joints are of types that one format has: its file holds all of them. */
+export function isOfJoints({ skeleton }: Pick<Character, 'skeleton'>, format: JointType['format']): boolean {
+  return skeleton?.joints.every(({ motion }) => jointTypeOf(motion).format === format) ?? false;
 }
 
 /** Number of characters above which they are found by a map: searching the list for each takes time by the square. */

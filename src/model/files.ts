@@ -50,6 +50,10 @@ interface Contents {
     readonly file: { readonly captures: readonly Capture[]; readonly guessed?: GuessedCapture };
     readonly part: Capture;
   };
+  /** An Acclaim skeleton. */
+  readonly asf: { readonly file: AcclaimSkeleton; readonly part: Skeleton };
+  /** A motion of one, with the skeleton that it was read with. */
+  readonly amc: { readonly file: AcclaimTake; readonly part: Capture };
   readonly pose: { readonly file: { readonly poses: readonly PoseByNames[] }; readonly part: PoseLibrary };
   /** Whole characters, with everything they need inside the file. */
   readonly character: { readonly file: { readonly characters: readonly WholeCharacter[] } };
@@ -74,7 +78,20 @@ export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: u
 /** The content of each kind of part. */
 export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 
-/** Facts that a motion capture file doesn't state, the same for all of its characters. */
+/** An Acclaim skeleton with the unit that it states, or that was guessed. */
+export interface AcclaimSkeleton {
+  readonly skeleton: Skeleton;
+  readonly space?: FileSpace;
+}
+
+/** A motion of an Acclaim skeleton. */
+export interface AcclaimTake extends AcclaimSkeleton {
+  readonly take: Take;
+  /** The file of the skeleton; absent of content that is to be written. */
+  readonly of?: SourceFile;
+}
+
+/** Facts that a motion capture file doesn't state, the same for all of its captures. */
 export interface GuessedCapture extends FileSpace {
   /** The meaning of position channels; the characters still have that of the format. */
   readonly positions: Positions;
@@ -97,6 +114,8 @@ export interface WholeCharacter {
   readonly textures: readonly Texture[];
   /** Absent of text formats, whose units are anyone's. */
   readonly space?: FileSpace;
+  /** False if its limits are told, but takes may exceed them. */
+  readonly clampsToLimits?: false;
 }
 
 /** A file that was read without an error. */

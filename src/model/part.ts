@@ -4,11 +4,12 @@
  * is unsaved if its revision differs from the saved one.
  *
  * A motion capture character has one `.bvh` per take, with skeleton and motion together; every other character has its
- * skeleton in a `.skel` and its takes in `.anim` files.
+ * skeleton in a `.skel` and its takes in `.anim` files, or, of Acclaim, in an `.asf` and `.amc` files.
  */
 
 import { type FileKind, type PartContents, type PartKind, type SourceFile, sameName } from './files.ts';
 import { savesAsAxisAngle } from './skeleton/axis-angle.ts';
+import type { Take } from './takes/take.ts';
 
 /** The file that a part was read from or saved as. */
 export interface PartFile {
@@ -83,6 +84,22 @@ interface PartOf<K extends PartKind> extends Omit<PartMark, 'file'> {
 
 /** One of a character's parts. */
 export type Part = { [K in PartKind]: PartOf<K> }[PartKind];
+
+/** Whether parts of a kind are skeletons alone. */
+export function isSkeletonKind(kind: PartKind): boolean {
+  return kind === 'skel' || kind === 'asf';
+}
+
+/** Whether parts of a kind are takes, with or without their skeleton. */
+export function isTakeKind(kind: PartKind): boolean {
+  return kind === 'bvh' || kind === 'amc' || kind === 'anim';
+}
+
+/** The take of a part; undefined if it has none. */
+export function takeOf(part: Part): Take | undefined {
+  if (part.kind === 'bvh' || part.kind === 'amc') return part.content.take;
+  return part.kind === 'anim' ? part.content : undefined;
+}
 
 /** `wasp_walk.anim`: the name of a part's file, existing or new. */
 export function fileNameOf(part: Part): string {

@@ -54,6 +54,16 @@ export async function importedFrom(
     for (const { path } of read.parts) imported.set(path, NOTHING);
     imported.set(file.path, read);
     if (format.format === 'gltf') for (const { path } of [file, ...read.parts]) keeps.add(path);
+    // Motions of a skeleton may come later, and a skeleton after its motions.
+    if (format.format === 'asf' || read.isWaiting) keeps.add(file.path);
+  }
+  for (const file of given.some(({ path }) => isSkeletonOfTakes(path)) ? before : []) {
+    const format = formatOf(baseName(file.path));
+    if (format?.format !== 'amc') continue;
+    const read = await importOne(file, format, [given, before]);
+    if (read.isWaiting) continue;
+    diagnostics.push(...read.diagnostics);
+    imported.set(file.path, read);
   }
   // Buffers without their `.gltf` may be those of one that was given earlier.
   const loose = given.filter(({ path }) => isBuffer(path) && !imported.has(path));
@@ -72,12 +82,17 @@ export async function importedFrom(
   return { imported, keeps: [...keeps] };
 }
 
+function isSkeletonOfTakes(path: string): boolean {
+  return formatOf(baseName(path))?.format === 'asf';
+}
+
 const NOTHING: ImportedBlob = { files: [], broken: [] };
 
 interface ReadBlob extends ImportedBlob {
   /** Files that it named and that were found, used or not. */
   readonly parts: readonly SourceFile[];
   readonly diagnostics: readonly Diagnostic[];
+  readonly isWaiting?: true;
 }
 
 const finderIn = perObject(async (place: readonly GivenBlob[]) => {
@@ -110,11 +125,21 @@ async function importOne(
         }
         return undefined;
       },
+      near: (extension) => {
+        // Of its folder, or of any: files picked one by one have none. Those given now come first.
+        for (const place of places) {
+          const found = place.filter(({ path: other }) => other.toLowerCase().endsWith(`.${extension}`));
+          const own = found.filter(({ path: other }) => folderOf(sourceOf(other, 0)) === folderOf(source));
+          if (found.length > 0) return (own.length > 0 ? own : found).map(({ path: other }) => baseName(other));
+        }
+        return [];
+      },
     });
-    const { diagnostics = [], beside = [] } = read ?? {};
+    const { diagnostics = [], beside = [], isWaiting } = read ?? {};
     const value = read?.value && withCharacters(read.value, settledTakes);
     const tooLarge = value && tooLargeToPost(source, passageOf(value).transfer);
     const told = tooLarge ? [...diagnostics, tooLarge] : diagnostics;
+    if (isWaiting) return { files: [], broken: [], parts: [], diagnostics: told, isWaiting };
     if (!value || tooLarge) return { ...broken, parts, diagnostics: told };
     return { files: [{ ...value, source, beside }], broken: [], parts, diagnostics: told };
   } catch (error) {

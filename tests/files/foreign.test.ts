@@ -54,8 +54,8 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['#usda 1.0', /USD/],
   ['<?xml version="1.0"?>\n<COLLADA xmlns="">', /COLLADA/],
   ['<?xml version="1.0"?>\n<a/>', /XML/, ['dump']],
-  ['# made by\n\n# me\n:version 1.10\n:name VICON\n', /Acclaim skeleton/],
-  ['#!OML:ASF F:\\VICON\\acclaim.asf\n:FULLY-SPECIFIED\n:DEGREES\n1\n', /Acclaim motion/],
+  ['# made by\n\n# me\n:version 1.10\n:name VICON\n', /Acclaim skeleton/, ['asf']],
+  ['#!OML:ASF F:\\VICON\\acclaim.asf\n:FULLY-SPECIFIED\n:DEGREES\n1\n', /Acclaim motion/, ['amc']],
   ['\x02P\0\0\0\0\0\0\0', /C3D/],
   ['\x93NUMPY\x01\0', /arrays/],
   ['glTF\x02\0\0\0', /glTF.*\.glb/, ['gltf']],
@@ -166,8 +166,6 @@ describeShared('the files at hand', () => {
 
 describe('a kind of file that is not read', () => {
   const UNREAD = [
-    'asf',
-    'amc',
     'c3d',
     'blend',
     'ma',

@@ -8,7 +8,7 @@
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`); takes
  * that are edited, and GLB, one by one (`export/`).
  */
-import { basename, resolve } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import { withAllTangents } from '../../edit/keys/tangents.ts';
 import { isSaved, WRITABLE_EXTENSIONS } from '../../files/kinds.ts';
@@ -146,23 +146,28 @@ async function toFile(inputs: readonly string[], given: ConvertOptions, io: Comm
   const name = basename(out);
   const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
-  let bytes = 0;
+  const sizes: { readonly path: string; readonly bytes: number }[] = [];
   if (!hasErrors(diagnostics)) {
     const picked = pickOrRefuse(withTangents(files, given.tangents), format, name, options);
     if ('output' in picked) {
-      const written = writeOutput(resolve(io.folder, out), picked.output.pieces());
-      diagnostics.push(...picked.output.diagnostics());
-      if ('bytes' in written) bytes = written.bytes;
-      else {
-        const message = `The file could not be written: ${written.failure}.`;
-        diagnostics.push(refusal('file-not-written', message, name));
+      for (const output of [picked.output, ...(picked.beside ?? [])]) {
+        const path = picked.beside ? join(dirname(out), output.name) : out;
+        const written = writeOutput(resolve(io.folder, path), output.pieces());
+        diagnostics.push(...output.diagnostics());
+        if ('bytes' in written) sizes.push({ path, bytes: written.bytes });
+        else {
+          const message = `The file could not be written: ${written.failure}.`;
+          diagnostics.push(refusal('file-not-written', message, output.name));
+        }
       }
     } else diagnostics.push(picked.refusal);
   }
   report(diagnostics, io);
   const failed = hasErrors(diagnostics);
-  if (given.json) await printJson({ written: failed ? null : { name, kind: format.kind, bytes }, diagnostics }, io);
-  else if (!failed) await io.out(`${out}: ${format.label}, ${bytes} bytes\n`);
+  const [first] = sizes;
+  const result = first && { name, kind: format.kind, bytes: first.bytes };
+  if (given.json) await printJson({ written: failed || !result ? null : result, diagnostics }, io);
+  else if (!failed) for (const { path, bytes } of sizes) await io.out(`${path}: ${labelOf(path)}, ${bytes} bytes\n`);
   return failed ? failureOf(diagnostics) : 0;
 }
 

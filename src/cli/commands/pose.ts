@@ -199,7 +199,7 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     ...(skinning && 16 * index < skinning.length && { skinning: matrixAt(skinning, index) }),
     ...(world && joint.length !== undefined && { tip: tipPosition(joint.length, world, index) }),
   }));
-  const endSites = skeleton && world ? endSitePositions(skeleton, world) : [];
+  const endSites = skeleton && world ? endSitePositions(skeleton, world, values) : [];
   const firstMorph = values.length - morphs.length;
   const { positions, normals } = deformed(character, values, firstMorph, world);
   const points = positions ?? Float64Array.from(joints.flatMap((joint) => joint.world.slice(12, 15)));
@@ -242,7 +242,7 @@ function poseValues(character: Character, asked: Asked): Float64Array {
   if (morphs && character.morphs.length) values.set(morphs, values.length - morphs.length);
   if (!skeleton) return values;
   const compiled = compileSkeleton(skeleton);
-  applyConstraints(compiled, values, true);
+  applyConstraints(compiled, values, character.clampsToLimits);
   // A root joint with translation DOFs sets its own position within its limits; `--root` is added to it.
   if (root && !own) {
     compiled.travel.forEach((dof, k) => {

@@ -57,8 +57,14 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
     .map(({ file: path, message: why }) => ({ path, absolute: resolve(folder, path), why }));
   const all = [...whole, ...animations, ...damaged, ...absent].sort((a, b) => compareBytes(a.path, b.path));
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
-  const parts = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || formatOf(path)?.kind === 'texture'));
+  const parts = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || isPartOfOthers(path)));
   return { inputs: withStems(all, folders, folder), parts };
+}
+
+/** Whether other files are read with files of that name: textures, and skeletons of takes. */
+function isPartOfOthers(path: string): boolean {
+  const kind = formatOf(path)?.kind;
+  return kind === 'texture' || kind === 'asf';
 }
 
 /** The same bytes in memory that threads share instead of each getting a copy. */

@@ -57,6 +57,8 @@ function shapeOf(parameter: Parameter): Shape<unknown> {
       return eachOnce(parameter.choices);
     case 'axis':
       return axis;
+    case 'angles':
+      return vector;
     case 'number':
       return number;
   }

@@ -3,7 +3,7 @@
  * here, once; the solver trusts its numbers.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { dofsOf, positionsOf } from '../../model/skeleton/joint-types.ts';
+import { dofsOf, isOfAcclaim, positionsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 
@@ -46,14 +46,14 @@ export class IkError extends Error {
  * The stiffness of each DOF: 1 by default, 4 moves half as far for the same error, Infinity never moves. A value for
  * each of the character's DOFs except morphs.
  *
- * By default locked: root translation, unless allowed (`freeRoot`), and the positions of BVH joints, which are bone
- * lengths. Callers lock or stiffen more by writing to the result.
+ * By default locked: root translation, unless allowed (`freeRoot`), and the positions of captured joints, which are
+ * bone lengths. Callers lock or stiffen more by writing to the result.
  */
 export function ikStiffness(skeleton: Skeleton, freeRoot: boolean): Float64Array {
   const { firstDof, travel, jointCount } = compileSkeleton(skeleton);
   const stiffness = new Float64Array(firstDof[jointCount]).fill(1);
   skeleton.joints.forEach(({ motion }, j) => {
-    if (!positionsOf(motion)) return;
+    if (!positionsOf(motion) && !isOfAcclaim(motion)) return;
     dofsOf(motion).forEach(({ unit }, k) => {
       if (unit === 'length') stiffness[firstDof[j] + k] = Infinity;
     });

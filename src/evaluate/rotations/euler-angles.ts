@@ -29,6 +29,22 @@ export function zxyAngles(m: Float64Array, o: number, angles: Float64Array, at: 
 }
 
 /**
+ * The angles of a rotation as Zrotation Yrotation Xrotation: R = Rz(a) · Ry(b) · Rx(c), found in the same way; row 2 is
+ * −sin b, cos b · sin c, cos b · cos c. Arguments as of `zxyAngles`.
+ */
+export function zyxAngles(m: Float64Array, o: number, angles: Float64Array, at: number): void {
+  const [beforeA, beforeB, beforeC] = [angles[at], angles[at + 1], angles[at + 2]];
+  const [m20, m21, m22] = [m[o + 2], m[o + 6], m[o + 10]];
+  const cosB = Math.hypot(m21, m22);
+  const b = Math.atan2(-m20, cosB);
+  const c = cosB > LOCKED ? Math.atan2(m21, m22) : beforeC;
+  const [cosC, sinC] = [Math.cos(c), Math.sin(c)];
+  // Of R · Rx(−c), whose column 1 is −sin a, cos a, 0.
+  const a = Math.atan2(-(m[o + 4] * cosC - m[o + 8] * sinC), m[o + 5] * cosC - m[o + 9] * sinC);
+  writeNearestForm(a, b, c, beforeA, beforeB, beforeC, angles, at);
+}
+
+/**
  * Chooses among the equivalent forms of three angles about different axes the one nearest to the previous angles, whole
  * turns and (a + π, π − b, c + π) included.
  * @param out receives the three angles at `at`

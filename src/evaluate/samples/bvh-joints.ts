@@ -8,8 +8,18 @@
  * BVH can't store scale and shear. From a joint with either downwards, frames are taken from the world matrices with
  * scale and shear removed: joints stay in place, with position channels where bones change length.
  */
-import { axisOf, bvhChannelsOf, dofsOf, factorsOf, pitchOf, stretches } from '../../model/skeleton/joint-types.ts';
+import {
+  axisOf,
+  bvhChannelsOf,
+  dofsOf,
+  factorsOf,
+  isOfAcclaim,
+  pitchOf,
+  stretches,
+} from '../../model/skeleton/joint-types.ts';
 import type { BvhChannel, CompoundDof, Dof, Joint, Motion, Skeleton } from '../../model/skeleton/skeleton.ts';
+import { stretchOf } from '../../model/skeleton/stretch.ts';
+import { zxyAngles, zyxAngles } from '../rotations/euler-angles.ts';
 
 /** How the channels of one joint are found. */
 export interface JointPlan {
@@ -17,30 +27,48 @@ export interface JointPlan {
   readonly angles?: readonly { readonly channel: BvhChannel; readonly dof: number; readonly sign: number }[];
   /** Whether its translation may differ from its offset. */
   readonly mayMove: boolean;
-  /** The position channels of a BVH joint, which it keeps. */
+  /** The angles that the matrix is written by, unless they are the joint's own. */
+  readonly matrix: MatrixAngles;
+  /** The position channels of a BVH joint, which it keeps; those of an Acclaim bone that may move. */
   readonly positions?: readonly BvhChannel[];
   /** At or below a joint that scales or shears. */
   readonly isScaled: boolean;
 }
 
-/** Zrotation Xrotation Yrotation, as from `zxyAngles`. */
-export const MATRIX_CHANNELS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];
+/** Channels of the angles of a rotation, and what finds these near the ones before. */
+export interface MatrixAngles {
+  readonly channels: readonly BvhChannel[];
+  readonly write: typeof zxyAngles;
+}
+
+/** Zrotation Xrotation Yrotation, as most motion capture has it. */
+const USUAL: MatrixAngles = { channels: ['rz', 'rx', 'ry'], write: zxyAngles };
+/** Zrotation Yrotation Xrotation: the angles of Acclaim, whose bones turn about x first as a rule. */
+const OF_ACCLAIM: MatrixAngles = { channels: ['rz', 'ry', 'rx'], write: zyxAngles };
+const POSITIONS: readonly BvhChannel[] = ['tx', 'ty', 'tz'];
 
 /** The plans of all joints, in the skeleton's order. */
 export function planJoints({ joints }: Skeleton): readonly JointPlan[] {
   const plans: JointPlan[] = [];
   for (const joint of joints) {
     const isScaled = stretches(joint.motion) || (plans[joint.parent]?.isScaled ?? false);
-    plans.push(isScaled ? { isScaled, mayMove: true } : planOf(joint));
+    if (isScaled) plans.push({ isScaled, mayMove: true, matrix: USUAL });
+    else plans.push(isOfAcclaim(joint.motion) ? ofAcclaim(joint, joints[joint.parent]) : planOf(joint));
   }
   return plans;
+}
+
+/** All three angles, of whichever order; positions where the bone, or the length of the one above, may move it. */
+function ofAcclaim({ motion }: Joint, above: Joint | undefined): JointPlan {
+  const mayMove = dofsOf(motion).some(({ name }) => name.startsWith('t')) || (above && stretchOf(above)) !== undefined;
+  return { isScaled: false, mayMove, matrix: OF_ACCLAIM, ...(mayMove && { positions: POSITIONS }) };
 }
 
 /** For a joint that neither scales nor shears. */
 function planOf({ motion }: Joint): JointPlan {
   const dofs = dofsOf(motion);
   const mayMove = dofs.some(({ unit }) => unit === 'length') || pitchOf(motion) !== 0;
-  const base = { isScaled: false, mayMove };
+  const base = { isScaled: false, mayMove, matrix: USUAL };
   const factors = factorsOf(motion);
   if (!factors) {
     const angles = anglesAboutAxis(motion, dofs);

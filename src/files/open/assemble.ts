@@ -8,6 +8,7 @@ import { checkMorph, checkSkin, checkTake } from '../../evaluate/skin/binding.ts
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, shownSkin, shownTake } from '../../model/document.ts';
 import {
+  type AcclaimTake,
   baseName,
   type FileNaming,
   folderOf,
@@ -79,6 +80,22 @@ export function withTake(character: Character, take: Take, from: PartOrigin): Ch
   const isItself = at < 0 || from.kind !== 'character' || takes[at].name === marked.name;
   const named = isItself ? marked : renamedTake(marked, takes[at].name);
   return { ...character, parts, takes: put(takes, at, named), shownTake: at < 0 ? takes.length : at };
+}
+
+/** Adds a take that comes with its skeleton, which a character without one gets. */
+export function withAcclaimTake(character: Character, read: AcclaimTake, from: PartOrigin): Character {
+  const { take, space } = read;
+  const kept = character.skeleton ? character : withSkeletonOf(character, read, from);
+  // Of a skeleton alone, the unit was told by its rest pose.
+  const isFirst = character.takes.length === 0 && kept.space?.known !== undefined;
+  return withTake(isFirst && space ? { ...kept, space: space.space } : kept, take, from);
+}
+
+function withSkeletonOf(character: Character, { skeleton, space, of }: AcclaimTake, from: PartOrigin): Character {
+  const { before } = from;
+  const whole = { skeleton, skins: [], morphs: [], takes: [], textures: [], clampsToLimits: false } as const;
+  const origin: PartOrigin = of ? { kind: 'asf', source: of, before } : from;
+  return withWhole(of ? withSource(character, of, before) : character, whole, origin, space?.space);
 }
 
 /** Index of the take that is read again; -1 if it is new. */
@@ -156,6 +173,7 @@ export function withWhole(
     ...withSkeleton({ ...character, takes: waiting }, skeleton),
     parts: { ...parts, skeleton: mark },
     ...(space && { space }),
+    ...(whole.clampsToLimits === false && !character.skeleton && { clampsToLimits: false }),
   };
   for (const skin of skins) next = withSkin(next, skin, from);
   for (const morph of morphs) next = withMorph(next, morph, from);

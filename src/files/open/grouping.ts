@@ -21,7 +21,9 @@ import {
   sameName,
   stemOf,
 } from '../../model/files.ts';
+import { skeletonNameFor } from '../acclaim-names.ts';
 import { type FormatKind, KINDS, openingOf, type Role } from '../kinds.ts';
+import { partOpening } from './contents.ts';
 
 /** A given file, read or broken. */
 export type ReadFile = ParsedFile | (BrokenFile & { readonly broken: true });
@@ -209,8 +211,13 @@ function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFil
     any.add(group, group.skeleton.source);
     if (takesParts(group.skeleton)) made.add(group, group.skeleton.source);
   }
-  return ({ kind, source }) => {
+  return (part) => {
+    const { kind, source } = part;
     const opening = openingOf(kind);
+    if (opening.as === 'part' && opening.skeletonFile) {
+      const own = skeletonFileOf(part, groups);
+      return groups.find(({ skeleton }) => own !== undefined && skeleton?.source.path === own.path);
+    }
     const places = opening.as === 'part' && opening.onAny ? [made, any] : [made];
     const near = places.flatMap((all) => all.in(source) ?? []);
     const own = firstOf(near, (all) => all.named(source) ?? all.only);
@@ -220,6 +227,20 @@ function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFil
     // None in its own folder: the only one given.
     return found ?? (near.length > 0 ? undefined : firstOf(places, ({ everywhere }) => everywhere.only));
   };
+}
+
+/** The file of the skeleton that a part comes with; of one that was not read, by the names of both. */
+function skeletonFileOf(part: ReadFile, groups: readonly FileGroup[]): SourceFile | undefined {
+  if (isRead(part)) return partOpening(part)?.skeletonFile?.(part);
+  const near = groups.flatMap(({ skeleton }) =>
+    skeleton && takesParts(skeleton) && folderOf(skeleton.source) === folderOf(part.source) ? [skeleton] : [],
+  );
+  const given = near.filter(({ kind }) => kind === 'asf').map(({ source }) => source);
+  const name = skeletonNameFor(
+    part.source.name,
+    given.map((source) => source.name),
+  );
+  return given.find((source) => source.name === name);
 }
 
 function firstOf<T, R>(list: readonly T[], find: (item: T) => R | undefined): R | undefined {

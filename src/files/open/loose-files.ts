@@ -2,7 +2,7 @@
 import { withMarkers } from '../../edit/markers.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { findCharacter } from '../../model/document.ts';
-import { type ParsedFile, stemOf } from '../../model/files.ts';
+import { type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
 import { checkParts, withTextures } from './assemble.ts';
 import { partOpening, withFile } from './contents.ts';
 import { bySkinName, takeCalled } from './matching.ts';
@@ -23,7 +23,11 @@ export function openParts(opening: Opening, files: readonly ParsedFile[]): void 
 function openPart(opening: Opening, file: ParsedFile): void {
   const { base, selectedId } = opening;
   const characters = opening.characters.all;
-  const { onSkin, unused } = partOpening(file) ?? {};
+  const { onSkin, unused, skeletonFile } = partOpening(file) ?? {};
+  if (skeletonFile) {
+    openWithSkeleton(opening, file, skeletonFile(file));
+    return;
+  }
   const fitting = onSkin ? characters.filter((c) => c.skins.length > 0) : characters;
   // Only characters from before can have been selected.
   const meant = findCharacter(base, selectedId) ?? (base.characters.length === 1 ? base.characters[0] : undefined);
@@ -36,6 +40,14 @@ function openPart(opening: Opening, file: ParsedFile): void {
   else if (unused !== undefined) opening.unused.push({ file, why: unused });
   // Shown by itself; it waits for a skeleton.
   else settle(opening, undefined, withFile(opening.make(stemOf(file.source)), file, undefined), [file]);
+}
+
+/** A take that comes with its skeleton: for the character that has it, or a new one. */
+function openWithSkeleton(opening: Opening, file: ParsedFile, skeleton: SourceFile | undefined): void {
+  const { characters } = opening;
+  const target = characters.withFile(file.source)[0] ?? (skeleton && characters.withFile(skeleton)[0]);
+  if (target) settle(opening, target, withFile(target, file, target), [file]);
+  else settle(opening, undefined, withFile(opening.make(stemOf(skeleton ?? file.source)), file, undefined), [file]);
 }
 
 /** Adds poses to the library of a character with matching joints. */

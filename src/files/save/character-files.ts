@@ -6,12 +6,14 @@
 import { CommandError } from '../../edit/command-error.ts';
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { skelForm, skelPose, skelTake } from '../../edit/convert/skel-form.ts';
-import { framesOf, MAX_FRAMES, ownFrames, playedTake } from '../../evaluate/bake.ts';
+import { toAcclaimBones } from '../../evaluate/acclaim-bones.ts';
+import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedTake } from '../../evaluate/bake.ts';
 import type { BvhCapture } from '../../evaluate/bvh-capture.ts';
 import { framesFor, toBvhCapture } from '../../evaluate/bvh-capture.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import type { Character } from '../../model/document.ts';
+import { type Character, isOfJoints } from '../../model/document.ts';
+import { filePose } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Take } from '../../model/takes/take.ts';
@@ -41,15 +43,57 @@ export interface NamedCapture extends BvhCapture {
  * which is reported
  */
 export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedCapture[] {
-  const { skeleton, takes, driver } = character;
-  if (!skeleton) return [];
-  // The retargeted take, whichever of its own is shown.
-  if (driver) return [named(character, framesPerSecond, `${skeleton.name}_${driver.source.take.name}`)];
-  if (takes.length === 0) return [named({ ...character, shownTake: -1 }, framesPerSecond, skeleton.name)];
-  return takes.map((take, index) => named({ ...character, shownTake: index }, framesPerSecond, take.name));
+  return takesOf(character, framesPerSecond, toBvhCapture, 'bvh');
 }
 
-function named(character: Character, framesPerSecond: number | undefined, name: string): NamedCapture {
+/**
+ * Each of its takes as one of Acclaim bones, which a character that consists of them keeps; options and errors as of
+ * `bvhOf`.
+ */
+export function acclaimOf(character: Character, framesPerSecond?: number): readonly NamedCapture[] {
+  return takesOf(character, framesPerSecond, toAcclaimBones, 'amc');
+}
+
+/**
+ * A character of Acclaim bones as motion capture, whose joints other formats can hold; any other character itself.
+ * Throws as `bvhOf`.
+ */
+export function withoutBones(character: Character): Character {
+  if (!isOfJoints(character, 'asf')) return character;
+  const captured = bvhOf(character).map((made) => made.capture);
+  const [{ skeleton }] = captured;
+  return {
+    ...character,
+    skeleton,
+    takes: captured.flatMap(({ take }) => take ?? []).slice(0, character.takes.length),
+    pose: filePose(skeleton, character.morphs.length),
+  };
+}
+
+type Conversion = (character: Character, frames: Frames, file: string) => BvhCapture;
+
+function takesOf(
+  character: Character,
+  framesPerSecond: number | undefined,
+  convert: Conversion,
+  extension: string,
+): readonly NamedCapture[] {
+  const { skeleton, takes, driver } = character;
+  if (!skeleton) return [];
+  const named = (of: Character, name: string) => namedTake(of, framesPerSecond, name, convert, extension);
+  // The retargeted take, whichever of its own is shown.
+  if (driver) return [named(character, `${skeleton.name}_${driver.source.take.name}`)];
+  if (takes.length === 0) return [named({ ...character, shownTake: -1 }, skeleton.name)];
+  return takes.map((take, index) => named({ ...character, shownTake: index }, take.name));
+}
+
+function namedTake(
+  character: Character,
+  framesPerSecond: number | undefined,
+  name: string,
+  convert: Conversion,
+  extension: string,
+): NamedCapture {
   const take = playedTake(character);
   const frames =
     framesPerSecond === undefined
@@ -61,9 +105,13 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
       `${name} would have ${count} frames, but the maximum is ${MAX_FRAMES.toLocaleString('en')}.`,
     );
   }
-  const made = toBvhCapture(character, frames, `${name}.bvh`);
+  const made = convert(character, frames, `${name}.${extension}`);
   const isAssumed = framesPerSecond === undefined && take !== undefined && !hasOwnRate(take) && frames.frameCount > 1;
-  return { name, ...made, diagnostics: isAssumed ? [rateAssumed(take, name), ...made.diagnostics] : made.diagnostics };
+  return {
+    name,
+    ...made,
+    diagnostics: isAssumed ? [rateAssumed(take, `${name}.${extension}`), ...made.diagnostics] : made.diagnostics,
+  };
 }
 
 /** Whether a take has a frame rate of its own. */
@@ -71,15 +119,9 @@ export function hasOwnRate(take: Take): boolean {
   return frameRateOf(take) !== undefined;
 }
 
-function rateAssumed(take: Take, name: string): Diagnostic {
+function rateAssumed(take: Take, file: string): Diagnostic {
   const message = `Expected keys at an even rate or a frame rate for ${take.name}, found keys at uneven times.`;
-  return withoutPlace(
-    'info',
-    'rate-assumed',
-    message,
-    `${name}.bvh`,
-    `used ${DEFAULT_FRAMES_PER_SECOND} frames per second`,
-  );
+  return withoutPlace('info', 'rate-assumed', message, file, `used ${DEFAULT_FRAMES_PER_SECOND} frames per second`);
 }
 
 /**

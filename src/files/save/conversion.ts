@@ -14,11 +14,11 @@ import { inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { formatKindOf } from '../kinds.ts';
 import { bvhOf } from './character-files.ts';
-import { animCopies, bvhCopy, type ConversionOptions, rigCopies, skelCopies } from './copies.ts';
+import { acclaimCopies, animCopies, bvhCopy, type ConversionOptions, rigCopies, skelCopies } from './copies.ts';
 import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
-export const TARGETS = ['skel', 'anim', 'bvh', 'rig'] as const;
+export const TARGETS = ['skel', 'anim', 'bvh', 'asf', 'rig'] as const;
 /** A format that characters are converted to; see `TARGETS`. */
 export type Target = (typeof TARGETS)[number];
 
@@ -39,6 +39,7 @@ export function outputsOf(
   options: ConversionOptions = {},
 ): readonly Output[] {
   if (target === 'bvh') return bvhOutputs(characters, options);
+  if (target === 'asf') return characters.flatMap((character) => acclaimCopies(character, options).map(outputOf));
   return characters.flatMap((character) => {
     if (!character.skeleton) return [];
     const takes = animCopies(character, options).map(outputOf);

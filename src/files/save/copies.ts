@@ -6,13 +6,14 @@ import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import type { FileContent } from '../../model/files.ts';
+import type { Capture, FileContent } from '../../model/files.ts';
 import { newFileName } from '../../model/part.ts';
 import type { Rig } from '../../model/rig.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { MARKERS_EXTENSION } from '../../model/takes/markers.ts';
-import { animOf, bvhOf, type NamedCapture, skelOf } from './character-files.ts';
+import type { Take } from '../../model/takes/take.ts';
+import { acclaimOf, animOf, bvhOf, type NamedCapture, skelOf, withoutBones } from './character-files.ts';
 
 /** A file to be written, as a model. */
 export interface Copy {
@@ -35,14 +36,14 @@ export function skelCopies(
   _options?: ConversionOptions,
   inForm: (skeleton: Skeleton) => Skeleton = inHierarchyForm,
 ): readonly Copy[] {
-  const skeleton = skelOf(character);
+  const skeleton = skelOf(withoutBones(character));
   if (!skeleton) return [];
   return [{ name: `${skeleton.name}.skel`, content: () => ({ kind: 'skel', skeletons: [inForm(skeleton)] }) }];
 }
 
 /** The skeleton in axis-angle form; none if it does not fit into it. */
 export function axskelCopies(character: Character): readonly Copy[] {
-  const skeleton = skelOf(character);
+  const skeleton = skelOf(withoutBones(character));
   if (!skeleton || axisAngleObstacle(skeleton) !== undefined) return [];
   return [
     { name: `${skeleton.name}.axskel`, content: () => ({ kind: 'skel', skeletons: [inAxisAngleForm(skeleton)] }) },
@@ -51,9 +52,10 @@ export function axskelCopies(character: Character): readonly Copy[] {
 
 /** All takes, with keys. */
 export function animCopies(character: Character, options: ConversionOptions): readonly Copy[] {
-  return character.takes.map((take) => ({
+  const plain = withoutBones(character);
+  return plain.takes.map((take) => ({
     name: `${take.name}.anim`,
-    content: () => ({ kind: 'anim', take: animOf(character, take, options) }),
+    content: () => ({ kind: 'anim', take: animOf(plain, take, options) }),
   }));
 }
 
@@ -61,6 +63,37 @@ export function animCopies(character: Character, options: ConversionOptions): re
 export function bvhCopies(character: Character, { framesPerSecond }: ConversionOptions): readonly Copy[] {
   return bvhOf(character, framesPerSecond).map((capture) => bvhCopy(`${capture.name}.bvh`, [capture]));
 }
+
+/**
+ * An Acclaim skeleton with all takes, each called so that it is found to belong to it.
+ * @param stem of the skeleton, and of the only take; of several takes the beginning
+ */
+export function acclaimCopies(
+  character: Character,
+  { framesPerSecond }: ConversionOptions,
+  stem?: string,
+): readonly Copy[] {
+  const made = acclaimOf(character, framesPerSecond);
+  const [first] = made;
+  if (!first) return [];
+  const { skeleton } = first.capture;
+  const base = stem ?? skeleton.name;
+  const own = (name: string) => (stem === undefined && name.startsWith(base) ? name : `${base}_${name}`);
+  const named = (name: string) => (stem !== undefined && made.length === 1 ? base : own(name));
+  const takes = character.takes.length > 0 || character.driver ? made : [];
+  return [
+    { name: `${base}.asf`, content: () => ({ kind: 'asf', skeleton }), diagnostics: first.diagnostics },
+    ...takes.map((take) => amcCopy(`${named(take.name)}.amc`, { ...take.capture, skeleton })),
+  ];
+}
+
+/** A take of an Acclaim skeleton as a file. */
+export function amcCopy(name: string, { skeleton, take }: Capture): Copy {
+  return { name, content: () => ({ kind: 'amc', skeleton, take: take ?? STILL }) };
+}
+
+/** A take of one frame, at rest. */
+const STILL: Take = { name: '', range: [0, 0], channels: [] };
 
 /** Several captures with the same frames as one file. */
 export function bvhCopy(name: string, captures: readonly NamedCapture[]): Copy {

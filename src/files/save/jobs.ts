@@ -1,7 +1,7 @@
 /** Files to write when the user saves: files, each with the parts that it holds and how it is written. */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
-import { fileNameOf, type Part } from '../../model/part.ts';
+import { fileNameOf, type Part, takeOf } from '../../model/part.ts';
 import type { Marker } from '../../model/takes/markers.ts';
 import type { SavedKind } from '../kinds.ts';
 import { markersCopies } from './copies.ts';
@@ -41,7 +41,7 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
 
 /** The markers of a take, beside its file. @param none what it has without markers; absent: no file */
 function markersBeside(part: Part, none?: readonly Marker[]): readonly Job[] {
-  const take = part.kind === 'bvh' ? part.content.take : part.kind === 'anim' ? part.content : undefined;
+  const take = takeOf(part);
   if (!take) return [];
   const markers = take.markers ?? none;
   const named = { ...take, name: part.name, ...(markers && { markers }) };

@@ -8,7 +8,7 @@ import { addPoses } from '../../edit/pose/library.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character, Document } from '../../model/document.ts';
 import type { ParsedFile, PartKind, SourceFile } from '../../model/files.ts';
-import { fileNameOf, ownRevision, type Part, type PartFile } from '../../model/part.ts';
+import { fileNameOf, isTakeKind, ownRevision, type Part, type PartFile } from '../../model/part.ts';
 import { filePose, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { MARKERS_EXTENSION } from '../../model/takes/markers.ts';
 import { poseToSave } from './saved-poses.ts';
@@ -156,7 +156,7 @@ export class SavedParts {
       const index = counts.get(part.kind) ?? 0;
       counts.set(part.kind, index + 1);
       if (this.isSaved(part) && (part.kind !== 'skel' || this.isPoseSaved(character))) continue;
-      const isMarkers = isTake(part) && this.isOwnSaved(part);
+      const isMarkers = isTakeKind(part.kind) && this.isOwnSaved(part);
       const name = isMarkers ? `${part.name}.${MARKERS_EXTENSION}` : fileNameOf(part);
       list.push({ characterId: character.id, kind: part.kind, index, name, ...(isMarkers && { isMarkers }) });
     }
@@ -184,8 +184,4 @@ function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolea
 /** One value per DOF of the joints. */
 function filePoseOfJoints({ skeleton }: Character): readonly number[] {
   return filePose(skeleton, 0).slice(rootDofCount(skeleton));
-}
-
-function isTake({ kind }: Part): boolean {
-  return kind === 'bvh' || kind === 'anim';
 }

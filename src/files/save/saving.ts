@@ -9,12 +9,12 @@ import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
-import { newFileName, type Part } from '../../model/part.ts';
+import { newFileName, type Part, takeOf } from '../../model/part.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
 import { KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
-import { bvhOf, hasOwnRate, inPose } from './character-files.ts';
-import { bvhCopy } from './copies.ts';
+import { acclaimOf, bvhOf, hasOwnRate, inPose } from './character-files.ts';
+import { amcCopy, bvhCopy } from './copies.ts';
 import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
 import type { Owned } from './owned.ts';
 import { jointPose, posesByNames } from './saved-poses.ts';
@@ -67,11 +67,12 @@ function haveOwnRates({ takes, driver }: Character): boolean {
 export function writeParts(name: string, owned: readonly Owned[], options: SavingOptions = {}): Output {
   const [{ part }] = owned;
   if (part.kind === 'bvh') return takesOutput(name, owned, options);
+  if (part.kind === 'amc') return acclaimOutput(name, owned[0], options);
   return outputOf({ name, content: () => contentOf(part, owned) });
 }
 
 /** The content of a file of parts other than takes. */
-function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonly Owned[]): FileContent {
+function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned: readonly Owned[]): FileContent {
   switch (part.kind) {
     case 'skel': {
       const skeletons = owned.flatMap(({ part: own, pose }) =>
@@ -79,6 +80,8 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
       );
       return { kind: 'skel', skeletons };
     }
+    case 'asf':
+      return { kind: 'asf', skeleton: part.content };
     case 'skin':
       return { kind: 'skin', skin: part.content };
     case 'morph':
@@ -93,6 +96,15 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
     case 'pose':
       return { kind: 'pose', poses: posesByNames(part.content) };
   }
+}
+
+/** A take of Acclaim bones: its own samples, or what its keys give. */
+function acclaimOutput(name: string, { character, part }: Owned, { framesPerSecond }: SavingOptions): Output {
+  const { driver: _, ...own } = character;
+  const take = takeOf(part);
+  const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
+  const [made] = acclaimOf({ ...own, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
+  return outputOf({ ...amcCopy(name, made.capture), diagnostics: made.diagnostics });
 }
 
 function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }: SavingOptions): Output {

@@ -70,6 +70,8 @@ function* readValue(
       return yield* listOfWords(t, token, parameter.choices, keywords);
     case 'number':
       return yield* numberToken(t, token, keywords);
+    case 'angles':
+      return yield* vectorToken(t, token, keywords);
     case 'axis': {
       const place = t.mark();
       const found = yield* vectorToken(t, token, keywords);

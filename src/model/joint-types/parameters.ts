@@ -45,19 +45,25 @@ export interface AxisParameter extends Named {
   readonly type: 'axis';
 }
 
+/** Three angles in radians. */
+export interface AnglesParameter extends Named {
+  readonly type: 'angles';
+}
+
 /** A finite number. */
 export interface NumberParameter extends Named {
   readonly type: 'number';
 }
 
-/** The shape of one parameter of a motion, told by `type`: a choice, a list of choices, an axis or a number. */
-export type Parameter = ChoiceParameter | ListParameter | AxisParameter | NumberParameter;
+/** The shape of one parameter of a motion, told by `type`: a choice, a list of choices, an axis, angles or a number. */
+export type Parameter = ChoiceParameter | ListParameter | AxisParameter | AnglesParameter | NumberParameter;
 
 /** The value of each type of parameter. */
 export interface ParameterValues {
   readonly choice: string;
   readonly list: readonly string[];
   readonly axis: Vec3;
+  readonly angles: Vec3;
   readonly number: number;
 }
 

@@ -13,8 +13,8 @@ export interface JointType<M extends Motion = Motion> {
   readonly label: string;
   /** Motion of such a joint, in a few words. */
   readonly summary: string;
-  /** The format that has joints of this type: those of `bvh` are converted before they are written to `.skel`. */
-  readonly format: 'skel' | 'bvh';
+  /** The format that has joints of this type: those of others are converted before they are written to `.skel`. */
+  readonly format: 'skel' | 'bvh' | 'asf';
   /** The motion of a joint whose file gives only its type. */
   readonly initial: M;
   /** The parameters of such a motion, by field name; `.skel` has a token of the same name for each. */

@@ -3,13 +3,14 @@
  * records and `evaluate/motions.ts` may test a joint's type; CONTRIBUTING.md tells how to add one.
  */
 import type { Vec3 } from '../../math/vec3.ts';
+import { ACCLAIM } from '../joint-types/acclaim.ts';
 import { HINGE, PRISMATIC, SCREW } from '../joint-types/axis.ts';
 import { BVH, COMPOUND_JOINT, FIXED, TRANSLATIONAL } from '../joint-types/listed.ts';
 import type { Parameter, ParameterValues } from '../joint-types/parameters.ts';
 import { BALL, FREE, QUATERNION_JOINT, UNIVERSAL } from '../joint-types/rotating.ts';
 import { SCALE, SHEAR } from '../joint-types/stretching.ts';
 import type { JointType } from '../joint-types/type.ts';
-import type { BvhChannel, BvhMotion, CompoundDof, Dof, Joint, Motion } from './skeleton.ts';
+import type { AcclaimMotion, BvhChannel, BvhMotion, CompoundDof, Dof, Joint, Motion } from './skeleton.ts';
 
 /** The kind of a motion, which names its joint type: a key of `JOINT_TYPES`. */
 export type MotionKind = Motion['kind'];
@@ -29,6 +30,7 @@ export const JOINT_TYPES: { readonly [K in MotionKind]: JointType<Extract<Motion
   fixed: FIXED,
   compound: COMPOUND_JOINT,
   bvh: BVH,
+  acclaim: ACCLAIM,
 };
 
 // The table's keys are exactly these.
@@ -93,6 +95,26 @@ export function displaces(motion: Motion): boolean {
 /** Whether joints with this motion come from a `.bvh`, and are converted before they are written to `.skel`. */
 export function isOfBvh(motion: Motion): boolean {
   return jointTypeOf(motion).format === 'bvh';
+}
+
+/** Whether joints with this motion come from a `.asf`: their lengths are those of bones. */
+export function isOfAcclaim(motion: { readonly kind: MotionKind }): boolean {
+  return jointTypeOf(motion).format === 'asf';
+}
+
+/** The motion, if it is that of an Acclaim bone. */
+export function acclaimMotionOf(motion: Motion): AcclaimMotion | undefined {
+  return motion.kind === 'acclaim' ? motion : undefined;
+}
+
+/** Whether such joints are made by hand; those of captures come with their files. */
+export function isOffered(kind: MotionKind): boolean {
+  return JOINT_TYPES[kind].format === 'skel';
+}
+
+/** The DOF that lengthens a joint's own bone: its index among the joint's; -1 if there is none. */
+export function lengthDofOf(motion: Motion): number {
+  return isOfAcclaim(motion) ? dofsOf(motion).findIndex(({ name }) => name === 'l') : -1;
 }
 
 /** The parameters of a motion's type, by name, in the order in which they are written. */

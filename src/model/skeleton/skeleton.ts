@@ -32,6 +32,32 @@ export interface Joint {
    * names.
    */
   readonly role?: string;
+  /** What an Acclaim skeleton says of its bone, which is kept for writing. */
+  readonly bone?: AcclaimBone;
+}
+
+/** A bone as a `.asf` has it, beside its joint. */
+export interface AcclaimBone {
+  readonly id?: string;
+  /** Of any length, as written: the bone runs along it, in the joint's space at rest. */
+  readonly direction: Vec3;
+  /** In units of length. */
+  readonly length: number;
+  /** Lines that Marrow has no use for, such as `bodymass 3.5`. Absent rather than empty. */
+  readonly kept?: readonly string[];
+}
+
+/** What a `.asf` says of the whole skeleton, its units first; kept for writing. */
+export interface AcclaimHeader {
+  readonly version?: string;
+  readonly name?: string;
+  readonly documentation?: readonly string[];
+  /** `mass 1.0` and others, without `length` and `angle`. */
+  readonly units: readonly string[];
+  /** A unit is 1/`length` inches. */
+  readonly length: number;
+  /** Of the angles in the `.asf`, and of those in an `.amc` that names none. */
+  readonly angle: 'deg' | 'rad';
 }
 
 /**
@@ -66,6 +92,8 @@ export interface Skeleton {
   readonly joints: readonly Joint[];
   /** Read from the axis-angle form of `.skel`, and written so again if it still fits; absent: the hierarchy form. */
   readonly form?: 'axis-angle';
+  /** Of a skeleton read from a `.asf`. */
+  readonly acclaim?: AcclaimHeader;
 }
 
 /** The box drawn for a joint, in its own space. Real files may have min > max; it is drawn anyway. */
@@ -100,7 +128,8 @@ export type Motion =
   | { readonly kind: 'fixed' }
   /** One-DOF matrices, multiplied from left to right; each DOF at most once. */
   | { readonly kind: 'compound'; readonly dofs: readonly CompoundDof[] }
-  | BvhMotion;
+  | BvhMotion
+  | AcclaimMotion;
 
 /**
  * A BVH joint: its channels are its DOFs, in order. The translation comes before the rotations, wherever it is listed;
@@ -113,6 +142,28 @@ export interface BvhMotion {
   readonly channels: readonly BvhChannel[];
   readonly positions: 'replace' | 'add';
 }
+
+/**
+ * A bone of an Acclaim skeleton, with C the rotation of its axes: C·T(t)·R·C⁻¹, and T(t)·C·R for the root. The translation
+ * comes before the rotations, wherever it is listed; of these the first listed is applied first. `l` lengthens the bone,
+ * which moves its children and its end, but not the joint itself.
+ */
+export interface AcclaimMotion {
+  readonly kind: 'acclaim';
+  /** Each at most once. */
+  readonly dofs: readonly AcclaimDof[];
+  /** Angles of the axes about x, y and z; radians. */
+  readonly axes: Vec3;
+  /** In which these angles are applied. */
+  readonly order: EulerOrder;
+  /** Whether the rotations are those of a bone, within its axes, or of the root, which start from them. */
+  readonly frame: 'bone' | 'root';
+}
+
+/** DOFs of an Acclaim bone: translations, rotations, and its length. */
+export const ACCLAIM_DOFS = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz', 'l'] as const;
+/** A DOF of an Acclaim bone; see `ACCLAIM_DOFS`. */
+export type AcclaimDof = (typeof ACCLAIM_DOFS)[number];
 
 /** `Xposition` is tx, `Zrotation` rz. */
 export type BvhChannel = 'tx' | 'ty' | 'tz' | 'rx' | 'ry' | 'rz';

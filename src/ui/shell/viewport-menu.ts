@@ -6,7 +6,7 @@ import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { transformPoint } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
-import { isOfBvh, JOINT_TYPES, MOTION_KINDS } from '../../model/skeleton/joint-types.ts';
+import { isOffered, JOINT_TYPES, MOTION_KINDS } from '../../model/skeleton/joint-types.ts';
 import { jointsIn, withJointToggled } from '../../model/skeleton/selected-joints.ts';
 import { changePin, stiffen } from '../editors/ik/pin-edits.ts';
 import { selectedPin } from '../editors/ik/selected-pin.ts';
@@ -200,10 +200,10 @@ function stiffnessMenu(wb: Workbench, { character, joint }: ResolvedJoint): Menu
   );
 }
 
-/** BVH's own type is only offered to joints that have it. */
+/** Types of captures are only offered to joints that have them. */
 function typeMenu(wb: Workbench, { skeleton, joint }: ResolvedJoint): MenuEntry {
   const { motion } = skeleton.joints[joint];
-  const kinds = MOTION_KINDS.filter((kind) => kind === motion.kind || !isOfBvh(JOINT_TYPES[kind].initial));
+  const kinds = MOTION_KINDS.filter((kind) => kind === motion.kind || isOffered(kind));
   const name = (kind: (typeof MOTION_KINDS)[number]) => JOINT_TYPES[kind].label;
   return radioMenu('Type', kinds, motion.kind, name, (kind) => {
     void import('../editors/rig/rig-edits.ts').then((module) => module.setType(wb, kind));

@@ -24,6 +24,7 @@ import type { ListedTake } from '../../../src/review/list.ts';
 import { isTakeList, readList } from '../../../src/review/read-list.ts';
 import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
 import { parseSettings } from '../../../src/ui/state/settings.ts';
+import { ODD_ASF } from '../../helpers/acclaim.ts';
 import { notFinite } from './finite.ts';
 import type { Input } from './inputs.ts';
 import { type Held, heldBy, mostBytes, openedBy, taken, takenExactly } from './memory.ts';
@@ -193,9 +194,18 @@ function written(value: FileContent, name: string) {
   return { bytes, diagnostics: result.diagnostics() };
 }
 
+const ODD_SKELETON = new TextEncoder().encode(ODD_ASF);
+
+/** A skeleton that motions of Acclaim belong to; other files find nothing beside them. */
+const BESIDE = {
+  near: (extension: string) => (extension === 'asf' ? ['x.asf'] : []),
+  beside: async (path: string) =>
+    path === 'x.asf' ? { bytes: ODD_SKELETON, source: { name: path, path, bytes: ODD_SKELETON.length } } : undefined,
+};
+
 async function checkImport({ subject, bytes }: Input, imports: NonNullable<Format['imports']>, tell: Told) {
   const fileName = `x.${subject}`;
-  const given = { fileName, bytes, beside: async () => undefined };
+  const given = { fileName, bytes, ...BESIDE };
   const { value, diagnostics } = await measured(
     { subject, bytes },
     () => imports(given),
@@ -206,6 +216,15 @@ async function checkImport({ subject, bytes }: Input, imports: NonNullable<Forma
     }),
   );
   checkTold({ ...(value && { value }), diagnostics }, bytes, tell);
+  if (value && value.kind !== 'character') {
+    const path = notFinite(value);
+    if (path) tell('finite', path);
+    const first = path ? undefined : written(value, fileName);
+    const again = first && (await imports({ ...given, bytes: first.bytes }));
+    if (again && !again.value)
+      tell('written', `what is written has errors: ${JSON.stringify(again.diagnostics.slice(0, 2))}`);
+    return;
+  }
   for (const character of value?.characters ?? []) {
     checkIndices(character, tell);
     const path = notFinite(character);

@@ -1,4 +1,5 @@
 /** Texts that use all that their formats have, in few bytes. */
+import { ODD_AMC, ODD_ASF } from '../../helpers/acclaim.ts';
 import type { Subject } from './subjects.ts';
 
 const SKIN = `positions 4 {
@@ -84,6 +85,8 @@ FrameTime:0.1\r
 `;
 
 export const MADE_TEXTS: readonly (readonly [Subject, string])[] = [
+  ['asf', ODD_ASF],
+  ['amc', ODD_AMC],
   [
     'skel',
     `balljoint root {

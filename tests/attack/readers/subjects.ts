@@ -7,6 +7,8 @@ export const SUBJECTS = [
   'anim',
   'rig',
   'bvh',
+  'asf',
+  'amc',
   'pose',
   'markers.json',
   'txt',

@@ -1,8 +1,8 @@
 /** What a row of the outliner shows. */
 
 import { setHidden } from '../../../edit/commands/spaces.ts';
-import type { PartKind } from '../../../model/files.ts';
 import { cutText } from '../../../model/names/cut-text.ts';
+import { isSkeletonKind, isTakeKind } from '../../../model/part.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setAttribute } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -86,8 +86,7 @@ function isUnsaved(wb: Uses<'files'>, { kind, key, characterId, index }: Outline
     if (part.characterId !== characterId) return false;
     // Motion capture has skeleton and take in one file.
     if (part.kind === 'bvh') return kind === 'take' && part.index === index;
-    return isSkeleton ? part.kind === 'skel' : part.kind === PART_KINDS[kind] && part.index === index;
+    if (isSkeleton) return isSkeletonKind(part.kind);
+    return (kind === 'take' ? isTakeKind(part.kind) : part.kind === kind) && part.index === index;
   });
 }
-
-const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin', morph: 'morph', take: 'anim' };

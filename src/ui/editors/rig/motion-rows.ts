@@ -4,7 +4,7 @@ import type { Parameter, ParameterValues } from '../../../model/joint-types/para
 import {
   axisOf,
   dofsOf,
-  isOfBvh,
+  isOffered,
   JOINT_TYPES,
   MOTION_KINDS,
   motionOfKind,
@@ -87,6 +87,8 @@ function parameterRows(
         vectorRow(context, label, 0.01, () => value('axis'), edit(preview), noDirection),
         presetRow(context, edit(set)),
       ];
+    case 'angles':
+      return [vectorRow(context, label, 0.01, () => value('angles'), edit(preview))];
     case 'number':
       return [numberRow(context, label, 0.01, () => value('number'), edit(preview))];
   }
@@ -110,15 +112,15 @@ function presetRow({ section }: SectionContext, set: (axis: Vec3) => void): Sect
 }
 
 function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Motion) => void): SectionRow {
-  // BVH's own type is only offered to joints that have it.
-  const kinds = MOTION_KINDS.filter((kind) => !isOfBvh(JOINT_TYPES[kind].initial) || isOfBvh(made));
+  // Types of captures are only offered to joints that have them.
+  const kinds = MOTION_KINDS.filter((kind) => isOffered(kind) || kind === made.kind);
   return choiceRow(
     'Type',
     kinds.map((kind) => [kind, JOINT_TYPES[kind].label] as const),
     () => now()?.kind,
     (kind) => {
       const before = now();
-      if (before && kind !== before.kind && !isOfBvh(JOINT_TYPES[kind].initial)) set(motionOfKind(kind, before));
+      if (before && kind !== before.kind && isOffered(kind)) set(motionOfKind(kind, before));
     },
     (kind) => JOINT_TYPES[kind].summary,
   );

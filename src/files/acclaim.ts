@@ -1,0 +1,81 @@
+/** Files of Acclaim: fetched when there are any. A motion is read with the skeleton that its name belongs to. */
+
+import { metresPerUnit, statedSpace } from '../evaluate/space/metres.ts';
+import { guessedHeight, guessSpace } from '../evaluate/space/space-guess.ts';
+import { readAmc } from '../formats/acclaim/read-amc.ts';
+import { asfReader } from '../formats/acclaim/read-asf.ts';
+import { stemOfName } from '../formats/grammar.ts';
+import { NO_PLACE } from '../formats/places.ts';
+import { readWhole } from '../formats/reader.ts';
+import { ParseError, Report } from '../formats/report.ts';
+import type { Import } from '../import/imported.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import type { FileSpace } from '../model/space.ts';
+import type { Take } from '../model/takes/take.ts';
+import { skeletonNameFor } from './acclaim-names.ts';
+import type { ImportedFile } from './imports.ts';
+
+/** The kinds of files of Acclaim. */
+export type AcclaimKind = 'asf' | 'amc';
+
+/** Reads a file of Acclaim. Never throws for anything that the file holds. */
+export async function readAcclaim(kind: AcclaimKind, given: Import): Promise<ImportedFile> {
+  return kind === 'asf' ? skeletonFile(given) : takeFile(given);
+}
+
+function skeletonFile({ fileName, bytes }: Import): ImportedFile {
+  const { value: skeleton, diagnostics } = readWhole(asfReader(fileName), bytes);
+  if (!skeleton) return { diagnostics, beside: [] };
+  return { value: { kind: 'asf', skeleton, space: spaceOf(skeleton, undefined) }, diagnostics, beside: [] };
+}
+
+async function takeFile({ fileName, bytes, beside, near }: Import): Promise<ImportedFile> {
+  const name = skeletonNameFor(fileName, near?.('asf') ?? []);
+  const found = name === undefined ? undefined : await beside(name);
+  if (!found) {
+    const message = 'Expected its skeleton, an .asf file of the same name or its beginning, found none. Open both.';
+    return { diagnostics: [withoutPlace('error', 'skeleton-missing', message, fileName)], beside: [], isWaiting: true };
+  }
+  const of = readWhole(asfReader(found.source.name), found.bytes);
+  if (!of.value) {
+    const message = `Its skeleton, ${found.source.name}, has errors.`;
+    return { diagnostics: [withoutPlace('error', 'skeleton-broken', message, fileName)], beside: [], isWaiting: true };
+  }
+  const report = new Report(fileName);
+  const take = readOrFail(bytes, report, stemOfName(fileName), of.value);
+  const space = take && spaceOf(of.value, take);
+  if (space?.space.known === 'guessed') {
+    const message = 'The unit that the skeleton states would make a person less than 0.4 m or more than 3 m tall.';
+    report.info('unit-guessed', message, NO_PLACE, `used ${metresPerUnit(space.space)} m per unit`);
+  }
+  const diagnostics: readonly Diagnostic[] = report.finish();
+  if (!take || hasErrors(diagnostics)) return { diagnostics, beside: [] };
+  const value = { kind: 'amc', skeleton: of.value, take, of: found.source, ...(space && { space }) } as const;
+  return { value, diagnostics, beside: [] };
+}
+
+function readOrFail(bytes: Uint8Array, report: Report, name: string, skeleton: Skeleton): Take | undefined {
+  try {
+    return readAmc(bytes, report, name, skeleton);
+  } catch (error) {
+    if (error instanceof ParseError) return undefined;
+    throw error;
+  }
+}
+
+const INCH = 0.0254;
+/** Metres; what is smaller or larger states another unit than it has. */
+const [SMALLEST, TALLEST] = [0.4, 3];
+
+/** The unit that the file states, y up, on the ground; guessed where it makes a person of an impossible size. */
+function spaceOf(skeleton: Skeleton, take: Take | undefined): FileSpace {
+  const stated = statedSpace(INCH / (skeleton.acclaim?.length ?? 1));
+  const metres = metresPerUnit(stated.space);
+  const { height, isPerson } = guessedHeight(skeleton, take, 'y');
+  const guessed = guessSpace(skeleton, take);
+  const tall = height * metres;
+  if (isPerson && !(tall >= SMALLEST && tall <= TALLEST)) return { space: { ...guessed, up: 'y' }, standing: 0 };
+  const lift = Number(((guessed.lift * metres) / metresPerUnit(guessed)).toFixed(3));
+  return { ...stated, space: { ...stated.space, lift: guessed.up === 'y' ? lift : 0 } };
+}

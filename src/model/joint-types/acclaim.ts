@@ -1,0 +1,50 @@
+/** Bones of Acclaim skeletons. */
+import type { Vec3 } from '../../math/vec3.ts';
+import { ACCLAIM_DOFS, type AcclaimMotion, type CompoundDof, EULER_ORDERS } from '../skeleton/skeleton.ts';
+import { dof } from './dof.ts';
+import type { JointType } from './type.ts';
+
+/** Without axes of its own: one-DOF matrices, translations first; of the rotations the last is applied first. */
+function plainFactors({ dofs }: AcclaimMotion): readonly CompoundDof[] | undefined {
+  const factors: CompoundDof[] = [];
+  for (const name of dofs) {
+    if (name === 'l') return undefined;
+    factors.push(name);
+  }
+  const turns = factors.filter((name) => name.startsWith('r')).reverse();
+  return [...factors.filter((name) => name.startsWith('t')), ...turns];
+}
+
+/** The joint of a `.asf`: the DOFs of its bone, in the file's order, about axes of its own. */
+export const ACCLAIM: JointType<AcclaimMotion> = {
+  keyword: 'bone',
+  label: 'Acclaim bone',
+  summary: 'the DOFs listed in the .asf',
+  format: 'asf',
+  initial: { kind: 'acclaim', dofs: [], axes: [0, 0, 0], order: 'xyz', frame: 'bone' },
+  parameters: {
+    dofs: { type: 'list', subject: 'The DOFs of a bone', choices: ACCLAIM_DOFS },
+    axes: { type: 'angles', subject: 'The axes of a bone', label: 'Axes' },
+    order: { type: 'choice', subject: 'The order of the axes', choices: EULER_ORDERS, describe: (order) => order },
+    frame: {
+      type: 'choice',
+      subject: 'The frame of a bone',
+      choices: ['bone', 'root'],
+      describe: (frame) => frame,
+    },
+  },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: ({ dofs }) => dofs.map(dof),
+  factors: (motion) => (motion.axes.every((angle) => angle === 0) ? plainFactors(motion) : undefined),
+  formula: ({ frame }) => (frame === 'bone' ? 'C·T(t)·R·C⁻¹' : 'T(t)·C·R'),
+  carriesCharacter: ({ dofs }) => (['tx', 'ty', 'tz'] as const).every((name) => dofs.includes(name)),
+  mirrored(motion, across) {
+    const [x, y, z] = motion.axes.map((angle, k) => (k === across ? angle : 0 - angle));
+    const axes: Vec3 = [x, y, z];
+    return { ...motion, axes };
+  },
+  text: ({ dofs }) => (dofs.length ? `Acclaim bone, ${dofs.join(' ')}` : 'Acclaim bone without DOFs'),
+  heading: ({ dofs }) => dofs.join(' ') || 'no DOFs',
+};
