@@ -1,7 +1,7 @@
 /** Actions on files in the menus, over dialogs, drops, examples and the disk. */
+import { isReviewable } from '../files/kinds.ts';
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
-import { isReviewable } from '../review/reviewable.ts';
 import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MAX_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';

@@ -5,6 +5,7 @@
 
 import { addToReview, readReview } from '../edit/commands/review.ts';
 import type { Store } from '../edit/store.ts';
+import { formatKindOf, isBesideTakes, isReviewable, KINDS, openingOf } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
@@ -13,7 +14,6 @@ import { baseName } from '../model/files.ts';
 import type { TakeDigest } from '../review/digest.ts';
 import { matchPaths } from '../review/match-paths.ts';
 import { isTakeList, readList } from '../review/read-list.ts';
-import { isReviewable } from '../review/reviewable.ts';
 import { attempt } from '../ui/state/actions/attempt.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import { openPanel } from '../ui/state/panels/panels.ts';
@@ -23,6 +23,7 @@ import type { Timeline } from '../ui/state/timeline.ts';
 import { plural } from '../ui/widgets/numbers/number-text.ts';
 import { type Observable, observable } from '../ui/widgets/observable.ts';
 import type { Runs } from '../worker/client.ts';
+import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
 
 /** Files of a batch: in view ones wait for one batch at most. */
@@ -59,7 +60,10 @@ export async function takeForReview(
   const reviewed = isMany ? takes : takes.filter(({ path }) => listed.has(path));
   const opened = isMany ? [] : takes.filter((file) => !reviewed.includes(file));
   if (reviewed.length > 0) {
-    filesOf(parts).add(reviewed);
+    filesOf(parts).add(
+      reviewed,
+      given.filter(({ path }) => isBesideTakes(path)),
+    );
     const paths = reviewed.map(({ path }) => path);
     attempt(parts.messages, () => parts.store.apply(addToReview, { paths }));
     showTab(parts);
@@ -78,8 +82,14 @@ async function withTakesOut({ worker }: ReviewingParts, file: GivenFile): Promis
   return takes.length > 0 ? takes.map((take) => ({ ...take, ...(version !== undefined && { version }) })) : [file];
 }
 
-const isForCharacters = ({ path }: GivenFile) =>
-  /\.(skel|axskel|skin|morph|anim|rig|pose|zip|glb|gltf|fbx)$/i.test(path);
+/** Whether a file is worth opening beside takes for review; skeletons of these are read with them. */
+function isForCharacters({ path }: GivenFile): boolean {
+  if (/\.zip$/i.test(path)) return true;
+  const kind = formatKindOf(path);
+  if (!kind || isBesideTakes(path)) return false;
+  const { as } = openingOf(KINDS[kind].content);
+  return as !== 'texture' && as !== 'dump' && as !== 'markers';
+}
 
 async function listsIn(given: readonly GivenFile[]) {
   const lists: { readonly file: GivenFile; readonly text: string }[] = [];
@@ -131,6 +141,8 @@ function filesOf(parts: ReviewingParts): TakeFiles {
 class TakeFiles implements ReviewFiles {
   readonly progress = observable<ReviewProgress>({ done: 0, of: 0 });
   private readonly given = new Map<string, GivenFile>();
+  /** Skeletons of takes, by their paths. */
+  private readonly beside = new Map<string, GivenFile>();
   private readonly digests = new Map<string, TakeDigest>();
   private wanted: readonly string[] = [];
   private waiting: string[] = [];
@@ -140,7 +152,8 @@ class TakeFiles implements ReviewFiles {
 
   constructor(private readonly parts: ReviewingParts) {}
 
-  add(files: readonly GivenFile[]): void {
+  add(files: readonly GivenFile[], beside: readonly GivenFile[]): void {
+    for (const file of beside) this.beside.set(file.path, file);
     for (const file of files) {
       const { path } = file;
       if (this.given.get(path)?.version !== file.version) {
@@ -176,17 +189,25 @@ class TakeFiles implements ReviewFiles {
   }
 
   open(paths: readonly string[]): void {
-    const files = paths.flatMap((path) => this.given.get(path) ?? []);
+    const takes = paths.flatMap((path) => this.given.get(path) ?? []);
+    const files = [...this.beside.values(), ...takes];
     void this.parts.opener.open(() => files);
   }
 
   private async parse(path: string): Promise<Character | undefined> {
     const file = this.given.get(path);
     if (!file) return undefined;
-    const output = await this.parts.worker.run('parse', { files: [{ path, blob: file.blob }] });
+    const output = await this.parts.worker.run('parse', {
+      files: [{ path, blob: file.blob }],
+      before: this.blobsBeside(),
+    });
     const [first] = openFiles(EMPTY_DOCUMENT, output.files, output.broken).document.characters;
     // Of its own, so that nothing takes it for one of the document.
     return first && { ...first, id: 'review' };
+  }
+
+  private blobsBeside(): readonly GivenBlob[] {
+    return Array.from(this.beside.values(), ({ path, blob }) => ({ path, blob }));
   }
 
   /** Until all have been read. */
@@ -199,7 +220,7 @@ class TakeFiles implements ReviewFiles {
         return file ? [{ path, blob: file.blob }] : [];
       });
       try {
-        const { takes } = await this.parts.worker.run('review', { files });
+        const { takes } = await this.parts.worker.run('review', { files, beside: this.blobsBeside() });
         for (const take of takes) this.digests.set(take.path, take);
       } catch (error) {
         const problem = sentenceOf(error);

@@ -31,6 +31,13 @@ export interface Kind {
   readonly content: FileKind;
   /** Most files with these extensions are not of this kind: the system isn't asked to open them with the page. */
   readonly isRare?: true;
+  /**
+   * Extensions of files that hold all of a take, alone or with what is found beside them: they can be reviewed by the
+   * hundred.
+   */
+  readonly reviewed?: readonly string[];
+  /** Takes are read with such files beside them. */
+  readonly isBeside?: true;
   /** Absent if it is only read. */
   readonly save?: Saving;
 }
@@ -126,6 +133,7 @@ export const KINDS = {
     extensions: ['bvh'],
     label: 'motion capture',
     content: 'bvh',
+    reviewed: ['bvh'],
     save: {
       label: 'Motion capture (.bvh)',
       has: hasSkeleton,
@@ -136,6 +144,7 @@ export const KINDS = {
     extensions: ['asf'],
     label: 'Acclaim skeleton',
     content: 'asf',
+    isBeside: true,
     save: {
       label: 'Acclaim skeleton (.asf)',
       has: hasSkeleton,
@@ -147,6 +156,7 @@ export const KINDS = {
     extensions: ['amc'],
     label: 'Acclaim motion',
     content: 'amc',
+    reviewed: ['amc'],
     save: {
       label: 'Acclaim motion (.amc)',
       has: (c) => hasSkeleton(c) && shownTake(c) !== undefined,
@@ -168,11 +178,13 @@ export const KINDS = {
     extensions: ['gltf', 'glb', 'vrm', 'vrma'],
     label: 'glTF',
     content: 'character',
+    reviewed: ['glb', 'vrma'],
   },
   fbx: {
     extensions: ['fbx'],
     label: 'FBX',
     content: 'character',
+    reviewed: ['fbx'],
   },
   texture: {
     extensions: TEXTURE_EXTENSIONS,
@@ -232,6 +244,24 @@ export function formatKindOf(fileName: string): FormatKind | undefined {
   const name = fileName.toLowerCase();
   // Kinds with a longer extension come first: `.markers.json` is no `.json`.
   return FORMAT_KINDS.find((kind) => KINDS[kind].extensions.some((own) => name.endsWith(`.${own}`)));
+}
+
+/** Extensions of the files that can be reviewed by the hundred, without the dot. */
+export const REVIEWED_EXTENSIONS: readonly string[] = FORMAT_KINDS.flatMap((kind): readonly string[] => {
+  const { reviewed = [] }: Kind = KINDS[kind];
+  return reviewed;
+});
+
+/** Whether a file is a take that can be reviewed by the hundred, by its name or path. */
+export function isReviewable(path: string): boolean {
+  return REVIEWED_EXTENSIONS.some((extension) => path.toLowerCase().endsWith(`.${extension}`));
+}
+
+/** Whether takes are read with such a file beside them, by its name or path. */
+export function isBesideTakes(path: string): boolean {
+  const kind = formatKindOf(path);
+  const { isBeside }: Partial<Kind> = kind ? KINDS[kind] : {};
+  return isBeside ?? false;
 }
 
 /** Whether a file is a buffer of glTF files, by its name or path. */

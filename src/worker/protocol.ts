@@ -146,6 +146,8 @@ export interface CheckOutput extends ParseOutput {
 /** Takes to be listed, a file each. */
 export interface ReviewInput {
   readonly files: readonly GivenBlob[];
+  /** Files that these may be read with: skeletons of takes. */
+  readonly beside?: readonly GivenBlob[];
 }
 
 /** In the order of the files. */

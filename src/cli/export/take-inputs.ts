@@ -6,7 +6,7 @@
  * so that several processes can share it.
  */
 import { dirname, extname, relative, resolve, sep } from 'node:path';
-import { isBuffer, openingOf } from '../../files/kinds.ts';
+import { isBesideTakes, isBuffer, openingOf } from '../../files/kinds.ts';
 import { formatOf } from '../../files/readers.ts';
 import { findGiven, type GivenPath, isFolder } from '../paths.ts';
 import { groupsIn, isWhole } from '../together.ts';
@@ -63,8 +63,7 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
 
 /** Whether other files are read with files of that name: textures, and skeletons of takes. */
 function isPartOfOthers(path: string): boolean {
-  const kind = formatOf(path)?.kind;
-  return kind === 'texture' || kind === 'asf';
+  return formatOf(path)?.kind === 'texture' || isBesideTakes(path);
 }
 
 /** The same bytes in memory that threads share instead of each getting a copy. */

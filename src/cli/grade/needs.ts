@@ -7,7 +7,7 @@ import type { Kind } from '../options/kinds.ts';
 import type { PartGrade } from './grade.ts';
 
 const NUMBERS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
-const FILES = ['skel', 'skin', 'morph', 'anim', 'bvh'] as const;
+const FILES = ['skel', 'skin', 'morph', 'anim', 'bvh', 'asf', 'amc'] as const;
 
 /** Something that has to be there, and that has to have been compared. */
 export type Need =

@@ -220,9 +220,14 @@ function leftOut({ character, options, motions, filePose }: Written): readonly L
   const endSites = joints.reduce((sum, joint) => sum + (joint.endSites?.length ?? 0), 0);
   const hasBody = skins.length === 0 && options.body;
   const count = (n: number, one: string, many = `${one}s`) => (n > 0 ? [`${n} ${n === 1 ? one : many}`] : []);
-  const of = (what: string, n: number) => count(n, 'joint').map((owners) => `${what} of ${owners} (applied)`);
+  const of = (what: string, n: number, isApplied = true) =>
+    count(n, 'joint').map((owners) => `${what} of ${owners}${isApplied ? ' (applied)' : ''}`);
   const things = [
-    ...of('limits', joints.filter(({ limits }) => limits.some((limit) => !isUnlimited(limit))).length),
+    ...of(
+      'limits',
+      joints.filter(({ limits }) => limits.some((limit) => !isUnlimited(limit))).length,
+      character.clampsToLimits,
+    ),
     ...of('linked DOFs', joints.filter(({ couples }) => couples).length),
     ...count(endSites, 'End Site').map((sites) =>
       hasBody

@@ -15,7 +15,7 @@ import type { AcclaimLines } from './lines.ts';
 /** The name of the root in hierarchies and frames. */
 export const ROOT = 'root';
 
-/** What a `.asf` says of a bone: angles and lengths in its own units, offsets of the places in bytes. */
+/** A bone as an `.asf` has it: angles and lengths in its own units, offsets of the places in bytes. */
 export interface Bone {
   name: string;
   id?: string;

@@ -77,7 +77,7 @@ class Writing {
     text.line(1, `position ${text.numbers(root.offset)}`);
     text.line(1, `orientation ${this.angles(axes, order)}`);
     text.line(0, ':bonedata');
-    this.bones.forEach((bone, i) => this.bone(bone, i));
+    for (const [i, bone] of this.bones.entries()) this.bone(bone, i);
     this.hierarchy();
     return text.result();
   }
@@ -182,12 +182,16 @@ class Writing {
 }
 
 const ZERO: Vec3 = [0, 0, 0];
+/** Bones of less have no direction. */
+const SHORTEST = 1e-100;
 /** Without a length any direction will do, but none is divided by 0. */
 const NO_BONE: AcclaimBone = { direction: [0, 0, 1], length: 0 };
 
 function boneTo(tip: Vec3): AcclaimBone {
-  const direction = unit(tip);
-  return direction ? { direction, length: Math.hypot(...tip) } : NO_BONE;
+  // Of a length that is hardly a number, no direction is left.
+  const length = Math.hypot(...tip);
+  const direction = length > SHORTEST ? unit(tip) : undefined;
+  return direction ? { direction, length } : NO_BONE;
 }
 
 /** Where all that follows a joint is, if that is one point; the root has no bone. */
@@ -220,6 +224,8 @@ const SAFE_DIGITS = 15;
 
 /** Degrees that are read as these radians, of few digits if there are such. */
 export function degreesOf(radians: number): number {
+  // Zeros keep their sign.
+  if (radians === 0) return radians;
   const degrees = radians / RADIANS_PER_DEGREE;
   const short = Number(degrees.toPrecision(SAFE_DIGITS));
   return short * RADIANS_PER_DEGREE === radians ? short : degrees;

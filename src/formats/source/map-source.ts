@@ -1,5 +1,6 @@
 /** Maps the lines of a text file to the parts of the model, for any format. */
 import type { SourceMap } from '../../model/source-map.ts';
+import { amcLocator, asfLocator } from './acclaim.ts';
 import { animLocator } from './anim.ts';
 import { bvhLocator } from './bvh.ts';
 import type { Located, Locator } from './locator.ts';
@@ -15,6 +16,8 @@ const LOCATORS: ReadonlyMap<string, (found: Located) => Locator> = new Map([
   ['morph', morphLocator],
   ['anim', animLocator],
   ['bvh', bvhLocator],
+  ['asf', asfLocator],
+  ['amc', amcLocator],
 ]);
 
 /** Takes a file in pieces. */

@@ -47,7 +47,7 @@ export interface AcclaimBone {
   readonly kept?: readonly string[];
 }
 
-/** What a `.asf` says of the whole skeleton, its units first; kept for writing. */
+/** The head of a `.asf`, kept for writing: texts, and the units of its lengths and angles. */
 export interface AcclaimHeader {
   readonly version?: string;
   readonly name?: string;

@@ -1,11 +1,21 @@
 /** Takes in review, beside the document: their files, how the list is filtered and sorted, and the one that is shown. */
 
+import { isReviewable, REVIEWED_EXTENSIONS } from '../../files/kinds.ts';
 import type { Character } from '../../model/document.ts';
+import { baseName } from '../../model/files.ts';
 import { NO_REVIEW, type Review, type ReviewedTake, type Verdict } from '../../model/takes/review.ts';
 import type { TakeDigest } from '../../review/digest.ts';
 import type { FlagKind } from '../../review/flags.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 import type { SortOrder } from '../widgets/table/sort-heads.ts';
+
+/** What is given for review, for users: `.bvh, .glb`. */
+export const REVIEWED_LIST = REVIEWED_EXTENSIONS.map((extension) => `.${extension}`).join(', ');
+
+/** The name of a take in review: that of its file, without an extension that all have. */
+export function reviewName(path: string): string {
+  return isReviewable(path) ? baseName(path).replace(/\.\w+$/, '') : baseName(path);
+}
 
 /** More takes than these given at once are reviewed; fewer are opened. */
 export const MAX_OPENED = 20;

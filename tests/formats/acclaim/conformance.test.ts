@@ -59,14 +59,14 @@ describeShared('files of Acclaim', () => {
       if (!wanted) return;
       worldMatrices(compiled, dofs, world);
       wanted.positions.forEach((at, j) => {
-        at.forEach((v, k) => off.push(Math.abs(v - world[16 * j + 12 + k]) / given.size));
+        off.push(...at.map((v, k) => Math.abs(v - world[16 * j + 12 + k]) / given.size));
       });
       wanted.rotations.forEach((rows, j) => {
-        rows.forEach((v, k) => off.push(Math.abs(v - world[16 * j + 4 * (k % 3) + Math.floor(k / 3)])));
+        off.push(...rows.map((v, k) => Math.abs(v - world[16 * j + 4 * (k % 3) + Math.floor(k / 3)])));
       });
       const ends = endSitePositions(skeleton, world, dofs);
       given.ends?.[frame]?.forEach((at, e) => {
-        at.forEach((v, k) => off.push(Math.abs(v - ends[e].position[k]) / given.size));
+        off.push(...at.map((v, k) => Math.abs(v - ends[e].position[k]) / given.size));
       });
     });
     expect(off.length).toBeGreaterThan(100);

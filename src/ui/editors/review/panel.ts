@@ -4,7 +4,7 @@
  */
 
 import { sectionsOf } from '../../state/actions/menu-entries.ts';
-import type { ReviewView } from '../../state/review.ts';
+import { MAX_OPENED, REVIEWED_LIST, type ReviewView } from '../../state/review.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { element, setText, write } from '../../widgets/dom.ts';
@@ -30,8 +30,7 @@ const MENU = [
   ['review.saveCsv', 'review.saveJson'],
   ['review.remove'],
 ];
-const EMPTY =
-  'No takes to review. Drop a folder or a zip with more than 20 takes (.bvh, .fbx, .glb), or a saved review.';
+const EMPTY = `No takes to review. Drop a folder or a zip with more than ${MAX_OPENED} takes (${REVIEWED_LIST}), or a saved review.`;
 /** What comes from the worker is shown this often. */
 const PROGRESS_MS = 200;
 

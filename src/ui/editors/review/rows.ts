@@ -1,11 +1,9 @@
 /** The list of takes in review: what each row says, which are listed, and in which order. */
-import { baseName } from '../../../model/files.ts';
 import { perObject } from '../../../model/per-object.ts';
 import type { ReviewedTake } from '../../../model/takes/review.ts';
 import type { TakeDigest } from '../../../review/digest.ts';
 import { badness, FLAG_KINDS, type Flag, type FlagKind, worstOf } from '../../../review/flags.ts';
-import { isReviewable } from '../../../review/reviewable.ts';
-import type { ReviewColumn, ReviewView } from '../../state/review.ts';
+import { type ReviewColumn, type ReviewView, reviewName } from '../../state/review.ts';
 
 export interface ReviewRow {
   readonly take: ReviewedTake;
@@ -16,9 +14,7 @@ export interface ReviewRow {
   readonly hasFile: boolean;
 }
 
-const nameOf = perObject(({ path }: ReviewedTake): string =>
-  isReviewable(path) ? baseName(path).replace(/\.\w+$/, '') : baseName(path),
-);
+const nameOf = perObject(({ path }: ReviewedTake): string => reviewName(path));
 
 /** Rows of all takes, in the order of the list. */
 export function reviewRows(
