@@ -49,7 +49,7 @@ export const grade = shellCommand({
       heading: 'In a submission',
       terms: {
         files:
-          "Named like those in REF (`.skel`, `.skin`, `.morph`, `.anim`, `.bvh`), and compared by what they evaluate to; if one is missing, REF's own is used.",
+          "Named like those in REF (`.skel`, `.skin`, `.morph`, `.anim`, `.bvh`, `.asf`, `.amc`), and compared by what they evaluate to; if one is missing, REF's own is used.",
         texts:
           'With numbers of joints, vertices or channels, compared with the file of the same name in REF or, if none, with the character in REF that they fit. They state their time (`world@1.3.txt`, `time 1.3`), or have that of `--times`.',
         others: 'Programs, pictures and notes are left alone.',

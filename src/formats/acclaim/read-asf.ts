@@ -199,6 +199,7 @@ class Reading {
       default:
         // A row of limits begins with a parenthesis, which is a blank here.
         if (bone.limits && isLimit(lines, 0)) bone.limits.push(...this.limits(0));
+        else if (isLimit(lines, 0)) lines.warnUnknown('a bone', 'a keyword such as direction');
         else bone.kept.push(lines.rest(0));
     }
   }
