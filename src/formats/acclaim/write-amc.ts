@@ -80,8 +80,8 @@ function bonesOf({ skeleton, take }: Capture, isRadians: boolean): readonly Writ
         if (scale === own) return { values, first, width };
         return { values, first, width, convert: (value) => inUnit(value * scale, own) };
       }
-      const stands = channel?.kind === 'rest' ? channel.value : pose[d];
-      return { values: Float64Array.of(inUnit(stands, own)), first: 0, width: 0 };
+      const resting = channel?.kind === 'rest' ? channel.value : pose[d];
+      return { values: Float64Array.of(inUnit(resting, own)), first: 0, width: 0 };
     });
     return columns.length > 0 ? [{ name: UTF8.encode(names[j]), columns }] : [];
   });
