@@ -62,33 +62,13 @@ export function fileActions(parts: Parts): FileActions {
     });
     await save(saver);
   };
-  // What is unsaved can be saved then, too, if the connection or the server has gone.
-  const stop = unsaved.parts.subscribe(() => {
-    stop();
-    whenIdle(parts, () => {
-      // Browsers try no script twice.
-      if (!navigator.onLine) return;
-      const scripts = Promise.all([import('./saver.ts'), import('./zip-character.ts')]);
-      // Told when they are needed.
-      scripts.catch(() => undefined);
-    });
-  });
+  loadSavingOnceNeeded(parts);
   const reloading: ReloadParts = {
     ...parts,
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
   };
-  /** Without what is for review: takes by the hundred, and lists of them. */
-  const sorted = async (found: Promise<readonly GivenFile[]>) => {
-    const files = await found;
-    const isPlain =
-      !files.some(({ path }) => /\.(csv|json|zip)$/i.test(path)) &&
-      files.filter(({ path }) => isReviewable(path)).length <= MAX_OPENED;
-    if (isPlain && !parts.store.document.review) return files;
-    const module = await onDemand(parts.messages, 'The review', () => import('./reviewing.ts'));
-    return module ? module.takeForReview(parts, files) : files;
-  };
   const openFound = (found: Promise<readonly GivenFile[]>) => {
-    const files = sorted(found);
+    const files = withoutReviewed(parts, found);
     return opener.open(() => files);
   };
   // Read at once: the browser invalidates the files when the event is over.
@@ -138,4 +118,29 @@ export function fileActions(parts: Parts): FileActions {
       return module?.picturesOf(parts.pictured, (name, content) => parts.disk.download(name, content));
     },
   };
+}
+
+/** Without what is for review: takes by the hundred, and lists of them. */
+async function withoutReviewed(parts: Parts, found: Promise<readonly GivenFile[]>): Promise<readonly GivenFile[]> {
+  const files = await found;
+  const isPlain =
+    !files.some(({ path }) => /\.(csv|json|zip)$/i.test(path)) &&
+    files.filter(({ path }) => isReviewable(path)).length <= MAX_OPENED;
+  if (isPlain && !parts.store.document.review) return files;
+  const module = await onDemand(parts.messages, 'The review', () => import('./reviewing.ts'));
+  return module ? module.takeForReview(parts, files) : files;
+}
+
+/** What is unsaved can be saved then, too, if the connection or the server has gone. */
+function loadSavingOnceNeeded(parts: Parts): void {
+  const stop = parts.unsaved.parts.subscribe(() => {
+    stop();
+    whenIdle(parts, () => {
+      // Browsers try no script twice.
+      if (!navigator.onLine) return;
+      const scripts = Promise.all([import('./saver.ts'), import('./zip-character.ts')]);
+      // Told when they are needed.
+      scripts.catch(() => undefined);
+    });
+  });
 }

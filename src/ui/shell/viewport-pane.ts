@@ -119,13 +119,15 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
   listenToCanvas(
     canvas,
     withBoxSelect(wb, tool, pick),
-    pick,
-    signal,
-    (isTools) => wb.viewport.takePointer(isTools),
-    (at) => {
-      const isSelected = tool()?.menu?.(at) ?? false;
-      void menus().then((module) => module?.openMenuAt(wb, at, isSelected));
+    {
+      pick,
+      claim: (isTools) => wb.viewport.takePointer(isTools),
+      menu(at) {
+        const isSelected = tool()?.menu?.(at) ?? false;
+        void menus().then((module) => module?.openMenuAt(wb, at, isSelected));
+      },
     },
+    signal,
   );
 }
 

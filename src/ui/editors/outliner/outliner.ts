@@ -18,33 +18,142 @@ import { rowMenu } from './row-menu.ts';
 import { Tree } from './tree.ts';
 
 export function outliner(wb: Workbench): HTMLElement {
-  const folds = new Map<string, boolean>();
-  const search = searchBox();
-  const empty = element('p', { class: 'empty' });
-  let renaming: string | undefined;
-  let marks = NO_MARKS;
-  let firstMatch: OutlineRow | undefined;
+  return new Outliner(wb).element;
+}
 
-  const jointsOf = ({ characterId }: OutlineRow) =>
-    findCharacter(wb.store.document, characterId)?.skeleton?.joints ?? [];
+class Outliner {
+  readonly element: HTMLElement;
+  private readonly tree: Tree;
+  private readonly folds = new Map<string, boolean>();
+  /** What selecting has expanded, of many characters: collapsed again when another is selected. */
+  private readonly unfolded = { of: '', keys: new Set<string>() };
+  private readonly search = searchBox();
+  private readonly empty = element('p', { class: 'empty' });
+  private renaming: string | undefined;
+  private marks = NO_MARKS;
+  private firstMatch: OutlineRow | undefined;
 
-  const tree = new Tree('Characters and joints', {
-    toggle(row, open) {
-      unfolded.keys.delete(row.key);
-      folds.set(row.key, open);
-      show();
-    },
-    select: (row) => select(wb, row),
-    toggleSelected: (row) => toggleSelected(wb, row),
-    selectRange: (rows) => selectRange(wb, rows),
-    activate: (row) => activate(wb, row),
-    doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
-    menu: (row, at) => rowMenu(wb, row, at, startRename),
-    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row, rowMarks(row, marks, jointsOf(row)))),
-  });
-  write(tree.element.dataset, 'panel', 'outliner');
-  tree.element.addEventListener('keydown', (event) => {
-    const row = tree.focused;
+  constructor(private readonly wb: Workbench) {
+    const startRename = (row: OutlineRow) => this.startRename(row);
+    this.tree = new Tree('Characters and joints', {
+      toggle: (row, open) => {
+        this.unfolded.keys.delete(row.key);
+        this.folds.set(row.key, open);
+        this.show();
+      },
+      select: (row) => select(wb, row),
+      toggleSelected: (row) => toggleSelected(wb, row),
+      selectRange: (rows) => selectRange(wb, rows),
+      activate: (row) => activate(wb, row),
+      doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
+      menu: (row, at) => rowMenu(wb, row, at, startRename),
+      draw: (row) => this.draw(row),
+    });
+    const target = this.tree.element;
+    write(target.dataset, 'panel', 'outliner');
+    target.addEventListener('keydown', (event) => this.onKey(event));
+    this.search.input.addEventListener('input', () => this.find());
+    this.search.input.addEventListener('keydown', (event) => this.onSearchKey(event));
+    this.follow();
+    this.show();
+    this.showSelection(wb.store);
+    this.element = element(
+      'section',
+      { class: 'panel outliner', 'aria-label': 'Outliner' },
+      this.search.element,
+      element('div', { class: 'outliner-tree' }, this.empty, target),
+      splitter(wb, 'filesHeight', 'Height of files and messages'),
+      filesAndMessages(wb),
+    );
+  }
+
+  private follow(): void {
+    const { wb, tree } = this;
+    wb.store.subscribe((now, before) => {
+      if (!sameOutline(now.document, before.document)) this.show();
+      const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
+      if (now.selection !== before.selection || others) this.showSelection(now);
+    });
+    wb.viewport.onHover(() => {
+      const { hovered } = wb.viewport;
+      tree.light(hovered && jointKey(hovered.characterId, hovered.joint));
+    });
+    wb.posing.rig.renameAsked.subscribe(() => {
+      const { focused } = tree;
+      if (focused?.kind === 'joint') this.startRename(focused);
+    });
+    const stopWaiting = wb.posing.mode.subscribe(async (mode) => {
+      if (mode !== 'rig') return;
+      stopWaiting();
+      (await import('./tree-drag.ts')).letJointsBeDragged(wb, tree);
+    });
+    onShown(wb, (shown, comparing) => {
+      const { marks } = this;
+      const now = marksOf(shown, comparing);
+      this.marks = now;
+      // Many times may be compared, and play.
+      if (now.characterId !== marks.characterId || now.marks.join() !== marks.marks.join()) this.drawAnew();
+    });
+    wb.files.unsaved.subscribe(() => this.drawAnew());
+  }
+
+  /** Doesn't interrupt renaming. */
+  private drawAnew(): void {
+    if (this.renaming === undefined) this.tree.drawAnew();
+  }
+
+  private draw(row: OutlineRow): Node[] {
+    if (row.key === this.renaming) return [this.renameField(row)];
+    const { wb } = this;
+    const joints = findCharacter(wb.store.document, row.characterId)?.skeleton?.joints ?? [];
+    return drawRow(wb, row, rowMarks(row, this.marks, joints));
+  }
+
+  private show(): void {
+    const { folds, tree, empty } = this;
+    const { document } = this.wb.store;
+    const query = this.search.input.value;
+    const rows = outlineRows(document, (key, otherwise) => folds.get(key) ?? otherwise, query);
+    this.firstMatch = query.trim() ? rows.find((row) => !row.onTheWay) : undefined;
+    write(empty, 'hidden', rows.length > 0);
+    write(tree.element, 'hidden', rows.length === 0);
+    empty.textContent = document.characters.length && query ? `Nothing matches “${query}”.` : EMPTY;
+    tree.show(rows);
+  }
+
+  /** Whether any were collapsed. */
+  private foldOthers({ characters }: Document, character: Character | undefined): boolean {
+    const { unfolded, folds } = this;
+    if (!character || unfolded.of === character.id) return false;
+    const isAny = unfolded.keys.size > 0 && !isFew(characters);
+    if (isAny) for (const key of unfolded.keys) folds.delete(key);
+    unfolded.of = character.id;
+    unfolded.keys.clear();
+    return isAny;
+  }
+
+  private showSelection({ document, selection }: { document: Document; selection: Selection }): void {
+    const { tree, folds, unfolded } = this;
+    const character = findCharacter(document, selection.characterId);
+    const meant = character ? undefined : currentCharacter(this.wb);
+    tree.mean(meant && characterKey(meant.id));
+    let opened = this.foldOthers(document, character);
+    const above = character && selection.joint !== undefined ? keysAbove(character, selection.joint) : [];
+    for (const key of above) {
+      if (folds.get(key) === true) continue;
+      folds.set(key, true);
+      unfolded.keys.add(key);
+      opened = true;
+    }
+    if (opened) this.show();
+    if (!character) tree.select([]);
+    else if (selection.joint === undefined) tree.select([characterKey(character.id)]);
+    else tree.select(jointsIn(selection).map((joint) => jointKey(character.id, joint)));
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const { wb } = this;
+    const row = this.tree.focused;
     // With a joint selected, Delete must not remove the character; in rig mode it deletes the joint.
     const isJoint = row?.kind === 'joint' && wb.posing.mode.get() === 'rig';
     if (event.key === 'Delete' && row?.kind !== 'character') {
@@ -56,56 +165,21 @@ export function outliner(wb: Workbench): HTMLElement {
     }
     if (event.key !== 'F2' || !row || !canRename(row)) return;
     event.preventDefault();
-    startRename(row);
-  });
+    this.startRename(row);
+  }
 
-  const show = () => {
-    const { document } = wb.store;
-    const query = search.input.value;
-    const rows = outlineRows(document, (key, otherwise) => folds.get(key) ?? otherwise, query);
-    firstMatch = query.trim() ? rows.find((row) => !row.onTheWay) : undefined;
-    write(empty, 'hidden', rows.length > 0);
-    write(tree.element, 'hidden', rows.length === 0);
-    empty.textContent = document.characters.length && query ? `Nothing matches “${query}”.` : EMPTY;
-    tree.show(rows);
-  };
-  /** What selecting has expanded, of many characters: collapsed again when another is selected. */
-  const unfolded = { of: '', keys: new Set<string>() };
-  const foldOthers = ({ characters }: Document, character: Character | undefined) => {
-    if (!character || unfolded.of === character.id) return false;
-    const isAny = unfolded.keys.size > 0 && !isFew(characters);
-    if (isAny) for (const key of unfolded.keys) folds.delete(key);
-    unfolded.of = character.id;
-    unfolded.keys.clear();
-    return isAny;
-  };
-  const showSelection = ({ document, selection }: { document: Document; selection: Selection }) => {
-    const character = findCharacter(document, selection.characterId);
-    const meant = character ? undefined : currentCharacter(wb);
-    tree.mean(meant && characterKey(meant.id));
-    let opened = foldOthers(document, character);
-    if (!character || selection.joint === undefined) {
-      if (opened) show();
-      return tree.select(character ? [characterKey(character.id)] : []);
-    }
-    for (const key of keysAbove(character, selection.joint)) {
-      if (folds.get(key) === true) continue;
-      folds.set(key, true);
-      unfolded.keys.add(key);
-      opened = true;
-    }
-    if (opened) show();
-    tree.select(jointsIn(selection).map((joint) => jointKey(character.id, joint)));
-  };
+  // Names.
 
-  function startRename(row: OutlineRow): void {
-    renaming = row.key;
-    tree.drawAnew();
-    const field = tree.element.querySelector('input');
+  private startRename(row: OutlineRow): void {
+    this.renaming = row.key;
+    this.tree.drawAnew();
+    const field = this.tree.element.querySelector('input');
     field?.focus();
     field?.select();
   }
-  function renameField(row: OutlineRow): HTMLElement {
+
+  private renameField(row: OutlineRow): HTMLElement {
+    const { wb, tree } = this;
     const field = element('input', {
       type: 'text',
       class: 'rename',
@@ -113,8 +187,8 @@ export function outliner(wb: Workbench): HTMLElement {
       value: row.name ?? row.label,
     });
     const finish = (keep: boolean) => {
-      if (renaming === undefined) return;
-      renaming = undefined;
+      if (this.renaming === undefined) return;
+      this.renaming = undefined;
       const name = field.value.trim();
       if (keep && name) attempt(wb.messages, () => rename(wb, row, name));
       tree.drawAnew();
@@ -129,63 +203,25 @@ export function outliner(wb: Workbench): HTMLElement {
     return field;
   }
 
-  const find = () => {
-    show();
+  // Search.
+
+  private find(): void {
+    this.show();
     // What was selected among the matches is somewhere in the whole tree.
-    if (!search.input.value.trim()) tree.revealActive();
-  };
-  search.input.addEventListener('input', find);
-  search.input.addEventListener('keydown', (event) => {
+    if (!this.search.input.value.trim()) this.tree.revealActive();
+  }
+
+  private onSearchKey(event: KeyboardEvent): void {
+    const { firstMatch } = this;
+    const { input } = this.search;
     if (event.isComposing) return;
-    if (event.key === 'ArrowDown' || (event.key === 'Enter' && firstMatch)) tree.goTo(firstMatch);
-    else if (event.key === 'Escape' && search.input.value) {
-      search.input.value = '';
-      find();
+    if (event.key === 'ArrowDown' || (event.key === 'Enter' && firstMatch)) this.tree.goTo(firstMatch);
+    else if (event.key === 'Escape' && input.value) {
+      input.value = '';
+      this.find();
     } else return;
     event.preventDefault();
-  });
-  wb.store.subscribe((now, before) => {
-    if (!sameOutline(now.document, before.document)) show();
-    const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
-    if (now.selection !== before.selection || others) showSelection(now);
-  });
-  wb.viewport.onHover(() => {
-    const { hovered } = wb.viewport;
-    tree.light(hovered && jointKey(hovered.characterId, hovered.joint));
-  });
-  wb.posing.rig.renameAsked.subscribe(() => {
-    const { focused } = tree;
-    if (focused?.kind === 'joint') startRename(focused);
-  });
-  const stopWaiting = wb.posing.mode.subscribe(async (mode) => {
-    if (mode !== 'rig') return;
-    stopWaiting();
-    (await import('./tree-drag.ts')).letJointsBeDragged(wb, tree);
-  });
-  onShown(wb, (shown, comparing) => {
-    const now = marksOf(shown, comparing);
-    const isSame = now.characterId === marks.characterId && now.marks.join() === marks.marks.join();
-    marks = now;
-    // Many times may be compared, and play.
-    if (!isSame && renaming === undefined) tree.drawAnew();
-  });
-  wb.files.unsaved.subscribe(() => {
-    // Doesn't interrupt renaming.
-    if (renaming === undefined) tree.drawAnew();
-  });
-  show();
-  showSelection(wb.store);
-
-  const lower = filesAndMessages(wb);
-  const panel = element(
-    'section',
-    { class: 'panel outliner', 'aria-label': 'Outliner' },
-    search.element,
-    element('div', { class: 'outliner-tree' }, empty, tree.element),
-    splitter(wb, 'filesHeight', 'Height of files and messages'),
-    lower,
-  );
-  return panel;
+  }
 }
 
 const EMPTY = 'No characters yet. Drop files here or choose Open.';

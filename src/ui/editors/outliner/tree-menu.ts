@@ -27,111 +27,123 @@ export function jointEntries(
   joint: number,
   rename: () => void,
 ): readonly MenuEntry[] {
-  const item = (label: string, run: () => void, shortcut?: string): MenuEntry => ({
+  const selected = selectedJointsOf(wb, character.id);
+  const isSelected = selected.includes(joint);
+  const toggle = () => wb.store.select(withJointToggled(wb.store.selection, { characterId: character.id, joint }));
+  const of: OfJoints = {
+    ...{ wb, character, joint, rename },
+    joints: isSelected ? selected : [joint],
+    // A finger has no Shift or Ctrl.
+    adding: selected.length > (isSelected ? 1 : 0) ? [item(isSelected ? REMOVE : ADD, toggle)] : [],
+    select() {
+      if (!isSelected) wb.store.select({ characterId: character.id, joint });
+    },
+  };
+  return wb.posing.mode.get() === 'rig' ? entriesOfRig(of) : entriesOfPoses(of);
+}
+
+interface OfJoints {
+  readonly wb: Workbench;
+  readonly character: Character;
+  /** The row's. */
+  readonly joint: number;
+  readonly joints: readonly number[];
+  readonly adding: readonly MenuEntry[];
+  rename(): void;
+  /** Selects the row's joint, if it isn't. */
+  select(): void;
+}
+
+function entriesOfPoses({ wb, character, joints, adding, rename, select }: OfJoints): readonly MenuEntry[] {
+  const ofSelected = (id: string) => () => {
+    select();
+    tryById(wb, id);
+  };
+  const what = whatOf(character, joints);
+  const { pins = [], stiff = [] } = character.ik ?? {};
+  const arePinned = joints.every((j) => pins.some((pin) => pin.joint === j));
+  const areLocked = joints.every((j) => stiff.some((one) => one.joint === j && one.stiffness === undefined));
+  return [
+    // The tree's own key.
+    item('Rename', rename, 'F2'),
+    ...adding,
+    item(`${arePinned ? 'Unpin' : 'Pin'}${what} (IK)`, ofSelected('ik.pinJoint'), keyOf(wb, 'ik.pinJoint')),
+    item(`${areLocked ? 'Unlock' : 'Lock'}${what} (IK)`, ofSelected('ik.lockJoint'), keyOf(wb, 'ik.lockJoint')),
+    item('Edit in rig mode', ofSelected('posing.rig')),
+  ];
+}
+
+function entriesOfRig({ wb, character, joint, joints, adding, rename, select }: OfJoints): readonly MenuEntry[] {
+  const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, id: string) => {
+    const start = () => {
+      select();
+      void edits().then(run);
+    };
+    return item(label, start, keyOf(wb, id));
+  };
+  const isForSeveral = joints.length > 1;
+  const what = whatOf(character, joints);
+  const last = jointName(character.skeleton, joints[joints.length - 1]);
+  return [
+    item('Rename', rename, keyOf(wb, 'rigging.rename')),
+    ...adding,
+    doing(isForSeveral ? `Add child to ${last}` : 'Add child', (m) => m.addChild(wb), 'rigging.addChild'),
+    item('Add joints by clicking', () => {
+      select();
+      wb.posing.rig.adding.set(true);
+    }),
+    doing('Mirror hierarchy across x', (m) => m.mirrorSelected(wb, 'x'), 'rigging.mirror.x'),
+    ...(joints.includes(0) ? [] : [isForSeveral ? ONE_PARENT : parentsOf(wb, character, joint)]),
+    { kind: 'line' },
+    doing(`Delete${what}, keep children`, (m) => m.removeSelected(wb, 'stay'), 'rigging.delete'),
+    doing(`Delete${what} with descendants`, (m) => m.removeSelected(wb, 'too'), 'rigging.deleteBranch'),
+    { kind: 'line' },
+  ];
+}
+
+const ONE_PARENT: MenuEntry = {
+  kind: 'item',
+  label: 'Parent to',
+  detail: 'Select one joint',
+  enabled: false,
+  run: () => {},
+};
+
+function parentsOf(wb: Workbench, { id, skeleton }: Character, joint: number): MenuEntry {
+  const all = skeleton?.joints ?? [];
+  const entries = () =>
+    possibleParents(all, joint).map(
+      (parent): MenuEntry => ({
+        kind: 'item',
+        label: jointName(skeleton, parent),
+        detail: undefined,
+        enabled: true,
+        radio: true,
+        checked: parent === all[joint].parent,
+        run: () => void edits().then((m) => m.moveUnder(wb, id, { joint, parent })),
+      }),
+    );
+  return { kind: 'menu', label: 'Parent to', entries };
+}
+
+function item(label: string, run: () => void, shortcut?: string): MenuEntry {
+  return {
     kind: 'item',
     label,
     enabled: true,
     shortcut: shortcut && shortcutText(shortcut, isMac),
     ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
     run,
-  });
-  /** Shortcut of the action that does the same to the selected joint. */
-  const keyOf = (id: string): string | undefined => {
-    const action = findAction(wb, id);
-    return action && shortcutsFor(action, wb.settings.get())[0];
   };
-  const selected = selectedJointsOf(wb, character.id);
-  const isSelected = selected.includes(joint);
-  const joints = isSelected ? selected : [joint];
-  const isForSeveral = joints.length > 1;
-  const select = () => {
-    if (!isSelected) wb.store.select({ characterId: character.id, joint });
-  };
-  // A finger has no Shift or Ctrl.
-  const adding: MenuEntry[] =
-    selected.length > (isSelected ? 1 : 0)
-      ? [
-          item(isSelected ? REMOVE : ADD, () =>
-            wb.store.select(withJointToggled(wb.store.selection, { characterId: character.id, joint })),
-          ),
-        ]
-      : [];
-  /** `Pin 3 joints (IK)`, `Pin (IK)` for one. */
-  const what = isForSeveral ? ` ${jointsText(character.skeleton, joints)}` : '';
-  if (wb.posing.mode.get() !== 'rig') {
-    const rig = () => {
-      select();
-      tryById(wb, 'posing.rig');
-    };
-    const ofSelected = (id: string) => () => {
-      select();
-      tryById(wb, id);
-    };
-    const { pins = [], stiff = [] } = character.ik ?? {};
-    const arePinned = joints.every((j) => pins.some((pin) => pin.joint === j));
-    const areLocked = joints.every((j) => stiff.some((one) => one.joint === j && one.stiffness === undefined));
-    return [
-      // The tree's own key.
-      item('Rename', rename, 'F2'),
-      ...adding,
-      item(`${arePinned ? 'Unpin' : 'Pin'}${what} (IK)`, ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
-      item(`${areLocked ? 'Unlock' : 'Lock'}${what} (IK)`, ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
-      item('Edit in rig mode', rig),
-    ];
-  }
-  const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
-    item(
-      label,
-      () => {
-        select();
-        void edits().then(run);
-      },
-      shortcut,
-    );
-  const all = character.skeleton?.joints ?? [];
-  const nameOf = (j: number) => jointName(character.skeleton, j);
-  const parents: MenuEntry = {
-    kind: 'menu',
-    label: 'Parent to',
-    entries: () => [
-      ...possibleParents(all, joint).map(
-        (parent): MenuEntry => ({
-          kind: 'item',
-          label: nameOf(parent),
-          detail: undefined,
-          enabled: true,
-          radio: true,
-          checked: parent === all[joint].parent,
-          run: () => void edits().then((m) => m.moveUnder(wb, character.id, { joint, parent })),
-        }),
-      ),
-    ],
-  };
-  const oneParent: MenuEntry = {
-    kind: 'item',
-    label: 'Parent to',
-    detail: 'Select one joint',
-    enabled: false,
-    run: () => {},
-  };
-  const isRoot = joints.includes(0);
-  return [
-    item('Rename', rename, keyOf('rigging.rename')),
-    ...adding,
-    doing(
-      isForSeveral ? `Add child to ${nameOf(joints[joints.length - 1])}` : 'Add child',
-      (m) => m.addChild(wb),
-      keyOf('rigging.addChild'),
-    ),
-    item('Add joints by clicking', () => {
-      select();
-      wb.posing.rig.adding.set(true);
-    }),
-    doing('Mirror hierarchy across x', (m) => m.mirrorSelected(wb, 'x'), keyOf('rigging.mirror.x')),
-    ...(isRoot ? [] : [isForSeveral ? oneParent : parents]),
-    { kind: 'line' },
-    doing(`Delete${what}, keep children`, (m) => m.removeSelected(wb, 'stay'), keyOf('rigging.delete')),
-    doing(`Delete${what} with descendants`, (m) => m.removeSelected(wb, 'too'), keyOf('rigging.deleteBranch')),
-    { kind: 'line' },
-  ];
+}
+
+/** Shortcut of the action that does the same to the selected joint. */
+function keyOf(wb: Workbench, id: string): string | undefined {
+  const action = findAction(wb, id);
+  return action && shortcutsFor(action, wb.settings.get())[0];
+}
+
+/** ` 3 joints`; empty for one. */
+function whatOf({ skeleton }: Character, joints: readonly number[]): string {
+  return joints.length > 1 ? ` ${jointsText(skeleton, joints)}` : '';
 }

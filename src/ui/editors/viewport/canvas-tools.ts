@@ -67,180 +67,219 @@ interface Dragging {
   waiting: ReturnType<typeof setTimeout> | undefined;
 }
 
+/** What listens to the canvas besides the tool. */
+export interface CanvasListeners {
+  /** A click that the tool didn't use. */
+  pick(at: CanvasPointer): void;
+  /** Called with whether the tool has the pointer, over a handle or in a drag: nothing else is highlighted then. */
+  claim?(isTools: boolean): void;
+  /** Opens the menu of what is there. */
+  menu?(at: CanvasPointer): void;
+}
+
 /**
  * @param canvas the camera listens on it
  * @param tool returns the mode's tool; called each time
- * @param pick a click that the tool didn't use
- * @param claim called with whether the tool has the pointer, over a handle or in a drag: nothing else is highlighted
- *   then
- * @param menu opens the menu of what is there
  */
 export function listenToCanvas(
   canvas: HTMLCanvasElement,
   tool: () => CanvasTool | undefined,
-  pick: (at: CanvasPointer) => void,
+  listeners: CanvasListeners,
   signal: AbortSignal,
-  claim: (isTools: boolean) => void = () => {},
-  menu: (at: CanvasPointer) => void = () => {},
 ): void {
-  let drag: Dragging | undefined;
-  /** Fingers put down during a drag. They are nothing to the camera, even once the drag is over. */
-  const others = new Set<number>();
-  let isHandingOver = false;
-  let down: PointerEvent | undefined;
-  /** A press that opens the menu on release, unless it moves. */
-  let menuDown: PointerEvent | undefined;
-  /** A finger that opens the menu if it stays for long. */
-  let holding: { readonly from: PointerEvent; readonly timer: ReturnType<typeof setTimeout> } | undefined;
+  new CanvasHand(canvas, tool, listeners).listen(signal);
+}
 
-  const hold = (from: PointerEvent) => {
-    const open = () => {
-      holding = down = undefined;
-      finish()?.cancel();
-      menu(from);
+class CanvasHand {
+  private drag: Dragging | undefined;
+  /** Fingers put down during a drag. They are nothing to the camera, even once the drag is over. */
+  private readonly others = new Set<number>();
+  private isHandingOver = false;
+  private down: PointerEvent | undefined;
+  /** A press that opens the menu on release, unless it moves. */
+  private menuDown: PointerEvent | undefined;
+  /** A finger that opens the menu if it stays for long. */
+  private holding: { readonly from: PointerEvent; readonly timer: ReturnType<typeof setTimeout> } | undefined;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly tool: () => CanvasTool | undefined,
+    private readonly listeners: CanvasListeners,
+  ) {}
+
+  listen(signal: AbortSignal): void {
+    const { canvas } = this;
+    // In the window's capture phase: before the camera's own listener on the canvas, whenever that was added.
+    window.addEventListener(
+      'pointerdown',
+      (event) => {
+        if (event.target === canvas && !this.isHandingOver) this.press(event);
+      },
+      { capture: true, signal },
+    );
+    canvas.addEventListener('pointermove', (event) => this.hover(event), { signal });
+    canvas.addEventListener('pointerup', (event) => this.release(event), { signal });
+    for (const type of ['pointercancel', 'lostpointercapture'] as const) {
+      canvas.addEventListener(type, (event) => this.lose(event), { signal });
+    }
+    const leave = () => {
+      if (!this.drag) this.show(undefined);
     };
-    holding = { from, timer: setTimeout(open, LONG_PRESS_MS) };
-  };
-  const stopHolding = () => {
-    clearTimeout(holding?.timer);
-    holding = undefined;
-  };
-  const onKey = (event: KeyboardEvent) => {
-    if (event.key !== 'Escape') return waitOutDrag(event);
-    event.preventDefault();
+    canvas.addEventListener('pointerleave', leave, { signal });
+    // The page has a menu of its own here, which a right drag must not open.
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+    signal.addEventListener('abort', () => {
+      this.stopHolding();
+      this.finish()?.cancel();
+    });
+  }
+
+  private press(event: PointerEvent): void {
+    const { canvas, drag } = this;
+    canvas.focus({ preventScroll: true });
+    this.down = this.menuDown = undefined;
+    this.stopHolding();
+    if (drag) {
+      this.pressMore(drag, event);
+      return;
+    }
+    if (event.isPrimary && asksForMenu(event)) this.menuDown = event;
+    const isMacMenu = this.menuDown !== undefined && event.button === 0;
+    const of = event.isPrimary && !isMacMenu ? this.tool()?.press(event) : undefined;
+    if (!of) {
+      this.down = event.button === 0 && event.isPrimary && !isMacMenu ? event : undefined;
+      if (event.pointerType === 'touch' && this.down) this.hold(event);
+      return;
+    }
     event.stopPropagation();
-    finish()?.cancel();
-  };
-  const finish = (): CanvasDrag | undefined => {
-    const of = drag?.of;
-    if (drag && canvas.hasPointerCapture(drag.pointerId)) canvas.releasePointerCapture(drag.pointerId);
-    clearTimeout(drag?.waiting);
-    drag = undefined;
-    window.removeEventListener('keydown', onKey, { capture: true });
-    if (of) claim(false);
-    return of;
-  };
-  const move = ({ of, at }: Dragging) => {
+    const now: Dragging = { of, pointerId: event.pointerId, at: event, waiting: undefined };
+    if (event.pointerType === 'touch') now.waiting = setTimeout(() => this.catchUp(now), PINCH_MS);
+    this.drag = now;
+    canvas.setPointerCapture(event.pointerId);
+    window.addEventListener('keydown', this.onKey, { capture: true });
+    this.listeners.claim?.(true);
+    if (event.pointerType === 'touch' && !of.ownsLongPress) this.hold(event);
+  }
+
+  /** Another button or finger during a drag. */
+  private pressMore(drag: Dragging, event: PointerEvent): void {
+    const { of, at, waiting, pointerId } = drag;
+    const isFinger = event.pointerType === 'touch' && event.pointerId !== pointerId;
+    if (isFinger && at.pointerType === 'touch' && (waiting !== undefined || !of.hasBegun)) {
+      this.handOver(drag);
+      return;
+    }
+    // Other buttons or fingers during a drag don't reach the camera.
+    event.stopPropagation();
+    if (!isFinger) return;
+    this.others.add(event.pointerId);
+    of.fingers?.(1 + this.others.size);
+  }
+
+  private hover(event: PointerEvent): void {
+    const { menuDown, holding, drag } = this;
+    if (menuDown && !isNear(event, menuDown)) this.menuDown = undefined;
+    if (holding && !isNear(event, holding.from)) this.stopHolding();
+    if (this.others.has(event.pointerId)) event.stopPropagation();
+    else if (drag) {
+      if (event.pointerId !== drag.pointerId) return;
+      drag.at = event;
+      if (drag.waiting === undefined) this.move(drag);
+    } else if (event.buttons === 0) {
+      const cursor = this.show(event);
+      // While dragging or placing something, don't highlight what is below.
+      this.listeners.claim?.(cursor === 'grab' || cursor === 'crosshair');
+    }
+  }
+
+  private show(at: PointerEvent | undefined): string {
+    this.canvas.style.cursor = this.tool()?.hover?.(at) ?? '';
+    return this.canvas.style.cursor;
+  }
+
+  private release(event: PointerEvent): void {
+    this.stopHolding();
+    const { menuDown, drag } = this;
+    const asked = menuDown?.pointerId === event.pointerId && isNear(event, menuDown);
+    this.lift(event);
+    if (drag) {
+      if (event.pointerId !== drag.pointerId) return;
+      this.catchUp(drag);
+      this.finish()?.end(event);
+    } else {
+      const from = this.down;
+      this.down = undefined;
+      if (from && isNear(event, from) && !this.tool()?.click?.(event)) this.listeners.pick(event);
+    }
+    if (!asked) return;
+    this.menuDown = undefined;
+    this.listeners.menu?.(event);
+  }
+
+  private lose(event: PointerEvent): void {
+    this.stopHolding();
+    if (event.pointerId === this.drag?.pointerId) this.finish()?.cancel();
+    else this.lift(event);
+  }
+
+  private lift(event: PointerEvent): void {
+    if (this.others.delete(event.pointerId)) this.drag?.of.fingers?.(1 + this.others.size);
+  }
+
+  private hold(from: PointerEvent): void {
+    const open = () => {
+      this.holding = this.down = undefined;
+      this.finish()?.cancel();
+      this.listeners.menu?.(from);
+    };
+    this.holding = { from, timer: setTimeout(open, LONG_PRESS_MS) };
+  }
+
+  private stopHolding(): void {
+    clearTimeout(this.holding?.timer);
+    this.holding = undefined;
+  }
+
+  private move({ of, at }: Dragging): void {
     of.move(at);
-    if (of.hasBegun) stopHolding();
-  };
+    if (of.hasBegun) this.stopHolding();
+  }
+
   /** What the drag has waited with. */
-  const catchUp = (now: Dragging) => {
+  private catchUp(now: Dragging): void {
     const { waiting } = now;
     clearTimeout(waiting);
     now.waiting = undefined;
-    if (waiting !== undefined && now.at.type === 'pointermove') move(now);
-  };
+    if (waiting !== undefined && now.at.type === 'pointermove') this.move(now);
+  }
+
   /** A pinch that begins on something that a tool drags: nothing has changed, and the camera gets both fingers. */
-  const handOver = ({ at }: Dragging) => {
-    finish()?.cancel();
-    isHandingOver = true;
-    canvas.dispatchEvent(new PointerEvent('pointerdown', at));
-    isHandingOver = false;
+  private handOver({ at }: Dragging): void {
+    this.finish()?.cancel();
+    this.isHandingOver = true;
+    this.canvas.dispatchEvent(new PointerEvent('pointerdown', at));
+    this.isHandingOver = false;
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (event.key !== 'Escape') {
+      waitOutDrag(event);
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+    this.finish()?.cancel();
   };
 
-  // In the window's capture phase: before the camera's own listener on the canvas, whenever that was added.
-  window.addEventListener(
-    'pointerdown',
-    (event) => {
-      if (event.target !== canvas || isHandingOver) return;
-      canvas.focus({ preventScroll: true });
-      down = menuDown = undefined;
-      stopHolding();
-      if (drag) {
-        const { of, at, waiting, pointerId } = drag;
-        const isFinger = event.pointerType === 'touch' && event.pointerId !== pointerId;
-        if (isFinger && at.pointerType === 'touch' && (waiting !== undefined || !of.hasBegun)) return handOver(drag);
-        // Other buttons or fingers during a drag don't reach the camera.
-        event.stopPropagation();
-        if (isFinger) {
-          others.add(event.pointerId);
-          of.fingers?.(1 + others.size);
-        }
-        return;
-      }
-      if (event.isPrimary && asksForMenu(event)) menuDown = event;
-      const isMacMenu = menuDown !== undefined && event.button === 0;
-      const of = event.isPrimary && !isMacMenu ? tool()?.press(event) : undefined;
-      if (!of) {
-        down = event.button === 0 && event.isPrimary && !isMacMenu ? event : undefined;
-        if (event.pointerType === 'touch' && down) hold(event);
-        return;
-      }
-      event.stopPropagation();
-      const now: Dragging = { of, pointerId: event.pointerId, at: event, waiting: undefined };
-      if (event.pointerType === 'touch') now.waiting = setTimeout(() => catchUp(now), PINCH_MS);
-      drag = now;
-      canvas.setPointerCapture(event.pointerId);
-      window.addEventListener('keydown', onKey, { capture: true });
-      claim(true);
-      if (event.pointerType === 'touch' && !of.ownsLongPress) hold(event);
-    },
-    { capture: true, signal },
-  );
-  canvas.addEventListener(
-    'pointermove',
-    (event) => {
-      if (menuDown && !isNear(event, menuDown)) menuDown = undefined;
-      if (holding && !isNear(event, holding.from)) stopHolding();
-      if (others.has(event.pointerId)) {
-        event.stopPropagation();
-      } else if (drag) {
-        if (event.pointerId !== drag.pointerId) return;
-        drag.at = event;
-        if (drag.waiting === undefined) move(drag);
-      } else if (event.buttons === 0) {
-        canvas.style.cursor = tool()?.hover?.(event) ?? '';
-        // While dragging or placing something, don't highlight what is below.
-        claim(canvas.style.cursor === 'grab' || canvas.style.cursor === 'crosshair');
-      }
-    },
-    { signal },
-  );
-  const lift = (event: PointerEvent) => {
-    if (others.delete(event.pointerId)) drag?.of.fingers?.(1 + others.size);
-  };
-  canvas.addEventListener(
-    'pointerup',
-    (event) => {
-      stopHolding();
-      const asked = menuDown?.pointerId === event.pointerId && isNear(event, menuDown);
-      lift(event);
-      if (drag) {
-        if (event.pointerId !== drag.pointerId) return;
-        catchUp(drag);
-        finish()?.end(event);
-      } else {
-        const from = down;
-        down = undefined;
-        if (from && isNear(event, from) && !tool()?.click?.(event)) pick(event);
-      }
-      if (!asked) return;
-      menuDown = undefined;
-      menu(event);
-    },
-    { signal },
-  );
-  const lost = (event: PointerEvent) => {
-    stopHolding();
-    if (event.pointerId === drag?.pointerId) finish()?.cancel();
-    else lift(event);
-  };
-  canvas.addEventListener('pointercancel', lost, { signal });
-  canvas.addEventListener('lostpointercapture', lost, { signal });
-  canvas.addEventListener(
-    'pointerleave',
-    () => {
-      if (!drag) canvas.style.cursor = tool()?.hover?.(undefined) ?? '';
-    },
-    { signal },
-  );
-  signal.addEventListener('abort', () => {
-    stopHolding();
-    finish()?.cancel();
-  });
-  // The page has a menu of its own here, which a right drag must not open.
-  canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+  private finish(): CanvasDrag | undefined {
+    const { drag, canvas } = this;
+    if (drag && canvas.hasPointerCapture(drag.pointerId)) canvas.releasePointerCapture(drag.pointerId);
+    clearTimeout(drag?.waiting);
+    this.drag = undefined;
+    window.removeEventListener('keydown', this.onKey, { capture: true });
+    if (drag) this.listeners.claim?.(false);
+    return drag?.of;
+  }
 }
 
 function asksForMenu(event: PointerEvent): boolean {

@@ -66,10 +66,12 @@ function page(tool: CanvasTool | undefined) {
   listenToCanvas(
     asCanvas,
     () => tool,
-    ({ clientX, clientY }) => void picked.push([clientX, clientY]),
+    {
+      pick: ({ clientX, clientY }) => void picked.push([clientX, clientY]),
+      claim: (isTools) => void claims.push(isTools),
+      menu: ({ clientX, clientY }) => void menus.push([clientX, clientY]),
+    },
     stop.signal,
-    (isTools) => void claims.push(isTools),
-    ({ clientX, clientY }) => void menus.push([clientX, clientY]),
   );
   /** As in the browser: first the window, capturing, then the canvas, unless stopped. */
   const pointer = (type: string, x: number, y: number, more: object = {}) => {
