@@ -86,12 +86,7 @@ export function fileActions(parts: Parts): FileActions {
         return files;
       });
     },
-    saveKit() {
-      const made = async () => (await import('./kit-zip.ts')).kitZip(parts.worker);
-      onDemand(parts.messages, 'The test kit', made).then((zip) => {
-        if (zip) parts.disk.download(zip.name, new Blob([zip.bytes], { type: 'application/zip' }));
-      });
-    },
+    saveKit: () => void saveKit(parts),
     get samples() {
       return listed;
     },
@@ -118,6 +113,12 @@ export function fileActions(parts: Parts): FileActions {
       return module?.picturesOf(parts.pictured, (name, content) => parts.disk.download(name, content));
     },
   };
+}
+
+async function saveKit({ worker, messages, disk }: Parts): Promise<void> {
+  const made = async () => (await import('./kit-zip.ts')).kitZip(worker);
+  const zip = await onDemand(messages, 'The test kit', made);
+  if (zip) disk.download(zip.name, new Blob([zip.bytes], { type: 'application/zip' }));
 }
 
 /** Without what is for review: takes by the hundred, and lists of them. */

@@ -100,15 +100,22 @@ export async function parse(
   }
   // A readme beside a character is only worth an info.
   const severity = files.length || broken.length ? 'info' : 'warning';
-  for (const source of passedOver) diagnostics.push(skipped(source, unreadMessage(source.name), severity));
-  for (const { source, count } of uncounted) {
-    const several = `${count.toLocaleString('en')} files in it`;
-    const message = `${several} are of types that Marrow does not read; it reads ${readableList()}.`;
-    diagnostics.push(skipped(source, message, severity));
-  }
+  diagnostics.push(...unreadFiles({ passedOver, uncounted }, severity));
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
   return { files, broken, diagnostics, facts: factsOf(files, broken), keeps };
+}
+
+function unreadFiles(
+  { passedOver, uncounted }: Pick<Awaited<ReturnType<typeof unpacked>>, 'passedOver' | 'uncounted'>,
+  severity: 'info' | 'warning',
+): readonly Diagnostic[] {
+  const counted = uncounted.map(({ source, count }) => {
+    const several = `${count.toLocaleString('en')} files in it`;
+    const message = `${several} are of types that Marrow does not read; it reads ${readableList()}.`;
+    return skipped(source, message, severity);
+  });
+  return [...passedOver.map((source) => skipped(source, unreadMessage(source.name), severity)), ...counted];
 }
 
 function factsOf(files: readonly ParsedFile[], broken: readonly BrokenFile[]): ParseOutput['facts'] {

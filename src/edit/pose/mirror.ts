@@ -76,7 +76,7 @@ export function mirroredPose(
       ? { turn: headingBack(compiled, reflection, reflectionOf(skeleton).normal, from, up) }
       : undefined;
   if (isCarried && !stand && compiled.hasRootTranslation) mirrorTravel(reflection, from, out);
-  new Mirroring(skeleton, compiled, reflection, from, out, clamps, stand).run(new Set(joints));
+  new Mirroring(skeleton, compiled, reflection, from, out, { clamps, stand }).run(new Set(joints));
   applyConstraints(compiled, out, clamps);
   return { dofs: out, joints, alone };
 }
@@ -102,7 +102,7 @@ export function swappedPose(skeleton: Skeleton, reflection: Reflection, dofs: Fl
   const out = dofs.slice();
   if (compiled.hasRootTranslation) mirrorTravel(reflection, dofs, out);
   const { joints } = jointsMeant(compiled, reflection, { way: 'swap' });
-  new Mirroring(skeleton, compiled, reflection, dofs, out, false, undefined).run(new Set(joints));
+  new Mirroring(skeleton, compiled, reflection, dofs, out, { clamps: false, stand: undefined }).run(new Set(joints));
   return out;
 }
 
@@ -176,8 +176,7 @@ class Mirroring {
     private readonly reflection: Reflection,
     private readonly from: Float64Array,
     private readonly out: Float64Array,
-    private readonly clamps: boolean,
-    private readonly stand: Stand | undefined,
+    private readonly how: { readonly clamps: boolean; readonly stand: Stand | undefined },
   ) {
     const { jointCount } = compiled;
     this.theirs = new Float64Array(9 * jointCount);
@@ -214,7 +213,7 @@ class Mirroring {
   private mirror(t: number, s: number, targets: ReadonlySet<number>): void {
     const { compiled, reflection } = this;
     const above = compiled.parent[t];
-    if (above < 0 && this.stand) {
+    if (above < 0 && this.how.stand) {
       this.mirrorRoot();
       return;
     }
@@ -244,7 +243,7 @@ class Mirroring {
   /** Mirrors the root in place: with its heading restored and its pivot unchanged. */
   private mirrorRoot(): void {
     const { compiled, reflection, wanted, from, local, a, b } = this;
-    const turn = this.stand?.turn;
+    const turn = this.how.stand?.turn;
     const across = reflection.matrix.slice();
     if (turn) multiply3(turn, 0, reflection.matrix, 0, across, 0);
     this.across[0] = across;
@@ -296,7 +295,7 @@ class Mirroring {
   }
 
   private isAllowed(t: number, values: Float64Array): boolean {
-    if (!this.clamps) return true;
+    if (!this.how.clamps) return true;
     const { lower, upper, firstDof } = this.compiled;
     const at = firstDof[t] - firstDof[0];
     return values.every((value, d) => value >= lower[at + d] && value <= upper[at + d]);
@@ -346,7 +345,8 @@ class Mirroring {
   }
 
   private fit(t: number, guess: Float64Array | undefined): void {
-    const { compiled, skeleton, clamps, out, reflection, wanted, a } = this;
+    const { compiled, skeleton, out, reflection, wanted, a } = this;
+    const { clamps } = this.how;
     const [first, end] = [compiled.firstDof[t], compiled.firstDof[t + 1]];
     const at = first - compiled.firstDof[0];
     const before = out.slice(first, end);

@@ -125,7 +125,14 @@ export function turnedAs(
   // By keys, samples or retargeting.
   if (turning.some((dof) => isDriven(character, dof))) return document;
   const clamps = character.clampsToLimits;
-  const values = dofsAs(shown.compiled, skeleton.joints[joint], joint, shown.dofs, was.world, origin, clamps);
+  const values = dofsAs(
+    shown.compiled,
+    skeleton.joints[joint],
+    joint,
+    shown.dofs,
+    { world: was.world, joint: origin },
+    clamps,
+  );
   let next = document;
   if (values) {
     const dofs = turning
@@ -149,7 +156,7 @@ function turnedInFile(
   const skeleton = requireSkeleton(character);
   const is = inFilePose(character);
   const own = skeleton.joints[joint];
-  const values = dofsAs(is.compiled, own, joint, is.dofs, was.world, origin, false);
+  const values = dofsAs(is.compiled, own, joint, is.dofs, { world: was.world, joint: origin }, false);
   if (!values || turning.every((dof) => values[dof] === is.dofs[dof])) return document;
   const first = is.compiled.firstDof[joint];
   const pose = own.pose.map((value, d) => (turning.includes(first + d) ? values[first + d] : value));
@@ -169,20 +176,19 @@ function inFilePose(character: Character): ShownPose {
 /**
  * All DOFs, with those of a joint changed so that it is rotated like a joint of another pose; undefined if its type,
  * limits or links don't allow exactly that, or if it is so already.
- * @param was world matrices of that pose
+ * @param was world matrices of that pose, and the joint there
  */
 function dofsAs(
   compiled: CompiledSkeleton,
   joint: Joint,
   j: number,
   dofs: Float64Array,
-  was: Float64Array,
-  origin: number,
+  was: { readonly world: Float64Array; readonly joint: number },
   clamps: boolean,
 ): Float64Array | undefined {
   const world = new Float64Array(16 * compiled.jointCount);
   const isTurned = (at: Float64Array, within: number) => {
-    for (let k = 0; k < 12; k++) if (Math.abs(at[16 * j + k] - was[16 * origin + k]) > within) return false;
+    for (let k = 0; k < 12; k++) if (Math.abs(at[16 * j + k] - was.world[16 * was.joint + k]) > within) return false;
     return true;
   };
   worldMatrices(compiled, dofs, world);
@@ -193,7 +199,7 @@ function dofsAs(
   const fit = jointFit(compiled, now, j, clamps);
   if (!fit) return undefined;
   const wanted = new Float64Array(27);
-  writeRotationPart(was, 16 * origin, wanted, 0, 3);
+  writeRotationPart(was.world, 16 * was.joint, wanted, 0, 3);
   if (joint.parent < 0) setIdentity3(wanted, 9);
   else writeRotationPart(world, 16 * joint.parent, wanted, 9, 3);
   backMultiply3(wanted, 9, wanted, 0, wanted, 18);

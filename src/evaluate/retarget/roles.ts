@@ -56,16 +56,19 @@ const PARTS = {
   z: perSkeleton((skeleton) => find(skeleton, 'z')),
 } as const satisfies Readonly<Record<Space['up'], (skeleton: Skeleton) => BodyParts>>;
 
+/** From the root to a joint. */
+function chainIn(joints: Skeleton['joints'], joint: number): number[] {
+  const chain: number[] = [];
+  for (let j = joint; j >= 0; j = joints[j].parent) chain.unshift(j);
+  return chain;
+}
+
 function find(skeleton: Skeleton, up: Space['up']): BodyParts {
   const { joints } = skeleton;
   const names = namesOf(skeleton);
   const single = new Map<Role, number>();
   const byShape = new Set<number>();
-  const chainTo = (joint: number) => {
-    const chain: number[] = [];
-    for (let j = joint; j >= 0; j = joints[j].parent) chain.unshift(j);
-    return chain;
-  };
+  const chainTo = (joint: number) => chainIn(joints, joint);
   const first = (word: Word, side: string) => names.findIndex((n) => n.word === word && n.side === side);
   const take = (role: Role, ...candidates: readonly number[]) => {
     const found = candidates.find((j) => j >= 0);

@@ -26,15 +26,14 @@ const MAX_PIECES = 64;
  * Calls `full` whenever `rows` has that many rows, and at the end; what it has then is a stretch of the take, whose last
  * row is the first one of the next.
  * @param tolerance how far points may be off
- * @param swings whether what is between two rows on a straight line matters: splines go their own way there
+ * @param how `swings`: whether what is between two rows on a straight line matters: splines go their own way there
  */
 export function sampleTake(
   motion: TakeMotion,
   tracks: readonly Track[],
   tolerance: number,
   rows: Rows,
-  rowsPerStretch: number,
-  swings: boolean,
+  { rowsPerStretch, swings }: { readonly rowsPerStretch: number; readonly swings: boolean },
   full: () => void,
 ): void {
   const { width } = rows;

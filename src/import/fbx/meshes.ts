@@ -78,7 +78,7 @@ function built(
   const skin = all.at(0);
   let skinned: SceneSkinned | undefined;
   if (skin) {
-    const made = bind(skin, mesh, index, joints, worlds, axes, skins);
+    const made = bind(skin, { mesh, index }, joints, worlds, axes, skins);
     skinned = made.skinned;
     const own = place.slice();
     multiplyAffine(made.place, 0, own, 0, place, 0);
@@ -158,8 +158,7 @@ interface Binding {
 
 function bind(
   { clusters }: FbxSkin,
-  mesh: FbxMesh,
-  index: number,
+  { mesh, index }: { readonly mesh: FbxMesh; readonly index: number },
   joints: readonly FbxJoint[],
   worlds: Float64Array,
   axes: Float64Array,

@@ -64,7 +64,7 @@ export function sceneOf(file: FbxFile, name: string, report: FbxReport): Scene |
     meshes: meshes.map(({ mesh }) => mesh),
     materials: materials.materials,
     textures: materials.textures,
-    takes: takes.map((take) => takeOf(take, joints, orders, meshes, tolerances, fitting, report.budget)),
+    takes: takes.map((take) => takeOf(take, joints, orders, meshes, { tolerances, fitting, budget: report.budget })),
   };
   tellSpace(axes, metres, report);
   tellFitting(fitting, report);
@@ -161,9 +161,11 @@ function takeOf(
   joints: readonly FbxJoint[],
   orders: readonly EulerOrder[],
   meshes: readonly BuiltMesh[],
-  tolerances: Tolerances,
-  fitting: Fitting,
-  budget: Budget,
+  {
+    tolerances,
+    fitting,
+    budget,
+  }: { readonly tolerances: Tolerances; readonly fitting: Fitting; readonly budget: Budget },
 ): SceneTake {
   const targetCount = meshes.reduce((sum, { sources }) => sum + sources.length, 0);
   budget.spendTake(joints.length, targetCount, `The take ${take.name}`);

@@ -28,10 +28,7 @@ export async function unpackDraco(document: Document, buffers: Buffers): Promise
       const { bytes } = buffers.view(packed.bufferView, where);
       module ??= await loadModule();
       try {
-        out.set(
-          primitive,
-          unpacked(module, document, bytes, packed, objectOf(primitive.attributes) ?? {}, where, buffers.budget),
-        );
+        out.set(primitive, unpacked(module, document, bytes, { packed, primitive }, where, buffers.budget));
       } catch (error) {
         if (error instanceof ImportError) throw error;
         const reason = error instanceof Error ? error.message : String(error);
@@ -51,11 +48,11 @@ function unpacked(
   module: Module,
   document: Document,
   bytes: Uint8Array,
-  packed: Json,
-  attributes: Json,
+  { packed, primitive }: { readonly packed: Json; readonly primitive: Json },
   where: string,
   budget: Budget,
 ): Unpacked {
+  const attributes = objectOf(primitive.attributes) ?? {};
   const decoder = new module.Decoder();
   const buffer = new module.DecoderBuffer();
   const mesh = new module.Mesh();

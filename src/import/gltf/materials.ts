@@ -40,6 +40,73 @@ const OTHER_TEXTURES = {
   occlusionTexture: 'occlusion',
 } as const;
 
+/** The images that materials name, each read once. */
+class Images {
+  readonly textures: Texture[] = [];
+  /** Files beside the document. */
+  readonly sources: SourceFile[] = [];
+  private readonly distinct = new DistinctNames();
+  private readonly names = new Map<number, string | undefined>();
+
+  constructor(
+    private readonly document: Document,
+    private readonly buffers: Buffers,
+    private readonly given: Import,
+    private readonly remarks: Remarks,
+  ) {}
+
+  /** Name of a texture's image; undefined if it can't be used. */
+  async nameOf(texture: Json): Promise<string | undefined> {
+    const webp = extensionOf(texture, 'EXT_texture_webp')?.source;
+    const index = countOf(texture.source ?? webp);
+    if (index === undefined) {
+      if (extensionOf(texture, 'KHR_texture_basisu')) this.remarks.leaveOut('Basis Universal textures (KTX2)');
+      if (extensionOf(texture, 'EXT_texture_avif')) this.remarks.leaveOut('AVIF textures');
+      return undefined;
+    }
+    if (!this.names.has(index))
+      this.names.set(index, await this.read(this.document.at('images', index, 'A texture'), index));
+    return this.names.get(index);
+  }
+
+  private async read(image: Json, index: number): Promise<string | undefined> {
+    const uri = textOf(image.uri);
+    let bytes: Uint8Array<ArrayBuffer> | undefined;
+    let stated = textOf(image.mimeType);
+    if (uri === undefined) bytes = this.buffers.view(image.bufferView, `image ${index}`).bytes;
+    else {
+      const inside = readDataUri(uri);
+      if (inside) {
+        bytes = inside.bytes;
+        stated ??= inside.mime;
+      } else {
+        const found = await this.given.beside(unescaped(uri));
+        // Named all the same: it may be opened later. That it is missing is told with the character.
+        if (!found) return baseName(unescaped(uri));
+        bytes = found.bytes;
+        this.sources.push(found.source);
+      }
+    }
+    const pixels = tooManyPixels(bytes);
+    if (pixels !== undefined) {
+      this.remarks.leaveOut(`the image ${index}, which has ${pixels} pixels`);
+      return undefined;
+    }
+    const mime = mimeOf(bytes) ?? stated;
+    const extension = EXTENSIONS[mime ?? ''];
+    if (!mime || !extension) {
+      this.remarks.leaveOut(`the image ${index}, which is ${mime ?? 'of unknown type'}`);
+      return undefined;
+    }
+    const file = uri === undefined || uri.startsWith('data:') ? undefined : baseName(unescaped(uri));
+    const called = cleanName(file ?? textOf(image.name) ?? '') || `texture_${index}`;
+    const name = this.distinct.add(textureNamed(called, extension));
+    // A copy: the file's own bytes would all be kept with it, and passed from the worker.
+    this.textures.push({ name, mime, bytes: bytes.slice() });
+    return name;
+  }
+}
+
 /** Reads all materials, with images inside the file and beside it; what can't be used is left out with a remark. */
 export async function readMaterials(
   document: Document,
@@ -47,60 +114,8 @@ export async function readMaterials(
   given: Import,
   remarks: Remarks,
 ): Promise<Materials> {
-  const textures: Texture[] = [];
-  const sources: SourceFile[] = [];
-  const names = new DistinctNames();
-  const images = new Map<number, string | undefined>();
+  const images = new Images(document, buffers, given, remarks);
   const further = new Map<string, number>();
-
-  const imageName = async (texture: Json): Promise<string | undefined> => {
-    const webp = extensionOf(texture, 'EXT_texture_webp')?.source;
-    const index = countOf(texture.source ?? webp);
-    if (index === undefined) {
-      if (extensionOf(texture, 'KHR_texture_basisu')) remarks.leaveOut('Basis Universal textures (KTX2)');
-      if (extensionOf(texture, 'EXT_texture_avif')) remarks.leaveOut('AVIF textures');
-      return undefined;
-    }
-    if (!images.has(index)) images.set(index, await readImage(document.at('images', index, 'A texture'), index));
-    return images.get(index);
-  };
-  const readImage = async (image: Json, index: number): Promise<string | undefined> => {
-    const uri = textOf(image.uri);
-    let bytes: Uint8Array<ArrayBuffer> | undefined;
-    let stated = textOf(image.mimeType);
-    if (uri === undefined) bytes = buffers.view(image.bufferView, `image ${index}`).bytes;
-    else {
-      const inside = readDataUri(uri);
-      if (inside) {
-        bytes = inside.bytes;
-        stated ??= inside.mime;
-      } else {
-        const found = await given.beside(unescaped(uri));
-        // Named all the same: it may be opened later. That it is missing is told with the character.
-        if (!found) return baseName(unescaped(uri));
-        bytes = found.bytes;
-        sources.push(found.source);
-      }
-    }
-    const pixels = tooManyPixels(bytes);
-    if (pixels !== undefined) {
-      remarks.leaveOut(`the image ${index}, which has ${pixels} pixels`);
-      return undefined;
-    }
-    const mime = mimeOf(bytes) ?? stated;
-    const extension = EXTENSIONS[mime ?? ''];
-    if (!mime || !extension) {
-      remarks.leaveOut(`the image ${index}, which is ${mime ?? 'of unknown type'}`);
-      return undefined;
-    }
-    const file = uri === undefined || uri.startsWith('data:') ? undefined : baseName(unescaped(uri));
-    const called = cleanName(file ?? textOf(image.name) ?? '') || `texture_${index}`;
-    const name = names.add(textureNamed(called, extension));
-    // A copy: the file's own bytes would all be kept with it, and passed from the worker.
-    textures.push({ name, mime, bytes: bytes.slice() });
-    return name;
-  };
-
   const materials: SceneMaterial[] = [];
   const mappings: Mapping[] = [];
   let emitters = 0;
@@ -113,7 +128,7 @@ export async function readMaterials(
     let texture: string | undefined;
     if (info) {
       try {
-        texture = await imageName(document.at('textures', info.index, `Material ${index}`));
+        texture = await images.nameOf(document.at('textures', info.index, `Material ${index}`));
       } catch (error) {
         // A picture is no reason to lose the character.
         if (!(error instanceof ImportError)) throw error;
@@ -133,6 +148,7 @@ export async function readMaterials(
   const total = [...further.values()].reduce((sum, n) => sum + n, 0);
   if (total) remarks.leaveOut(`${counted(total, 'further texture')} of materials (${[...further.keys()].join(', ')})`);
   if (emitters) remarks.leaveOut(`the emissive colour of ${counted(emitters, 'material')}`);
+  const { textures, sources } = images;
   return { materials, textures, mappings, sources };
 }
 

@@ -18,6 +18,14 @@ import { NodeMesh, type NodeShape } from './node-buffer.ts';
 /** Covered instances are drawn after everything that may cover them, and before the markers. */
 const COVERED_ORDER = 15;
 
+export interface InstancedOptions {
+  readonly coveredMaterial?: Material;
+  /** With fewer and fewer triangles, instead of `geometry`. */
+  readonly lighter?: readonly BufferGeometry[];
+  /** If given, drawn from a `NodeBuffer`, which its owner fills, instead of `matrices`. */
+  readonly shape?: NodeShape;
+}
+
 /** A kind's mesh, recreated to grow, and optionally one more for covered instances. */
 export class InstancedKind {
   mesh: InstancedMesh;
@@ -32,11 +40,7 @@ export class InstancedKind {
     readonly idMaterial: ShaderMaterial | undefined,
     private readonly tinted: boolean,
     parent: Group,
-    private readonly coveredMaterial?: Material,
-    /** With fewer and fewer triangles, instead of `geometry`. */
-    private readonly lighter: readonly BufferGeometry[] = [],
-    /** If given, drawn from a `NodeBuffer`, which its owner fills, instead of `matrices`. */
-    private readonly shape?: NodeShape,
+    private readonly more: InstancedOptions = {},
   ) {
     this.mesh = this.create(1);
     parent.add(this.mesh);
@@ -60,7 +64,7 @@ export class InstancedKind {
 
   /** All its geometries. */
   get geometries(): readonly BufferGeometry[] {
-    return [this.geometry, ...this.lighter];
+    return [this.geometry, ...(this.more.lighter ?? [])];
   }
 
   /** Draws with fewer triangles. @param level of `geometries` */
@@ -91,21 +95,22 @@ export class InstancedKind {
     this.mesh.removeFromParent();
     this.mesh.dispose();
     this.geometry.dispose();
-    for (const geometry of this.lighter) geometry.dispose();
+    for (const geometry of this.more.lighter ?? []) geometry.dispose();
     this.material.dispose();
     this.idMaterial?.dispose();
     this.covered?.removeFromParent();
     this.covered?.dispose();
-    this.coveredMaterial?.dispose();
+    this.more.coveredMaterial?.dispose();
   }
 
   /** Recreates the covered mesh with the mesh's arrays. */
   private cover(): void {
-    if (!this.coveredMaterial) return;
+    const { coveredMaterial } = this.more;
+    if (!coveredMaterial) return;
     const before = this.covered;
     before?.removeFromParent();
     before?.dispose();
-    const covered = new InstancedMesh(this.mesh.geometry, this.coveredMaterial, 0);
+    const covered = new InstancedMesh(this.mesh.geometry, coveredMaterial, 0);
     covered.instanceMatrix = this.mesh.instanceMatrix;
     covered.frustumCulled = false;
     covered.matrixAutoUpdate = false;
@@ -117,7 +122,8 @@ export class InstancedKind {
 
   private create(count: number): InstancedMesh {
     this.capacity = count;
-    const { geometry, material, shape } = this;
+    const { geometry, material } = this;
+    const { shape } = this.more;
     const mesh = shape ? new NodeMesh(geometry, material, count, shape) : new InstancedMesh(geometry, material, count);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     // Instances are anywhere: the unit shape's sphere means nothing.

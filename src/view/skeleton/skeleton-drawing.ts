@@ -102,14 +102,17 @@ export class SkeletonDrawing {
     const ids = meshIdMaterial;
     const ofNodes = (shape: NodeShape, [geometry, ...lighter]: readonly BufferGeometry[]) => {
       const idMaterial = drawnByNodes(ids(), shape, this.idResolution);
-      return new InstancedKind(geometry, lit(shape), idMaterial, false, object, through(shape), lighter, shape);
+      const more = { coveredMaterial: through(shape), lighter, shape };
+      return new InstancedKind(geometry, lit(shape), idMaterial, false, object, more);
     };
     this.kinds = {
       edges: new InstancedKind(edges, edgeLines, lineIdMaterial(5, 2e-5), true, object),
       faces: new InstancedKind(new BoxGeometry(1, 1, 1), flat, ids(), false, object),
       balls: ofNodes('ball', LEVELS.map(ballGeometry)),
       bones: ofNodes('bone', LEVELS.map(boneGeometry)),
-      axes: new InstancedKind(axes, lineMaterial(axisLines), undefined, false, object, axesThrough),
+      axes: new InstancedKind(axes, lineMaterial(axisLines), undefined, false, object, {
+        coveredMaterial: axesThrough,
+      }),
     };
     this.markers = new JointMarkers(object, segmentsGeometry(boxEdges()), axes);
   }

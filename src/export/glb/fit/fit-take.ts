@@ -82,7 +82,7 @@ export function fitTake(motion: TakeMotion, moved: MovedNodes, options: FitOptio
   const thins = motion.breaks.length <= LONG;
   const share = thins ? SHARE : SHARE_OF_LONG;
   const isExact = (track: Track) => exact.has(track);
-  sampleTake(motion, tracks, tolerance, rows, perStretch, style === 'cubic', () => {
+  sampleTake(motion, tracks, tolerance, rows, { rowsPerStretch: perStretch, swings: style === 'cubic' }, () => {
     fitStretch(rows, tracks, nodes, points, { style, tolerance, share, thins, isExact }).forEach((fit, t) => {
       collected[t].add(rows, fit, tracks[t].width);
     });

@@ -69,22 +69,83 @@ function laterHalves({ take }: Pick<CurrentTake, 'take'>, keys: readonly Channel
   });
 }
 
-export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): HTMLElement {
-  const inFrames = () => wb.settings.get().timeDisplay === 'frames';
-  /** From model units to displayed ones; undefined for keys of different units. */
-  const unitOf = (): DofUnit | undefined => {
-    const current = currentTake(wb);
+type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>;
+
+export function keyFields(wb: Parts): HTMLElement {
+  return new KeyFields(wb).element;
+}
+
+class KeyFields {
+  readonly element: HTMLElement;
+  private readonly time: MixedField;
+  private readonly value: MixedField;
+  private readonly slopeIn: MixedField;
+  private readonly slopeOut: MixedField;
+
+  constructor(private readonly wb: Parts) {
+    this.time = this.field(
+      'Time of selected keys',
+      (typed) => this.setTime(typed),
+      () => ({}),
+    );
+    this.value = this.field('Value of selected keys', (typed) => this.set({ value: typed / this.perUnit() }));
+    this.slopeIn = this.field('Incoming slope of selected keys, per second', (typed) =>
+      this.set({ slopeIn: typed / this.perUnit() }),
+    );
+    this.slopeOut = this.field('Outgoing slope of selected keys, per second', (typed) =>
+      this.set({ slopeOut: typed / this.perUnit() }),
+    );
+    const slopes = [labelled('Slope', this.slopeIn.element), this.slopeOut.element];
+    this.element = element(
+      'div',
+      { class: 'key-fields', role: 'group', 'aria-label': 'Selected keys' },
+      labelled('Time', this.time.element),
+      labelled('Value', this.value.element),
+      element('span', { class: 'slope-fields' }, ...slopes),
+    );
+    const show = oncePerFrame(() => this.show());
+    wb.store.subscribe((now, before) => {
+      if (now.document !== before.document || now.selection !== before.selection) show();
+    });
+    wb.timeline.view.subscribe(show);
+    wb.settings.subscribe(show);
+    wb.transport.subscribe((now, before) => {
+      if (now.framesPerSecond !== before.framesPerSecond) show();
+    });
+    show();
+  }
+
+  private field(label: string, commit: (value: number) => void, units = () => this.typedUnits()): MixedField {
+    const refuse = (reason: string) => this.wb.messages.note(reason, 'warning');
+    return new MixedField({ label, commit, text: brief, step: 1, units, refuse });
+  }
+
+  private typedUnits() {
+    return typedUnits(this.unit(), this.wb.settings.get().angles);
+  }
+
+  private inFrames(): boolean {
+    return this.wb.settings.get().timeDisplay === 'frames';
+  }
+
+  /** Undefined for keys of different units. */
+  private unit(): DofUnit | undefined {
+    const current = currentTake(this.wb);
     if (!current) return undefined;
     const dofs = dofsFor(current.character);
-    const units = new Set(selectedKeysInView(wb).map((k) => unitOfChannel(dofs, k.channel)));
+    const units = new Set(selectedKeysInView(this.wb).map((k) => unitOfChannel(dofs, k.channel)));
     const [unit] = units;
     return units.size === 1 ? unit : undefined;
-  };
-  const perUnit = () => {
-    const unit = unitOf();
-    return unit ? shownPerUnit(unit, wb.settings.get().angles) : 1;
-  };
-  const set = (typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>) => {
+  }
+
+  /** From model units to displayed ones. */
+  private perUnit(): number {
+    const unit = this.unit();
+    return unit ? shownPerUnit(unit, this.wb.settings.get().angles) : 1;
+  }
+
+  private set(typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>): void {
+    const { wb } = this;
     const current = currentTake(wb);
     const keys = selectedKeysInView(wb);
     if (!current || !keys.length) return;
@@ -92,79 +153,37 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
       const own = typed.value === undefined ? keys : laterHalves(current, keys);
       wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: current.character.id, keys: own, ...typed });
     });
-  };
-  const noUnits = () => ({});
-  const ofValues = () => typedUnits(unitOf(), wb.settings.get().angles);
-  const field = (
-    label: string,
-    commit: (value: number) => void,
-    text: (value: number) => string,
-    step: number,
-    units = ofValues,
-  ) => new MixedField({ label, commit, text, step, units, refuse: (reason) => wb.messages.note(reason, 'warning') });
-  const time = field(
-    'Time of selected keys',
-    (typed) => {
-      const { framesPerSecond } = wb.transport.get();
-      const seconds = inFrames() ? typed / framesPerSecond : typed;
-      set({ timeSeconds: seconds + (currentTake(wb)?.character.timeOffsetSeconds ?? 0) });
-    },
-    brief,
-    1,
-    noUnits,
-  );
-  const value = field('Value of selected keys', (typed) => set({ value: typed / perUnit() }), brief, 1);
-  const slopeIn = field(
-    'Incoming slope of selected keys, per second',
-    (typed) => set({ slopeIn: typed / perUnit() }),
-    brief,
-    1,
-  );
-  const slopeOut = field(
-    'Outgoing slope of selected keys, per second',
-    (typed) => set({ slopeOut: typed / perUnit() }),
-    brief,
-    1,
-  );
-  const all = [time, value, slopeIn, slopeOut];
-  const made = element(
-    'div',
-    { class: 'key-fields', role: 'group', 'aria-label': 'Selected keys' },
-    labelled('Time', time.element),
-    labelled('Value', value.element),
-    element('span', { class: 'slope-fields' }, labelled('Slope', slopeIn.element), slopeOut.element),
-  );
-  const show = oncePerFrame(() => {
+  }
+
+  private setTime(typed: number): void {
+    const { framesPerSecond } = this.wb.transport.get();
+    const seconds = this.inFrames() ? typed / framesPerSecond : typed;
+    this.set({ timeSeconds: seconds + (currentTake(this.wb)?.character.timeOffsetSeconds ?? 0) });
+  }
+
+  private show(): void {
+    const { wb, time, value, slopeIn, slopeOut } = this;
     const current = currentTake(wb);
     const keys = selectedKeysInView(wb);
-    const unit = unitOf();
+    const unit = this.unit();
+    const all = [time, value, slopeIn, slopeOut];
     for (const one of all) one.enable(keys.length > 0);
     if (!current || !keys.length) {
       for (const one of all) one.show(undefined, '');
       return;
     }
     const numbers = sharedNumbers(current, keys);
-    const per = perUnit();
+    const per = this.perUnit();
     const { framesPerSecond } = wb.transport.get();
     const at = numbers.time === undefined ? undefined : numbers.time - current.character.timeOffsetSeconds;
-    time.show(at === undefined ? undefined : inFrames() ? frameNumber(at, framesPerSecond) : withoutNoise(at));
+    time.show(at === undefined ? undefined : this.inFrames() ? frameNumber(at, framesPerSecond) : withoutNoise(at));
     const scaled = (n: number | undefined) => (n === undefined || !unit ? undefined : withoutNoise(n * per));
     value.show(scaled(numbers.value));
     slopeIn.show(scaled(numbers.slopeIn));
     slopeOut.show(scaled(numbers.slopeOut));
     // One number can't be both radians and a length.
     for (const one of [value, slopeIn, slopeOut]) one.enable(unit !== undefined);
-  });
-  wb.store.subscribe((now, before) => {
-    if (now.document !== before.document || now.selection !== before.selection) show();
-  });
-  wb.timeline.view.subscribe(show);
-  wb.settings.subscribe(show);
-  wb.transport.subscribe((now, before) => {
-    if (now.framesPerSecond !== before.framesPerSecond) show();
-  });
-  show();
-  return made;
+  }
 }
 
 /** A number field that may show several values. */

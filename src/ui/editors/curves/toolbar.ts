@@ -32,127 +32,158 @@ const YIELDING: Readonly<Record<string, readonly string[]>> = {
 
 const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'];
 
-export function curveToolbar(
-  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
-): HTMLElement {
-  const tools: (() => void)[] = [];
-  const tool = (id: string, label: string, name: IconName, text: TooltipText = label) => {
+type Parts = Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>;
+
+export function curveToolbar(wb: Parts): HTMLElement {
+  return new CurveToolbar(wb).element;
+}
+
+class CurveToolbar {
+  readonly element: HTMLElement;
+  private readonly updates: (() => void)[] = [];
+  private readonly handles: HTMLButtonElement;
+  private readonly collision: HTMLButtonElement;
+
+  constructor(private readonly wb: Parts) {
+    const modes = HANDLE_MODES.map((mode) => `handles.${mode}`);
+    this.handles = menu('Opposite handle', HANDLE_ICONS.auto, () => entriesOf(wb, modes));
+    this.collision = menu('Overlapping keys', 'collideReplace', () =>
+      entriesOf(wb, ['onCollision.replace', 'onCollision.step']),
+    );
+    this.element = element(
+      'div',
+      { class: 'curve-tools', role: 'group', 'aria-label': 'Curve tools' },
+      ...this.groups(),
+      this.more(),
+      keyFields(wb),
+    );
+    const show = oncePerFrame(() => {
+      for (const update of this.updates) update();
+      this.showModes();
+    });
+    wb.store.subscribe((now, before) => {
+      if (now.document !== before.document || now.selection !== before.selection) show();
+    });
+    wb.timeline.view.subscribe(show);
+    show();
+  }
+
+  private groups(): readonly HTMLElement[] {
+    return [
+      group('Tangents', 'tangent-tools', ...TANGENT_CHOICES.map(({ name, label }) => this.tangents(name, label))),
+      group(
+        'Handles',
+        'handle-tools',
+        this.tool('unify', 'Unify tangents', 'unify'),
+        this.tool('break', 'Break tangents', 'break'),
+        this.handles,
+      ),
+      group(
+        'Keys',
+        'key-tools',
+        this.tool('insertKey', 'Insert key at current time', 'insertKey'),
+        this.tool('delete', 'Delete selected keys', 'deleteKey'),
+        this.collision,
+      ),
+      group(
+        'Snapping',
+        'snap-tools',
+        this.tool('snapsToFrames', 'Snap to frames', 'snapFrames'),
+        this.tool('snapsToValues', 'Snap to values', 'snapValues'),
+        this.tool('scaleFrame', 'Transform box', 'scaleFrame'),
+      ),
+      group('Curves', 'whole-tools', ...wholeMenus(this.wb)),
+      group(
+        'View',
+        'fit-tools',
+        this.tool('fitSelected', 'Fit selected keys', 'frame'),
+        this.tool('fitAll', 'Fit all', 'fitAll'),
+        this.tool('normalised', 'Normalised', 'normalised'),
+        this.tool('showsWhy', 'Why this curve', 'why'),
+      ),
+    ];
+  }
+
+  private tool(id: string, label: string, name: IconName, text: TooltipText = label): HTMLButtonElement {
+    const { wb } = this;
     const action = findAction(wb, `timeline.${id}`);
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
     );
     setActionTooltip(wb, made, `timeline.${id}`, text);
-    tools.push(() => {
+    this.updates.push(() => {
       const checked = action && isChecked(wb, action);
       if (checked !== undefined) setAttribute(made, 'aria-pressed', String(checked));
       write(made, 'disabled', !(action && isEnabled(wb, action)));
     });
     return made;
-  };
+  }
+
   /** Pressed for the kind of the selected keys, on one half if only their tangents of that side are of it. */
-  const tangents = (kind: TangentChoice, label: string) => {
-    const made = tool(`tangents.${kind}`, label, kind, () => `${label}${whichKeys(wb, kind)}`);
-    tools.push(() => setAttribute(made, 'data-side', sideWithTangents(wb, kind)));
+  private tangents(kind: TangentChoice, label: string): HTMLButtonElement {
+    const { wb } = this;
+    const made = this.tool(`tangents.${kind}`, label, kind, () => `${label}${whichKeys(wb, kind)}`);
+    this.updates.push(() => setAttribute(made, 'data-side', sideWithTangents(wb, kind)));
     return made;
-  };
-  const menu = (label: string, name: IconName, entries: () => readonly MenuEntry[]) => {
-    const made = keepsFocusElsewhere(
-      element('button', { type: 'button', class: 'tool', 'aria-label': label, tooltip: label }, icon(name)),
+  }
+
+  /** What has no room in the row. */
+  private more(): HTMLButtonElement {
+    const isHidden = (name: string) => this.element.querySelector(`.${name}`)?.getClientRects().length === 0;
+    const made = menu('More tools', 'more', () =>
+      Object.entries(YIELDING)
+        .filter(([name]) => isHidden(name))
+        .flatMap(([, ids], i) => [...(i ? [{ kind: 'line' } as const] : []), ...entriesOf(this.wb, ids)]),
     );
-    menuButton(made, label, entries);
+    made.classList.add('more-tools');
     return made;
-  };
-  const handles = menu('Opposite handle', HANDLE_ICONS.auto, () =>
-    entriesOf(
-      wb,
-      HANDLE_MODES.map((mode) => `handles.${mode}`),
-    ),
-  );
-  const collision = menu('Overlapping keys', 'collideReplace', () =>
-    entriesOf(wb, ['onCollision.replace', 'onCollision.step']),
-  );
-  const showModes = () => {
-    const view = wb.timeline.view.get();
+  }
+
+  private showModes(): void {
+    const { handles, collision } = this;
+    const view = this.wb.timeline.view.get();
     setIcon(handles, HANDLE_ICONS[view.handles]);
     setTooltip(handles, `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`);
     const replaces = view.onCollision === 'replace';
     setIcon(collision, replaces ? 'collideReplace' : 'collideStep');
     setTooltip(collision, `Overlapping keys: ${replaces ? 'replace' : 'keep both (step)'}`);
-  };
-  const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
-  const group = (label: string, name: string, ...children: HTMLElement[]) =>
-    toolbar(element('div', { class: `tools ${name}`, 'aria-label': label }, ...children));
-  const isHidden = (name: string) => bar.querySelector(`.${name}`)?.getClientRects().length === 0;
-  const more = menu('More tools', 'more', () =>
-    Object.entries(YIELDING)
-      .filter(([name]) => isHidden(name))
-      .flatMap(([, ids], i) => [...(i ? [{ kind: 'line' } as const] : []), ...entriesOf(wb, ids)]),
-  );
-  more.classList.add('more-tools');
+  }
+}
 
-  const bar = element(
-    'div',
-    { class: 'curve-tools', role: 'group', 'aria-label': 'Curve tools' },
-    group('Tangents', 'tangent-tools', ...TANGENT_CHOICES.map(({ name, label }) => tangents(name, label))),
-    group(
-      'Handles',
-      'handle-tools',
-      tool('unify', 'Unify tangents', 'unify'),
-      tool('break', 'Break tangents', 'break'),
-      handles,
-    ),
-    group(
-      'Keys',
-      'key-tools',
-      tool('insertKey', 'Insert key at current time', 'insertKey'),
-      tool('delete', 'Delete selected keys', 'deleteKey'),
-      collision,
-    ),
-    group(
-      'Snapping',
-      'snap-tools',
-      tool('snapsToFrames', 'Snap to frames', 'snapFrames'),
-      tool('snapsToValues', 'Snap to values', 'snapValues'),
-      tool('scaleFrame', 'Transform box', 'scaleFrame'),
-    ),
-    group(
-      'Curves',
-      'whole-tools',
-      menu('Extrapolation before and after the keys', 'extrapolate_cycle_offset', () => [
-        { kind: 'note', text: 'Before and after' },
-        ...entriesOf(wb, extrapolation('both')()),
-        { kind: 'line' },
-        { kind: 'menu', label: 'Before the keys', entries: () => entriesOf(wb, extrapolation('in')()) },
-        { kind: 'menu', label: 'After the keys', entries: () => entriesOf(wb, extrapolation('out')()) },
-      ]),
-      menu('Curve tools', 'curveTools', () => [
-        ...entriesOf(wb, CURVE_TOOLS),
-        { kind: 'line' },
-        { kind: 'note', text: 'Samples' },
-        ...entriesOf(wb, SAMPLE_TOOLS),
-      ]),
-    ),
-    group(
-      'View',
-      'fit-tools',
-      tool('fitSelected', 'Fit selected keys', 'frame'),
-      tool('fitAll', 'Fit all', 'fitAll'),
-      tool('normalised', 'Normalised', 'normalised'),
-      tool('showsWhy', 'Why this curve', 'why'),
-    ),
-    more,
-    keyFields(wb),
+/** Menus for whole curves. */
+function wholeMenus(wb: Parts): readonly HTMLElement[] {
+  const extrapolation = (side: string) =>
+    entriesOf(
+      wb,
+      EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`),
+    );
+  return [
+    menu('Extrapolation before and after the keys', 'extrapolate_cycle_offset', () => [
+      { kind: 'note', text: 'Before and after' },
+      ...extrapolation('both'),
+      { kind: 'line' },
+      { kind: 'menu', label: 'Before the keys', entries: () => extrapolation('in') },
+      { kind: 'menu', label: 'After the keys', entries: () => extrapolation('out') },
+    ]),
+    menu('Curve tools', 'curveTools', () => [
+      ...entriesOf(wb, CURVE_TOOLS),
+      { kind: 'line' },
+      { kind: 'note', text: 'Samples' },
+      ...entriesOf(wb, SAMPLE_TOOLS),
+    ]),
+  ];
+}
+
+function group(label: string, name: string, ...children: HTMLElement[]): HTMLElement {
+  return toolbar(element('div', { class: `tools ${name}`, 'aria-label': label }, ...children));
+}
+
+function menu(label: string, name: IconName, entries: () => readonly MenuEntry[]): HTMLButtonElement {
+  const made = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool', 'aria-label': label, tooltip: label }, icon(name)),
   );
-  const show = oncePerFrame(() => {
-    for (const update of tools) update();
-    showModes();
-  });
-  wb.store.subscribe((now, before) => {
-    if (now.document !== before.document || now.selection !== before.selection) show();
-  });
-  wb.timeline.view.subscribe(show);
-  show();
-  return bar;
+  menuButton(made, label, entries);
+  return made;
 }
 
 /** Which of the selected keys have that kind of tangents. */

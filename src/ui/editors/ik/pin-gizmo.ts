@@ -109,7 +109,7 @@ export class PinGizmo {
     const perWorld = this.perWorld(character);
     const snaps = { length: (skeleton ? lengthStep(skeleton) : 1) / perWorld, angle: SNAP_ANGLE };
     const size = radius * viewport.eye.unitsPerPixel(handles.pivot);
-    const way = pinWay(id, handles, hand, viewport.eye, at, size, snaps);
+    const way = pinWay(id, handles, hand, { sight: viewport.eye, at, size, snaps });
     this.dragged = id;
     return (now: CanvasPointer) => {
       const moves = way?.(now) ?? [];

@@ -238,15 +238,12 @@ function paintPull(wb: Uses<'viewport'>, painter: PinPainter, seen: SeenSkeleton
     painter.mark(inWorld(seen, grip.joint, grip.point), { shape: 'round', color: 'selected', size: 10 });
   return gaps.flatMap(({ index, joint, from, to }) => {
     const text = gapText(character, joint, hindrance);
-    return paintGap(
-      wb,
-      painter,
-      seen,
-      character.ik?.pins[index]?.id,
-      pointAt(toWorld, 0, from),
-      pointAt(toWorld, 0, to),
-      `${jointName(character.skeleton, joint)}: ${text}`,
-    );
+    return paintGap(wb, painter, seen, {
+      pin: character.ik?.pins[index]?.id,
+      from: pointAt(toWorld, 0, from),
+      to: pointAt(toWorld, 0, to),
+      text: `${jointName(character.skeleton, joint)}: ${text}`,
+    });
   });
 }
 
@@ -283,19 +280,25 @@ function paintLeft(wb: Uses<'viewport' | 'posing'>, painter: PinPainter, seen: S
     const { position } = pinTarget(pin, world);
     if (Math.hypot(...position.map((p, k) => p - target[k])) <= near) return [];
     const text = `${jointName(character.skeleton, pin.joint)}: ${gapText(character, pin.joint, left.hindrance)}`;
-    return paintGap(wb, painter, seen, pin.id, pointAt(toWorld, 0, position), pointAt(toWorld, 0, target), text);
+    const [from, to] = [pointAt(toWorld, 0, position), pointAt(toWorld, 0, target)];
+    return paintGap(wb, painter, seen, { pin: pin.id, from, to, text });
   });
 }
 
-/** @param pin its id; undefined for a point without a pin */
+/** Between a point and where it should be. */
+interface Gap {
+  /** Undefined for a point without a pin. */
+  readonly pin: number | undefined;
+  readonly from: Vec3;
+  readonly to: Vec3;
+  readonly text: string;
+}
+
 function paintGap(
   wb: Uses<'viewport'>,
   painter: PinPainter,
   seen: SeenSkeleton,
-  pin: number | undefined,
-  from: Vec3,
-  to: Vec3,
-  text: string,
+  { pin, from, to, text }: Gap,
 ): Label[] {
   const { eye } = wb.viewport;
   const a = eye.toScreen(from);

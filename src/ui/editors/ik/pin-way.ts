@@ -26,33 +26,32 @@ export interface PinSnaps {
 
 const FREE = { min: 1, max: 0, hold: false };
 
-/**
- * Undefined if there is no such handle.
- * @param at where the press was
- * @param size of the rings in the world
- */
+/** What a drag of a handle goes by, from its press on. */
+export interface PinPress {
+  readonly sight: Sight;
+  readonly at: CanvasPointer;
+  /** Of the rings in the world. */
+  readonly size: number;
+  readonly snaps: PinSnaps;
+}
+
+/** Undefined if there is no such handle. */
 export function pinWay(
   id: HandleId,
   { handles, planes = [] }: JointHandles,
   hand: HandPull,
-  sight: Sight,
-  at: CanvasPointer,
-  size: number,
-  snaps: PinSnaps,
+  press: PinPress,
 ): PinWay | undefined {
   const plane = planes.find((one) => sameHandle(one.id, id));
-  if (plane) return planeWay(plane, hand, sight, at, snaps);
+  if (plane) return planeWay(plane, hand, press);
   const handle = handles.find((one) => sameHandle(one.id, id));
-  return handle && axisWay(handle, hand, sight, at, size, snaps);
+  return handle && axisWay(handle, hand, press);
 }
 
 function axisWay(
   { id, axis: direction, centre, kind }: Handle,
   hand: HandPull,
-  sight: Sight,
-  { clientX, clientY }: CanvasPointer,
-  size: number,
-  snaps: PinSnaps,
+  { sight, at: { clientX, clientY }, size, snaps }: PinPress,
 ): PinWay | undefined {
   const axis = axisOf(id);
   if (axis === undefined) return undefined;
@@ -73,9 +72,7 @@ function axisWay(
 function planeWay(
   { id, axes, centre }: PlaneHandle,
   hand: HandPull,
-  sight: Sight,
-  { clientX, clientY }: CanvasPointer,
-  { length }: PinSnaps,
+  { sight, at: { clientX, clientY }, snaps: { length } }: PinPress,
 ): PinWay | undefined {
   const axis = axisOf(id);
   if (axis === undefined) return undefined;

@@ -178,8 +178,7 @@ export class CharacterSection {
     this.addVector(
       'Position',
       1,
-      step,
-      '',
+      { step },
       (p) => p.position,
       (p, position) => ({ ...p, position }),
     );
@@ -187,11 +186,9 @@ export class CharacterSection {
     this.addVector(
       'Rotation',
       degrees,
-      turnStep,
-      angles === 'degrees' ? '°' : '',
+      { step: turnStep, suffix: angles === 'degrees' ? '°' : '', units: typedUnits('angle', angles) },
       (p) => p.turn,
       (p, turn) => ({ ...p, turn }),
-      typedUnits('angle', angles),
     );
     const scale = new Slider(
       this.section,
@@ -218,11 +215,9 @@ export class CharacterSection {
   private addVector(
     label: string,
     factor: number,
-    step: number,
-    suffix: string,
+    { step, suffix = '', units }: { readonly step: number; readonly suffix?: string; readonly units?: Units },
     read: (p: Placement) => Placement['position'],
     write: (p: Placement, value: Placement['position']) => Placement,
-    units?: Units,
   ): void {
     const decimals = Math.max(2, -Math.floor(Math.log10(step)));
     const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));

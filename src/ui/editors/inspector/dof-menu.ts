@@ -43,21 +43,17 @@ export function openDofMenu(
   }
 }
 
+type Parts = Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>;
+
 /** @param openLimits shows the fields for limits of these DOFs */
 export function dofEntries(
-  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  wb: Parts,
   character: Character,
   [index, ...others]: readonly number[],
   openLimits: (dofs: readonly number[]) => void,
 ): readonly MenuEntry[] {
   const { id } = character;
-  const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({
-    kind: 'item',
-    label,
-    enabled,
-    // What was drawn when the menu opened may no longer be so.
-    run: () => attempt(wb.messages, run),
-  });
+  const item = itemOf(wb);
   const all = characterDofs(character.skeleton, character.morphs);
   const dof = all[index];
   const each = [index, ...others].sort((a, b) => a - b);
@@ -99,33 +95,53 @@ export function dofEntries(
     item('Reset to file pose', isAnyOff(fromFile), () => set(fromFile)),
     item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isAnyOff(atRest), () => set(atRest)),
   ];
-  const limited = each.filter((one) => all[one].takesLimits);
+  const limited = [index, ...others].filter((one) => all[one].takesLimits);
   if (limited.length === 0) return list;
-  const limitsOf = (one: number) => (holds(all[one].limit) ? all[one].limit : UNLIMITED);
   const name = isForSeveral ? `${dof.name} of ${each.length} joints` : dof.name;
+  return [...list, { kind: 'line' }, ...limitEntries(wb, character, limited, { name, openLimits })];
+}
+
+/** @param limited the DOFs that take limits; the first is the one of the menu */
+function limitEntries(
+  wb: Parts,
+  character: Character,
+  limited: readonly number[],
+  { name, openLimits }: { readonly name: string; readonly openLimits: (dofs: readonly number[]) => void },
+): readonly MenuEntry[] {
+  const { id } = character;
+  const all = characterDofs(character.skeleton, character.morphs);
+  const values = shownDofs(wb, character);
+  const dofs = limited.toSorted((a, b) => a - b);
+  const limitsOf = (one: number) => (holds(all[one].limit) ? all[one].limit : UNLIMITED);
   /** Each at its own value. */
   const limit = (next: (one: number) => Limit) => {
-    const args = limited.map((one) => ({ characterId: id, dof: one, ...next(one) }));
+    const args = dofs.map((one) => ({ characterId: id, dof: one, ...next(one) }));
     wb.store.apply(inTurn(setLimit, `Set limits of ${name}`), args);
   };
   const clear = () => {
-    const args = limited.map((one) => ({ characterId: id, dof: one }));
+    const args = dofs.map((one) => ({ characterId: id, dof: one }));
     wb.store.apply(inTurn(clearLimit, `Remove limits of ${name}`), args);
   };
-  const canBeLower = limited.every((one) => values[one] <= limitsOf(one).max);
-  const canBeUpper = limited.every((one) => values[one] >= limitsOf(one).min);
+  const canBeLower = dofs.every((one) => values[one] <= limitsOf(one).max);
+  const canBeUpper = dofs.every((one) => values[one] >= limitsOf(one).min);
+  const isLimited = dofs.some((one) => !isUnlimited(all[one].limit));
+  const item = itemOf(wb);
   return [
-    ...list,
-    { kind: 'line' },
     item('Set lower limit here', canBeLower, () => limit((one) => ({ min: values[one], max: limitsOf(one).max }))),
     item('Set upper limit here', canBeUpper, () => limit((one) => ({ min: limitsOf(one).min, max: values[one] }))),
-    item('Edit limits…', true, () => openLimits([index, ...others].filter((one) => limited.includes(one)))),
-    item(
-      'No limits',
-      limited.some((one) => !isUnlimited(all[one].limit)),
-      clear,
-    ),
+    item('Edit limits…', true, () => openLimits(limited)),
+    item('No limits', isLimited, clear),
   ];
+}
+
+function itemOf({ messages }: Parts) {
+  return (label: string, enabled: boolean, run: () => void): MenuEntry => ({
+    kind: 'item',
+    label,
+    enabled,
+    // What was drawn when the menu opened may no longer be so.
+    run: () => attempt(messages, run),
+  });
 }
 
 /** Crossed limits count as none. */

@@ -34,18 +34,21 @@ export interface DofRowContext {
   readonly live: LiveRows;
 }
 
-/**
- * @param prefix before the DOF's name in lists of several joints
- * @param matching the same DOF of other selected joints: a drag changes all by the same amount, what is typed sets all
- */
+/** What a row is for, besides its DOF. */
+export interface DofRowOptions {
+  /** Before the DOF's name in lists of several joints. */
+  readonly prefix?: string;
+  /** The same DOF of other selected joints: a drag changes all by the same amount, what is typed sets all. */
+  readonly matching?: readonly number[];
+}
+
 export function addDofRow(
   { wb, edit, live }: DofRowContext,
   section: GUI,
   character: Character,
   index: number,
   dof: CharacterDof,
-  prefix?: string,
-  matching: readonly number[] = [],
+  { prefix, matching = [] }: DofRowOptions = {},
 ): Slider {
   const { angles } = wb.settings.get();
   const factor = shownPerUnit(dof.unit, angles);
@@ -68,17 +71,11 @@ export function addDofRow(
   // Instead of the row's name, which has the mark's label too.
   slider.$input.removeAttribute('aria-labelledby');
   setAttribute(slider.$input, 'aria-label', unit ? `${spoken}, ${unit}` : spoken);
+  const title = `${prefix ? `${prefix} ` : ''}${dof.name}`;
   const couple = coupleOf(character.skeleton, index);
   const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
-  const text = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;
-  setTooltip(slider.$name, text);
-  if (couple) {
-    slider.disable();
-    setTooltip(slider.domElement, text);
-    setAttribute(slider.$input, 'aria-description', held);
-    const followed = channelName(namedChannel(character, couple.follows));
-    slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
-  }
+  setTooltip(slider.$name, `${title}: ${held}`);
+  if (couple) disable(slider, `${title}: ${held}`, held, channelName(namedChannel(character, couple.follows)));
   slider.domElement.classList.add('dof');
   write(slider.domElement.dataset, 'dof', String(index));
 
@@ -90,6 +87,34 @@ export function addDofRow(
     mark.show(now);
     if (isForSeveral) differ.show(dofs, together);
   };
+  letChange({ wb, edit, live }, slider, { id, index, matching, factor }, update);
+  slider.domElement.addEventListener('contextmenu', (event) => {
+    // While a number is edited, keep the browser's menu with Paste.
+    const byMouse = event.button === 2;
+    if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
+    event.preventDefault();
+    openDofMenu(wb, slider, id, together, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
+  });
+  live.add(slider.domElement, update);
+  return slider;
+}
+
+interface ChangedDof {
+  /** The character's. */
+  readonly id: string;
+  readonly index: number;
+  readonly matching: readonly number[];
+  /** Displayed units per unit of the DOF. */
+  readonly factor: number;
+}
+
+function letChange(
+  { wb, edit }: DofRowContext,
+  slider: Slider,
+  { id, index, matching, factor }: ChangedDof,
+  update: () => void,
+): void {
+  const together = [index, ...matching];
   // From the first change to the release, while pins hold.
   let beside: BesideDofs | undefined;
   /** The pose when the first change was made. */
@@ -131,15 +156,14 @@ export function addDofRow(
     beside = from = undefined;
     update();
   });
-  slider.domElement.addEventListener('contextmenu', (event) => {
-    // While a number is edited, keep the browser's menu with Paste.
-    const byMouse = event.button === 2;
-    if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
-    event.preventDefault();
-    openDofMenu(wb, slider, id, together, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
-  });
-  live.add(slider.domElement, update);
-  return slider;
+}
+
+/** A linked DOF can't be changed, and names the one that it follows. */
+function disable(slider: Slider, tooltip: string, description: string, followed: string): void {
+  slider.disable();
+  setTooltip(slider.domElement, tooltip);
+  setAttribute(slider.$input, 'aria-description', description);
+  slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
 }
 
 /**

@@ -119,8 +119,7 @@ export class DofSections {
     for (let i = first; i < first + dofsOf(joint.motion).length; i++) {
       const matching = matchingDofs(skeleton, others, i);
       // Only those that all of them have.
-      if (matching.length === others.length)
-        addDofRow(this.context, this.joint, character, i, dofs[i], undefined, matching);
+      if (matching.length === others.length) addDofRow(this.context, this.joint, character, i, dofs[i], { matching });
     }
   }
 
@@ -146,7 +145,7 @@ export class DofSections {
       const joint = joints[dof.joint];
       const isRoot = listed.next < rootDofCount(character.skeleton);
       const prefix = isRoot ? 'root' : joint ? jointName(character.skeleton, dof.joint) : 'morph';
-      addDofRow(this.context, this.all, character, listed.next, dof, prefix);
+      addDofRow(this.context, this.all, character, listed.next, dof, { prefix });
     }
     // The end element stays last; moving it makes the observer check again.
     this.end.remove();

@@ -65,32 +65,12 @@ export function limitRow(
     attempt(wb.messages, () => wb.store.apply(command, each));
     update();
   };
-  const field = (side: 'min' | 'max', label: string) => {
-    const made = element('input', {
-      type: 'text',
-      inputmode: 'decimal',
-      spellcheck: 'false',
-      autocomplete: 'off',
-      class: 'number-field',
-      placeholder: 'none',
-      'aria-label': `${label} limit of ${name}`,
-    });
-    made.addEventListener('focus', () => {
-      made.value = textOf(side, true);
-      made.select();
-    });
-    made.addEventListener('blur', () => {
-      made.value = textOf(side, false);
-    });
-    made.addEventListener('change', () => take(side));
-    made.addEventListener('keydown', (event) => {
-      if (event.key !== 'Escape') return;
-      made.value = textOf(side, true);
-      leaveField(made);
-      event.preventDefault();
-    });
-    return made;
-  };
+  const field = (side: 'min' | 'max', label: string) =>
+    limitField(
+      `${label} limit of ${name}`,
+      (asExact) => textOf(side, asExact),
+      () => take(side),
+    );
   const fields = { min: field('min', 'Lower'), max: field('max', 'Upper') };
   const update = () => {
     for (const side of ['min', 'max'] as const) {
@@ -108,4 +88,32 @@ export function limitRow(
     element('span', { class: 'unit', 'aria-hidden': 'true' }, unitText(unit, wb.settings.get().angles).trim()),
   );
   return { line, update };
+}
+
+/** @param textOf its text now: exact while it is edited */
+function limitField(label: string, textOf: (asExact: boolean) => string, changed: () => void): HTMLInputElement {
+  const made = element('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    class: 'number-field',
+    placeholder: 'none',
+    'aria-label': label,
+  });
+  made.addEventListener('focus', () => {
+    made.value = textOf(true);
+    made.select();
+  });
+  made.addEventListener('blur', () => {
+    made.value = textOf(false);
+  });
+  made.addEventListener('change', changed);
+  made.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    made.value = textOf(true);
+    leaveField(made);
+    event.preventDefault();
+  });
+  return made;
 }

@@ -23,26 +23,108 @@ import type { StepsView } from './view.ts';
 const AXES = ['x', 'y', 'z'];
 
 export function vertexView(formulas: FormulaView, character: Character, skin: Skin, vertex: number): StepsView {
-  const step = vertexStepper(skin, character.morphs, vertex);
-  const computed = (pose: PoseSteps) => step(pose.dofs, worldOf(pose));
-  const first = computed(stepsOfPose(character, 0));
-  let steps = first;
-  const fills: ((now: VertexSteps) => void)[] = [];
-  const row = element('div', { class: 'steps-row' });
-  const point = (formula: string, law: string, of: (now: VertexSteps) => Vec3) => {
+  return new VertexView(formulas, character, skin, vertex);
+}
+
+/** Sign before a column of attachments, its formula, its law, and its numbers. */
+type Column = readonly [operator: string, formula: string, law: string, of: (one: AttachmentStep) => Vec3];
+
+class VertexView implements StepsView {
+  readonly element = element('div', { class: 'steps-row' });
+  readonly cards: readonly HTMLElement[];
+  private readonly computed: (pose: PoseSteps) => VertexSteps;
+  private readonly first: VertexSteps;
+  private steps: VertexSteps;
+  private readonly fills: ((now: VertexSteps) => void)[] = [];
+
+  constructor(
+    private readonly formulas: FormulaView,
+    private readonly character: Character,
+    skin: Skin,
+    vertex: number,
+  ) {
+    const step = vertexStepper(skin, character.morphs, vertex);
+    this.computed = (pose) => step(pose.dofs, worldOf(pose));
+    this.first = this.computed(stepsOfPose(character, 0));
+    this.steps = this.first;
+    this.cards = this.addPosition();
+    this.addNormal(skin);
+  }
+
+  follow(pose: PoseSteps) {
+    this.steps = this.computed(pose);
+    return vertexStages(this.steps);
+  }
+
+  fill(): void {
+    for (const fill of this.fills) fill(this.steps);
+  }
+
+  /** Returns the cards of its stages. */
+  private addPosition(): readonly HTMLElement[] {
+    const { first, element: row } = this;
+    const base = this.point('v₀', 'position in the file', (now) => now.base);
+    row.append(base);
+    const before = first.morphs.length > 0 ? [base, this.addMorphs('v', (now) => now.morphs)] : [base];
+    let moved = base;
+    const after: HTMLElement[] = [];
+    if (first.attachments.length > 0) {
+      row.append(operator('→'), jointsCard(this.formulas, this.character, first, this.fills));
+      moved = this.addColumns([
+        ['·', 'B⁻¹ · v', 'in the joint’s space', (one) => one.inJoint],
+        ['→', 'W · B⁻¹ · v', 'where this joint alone would put v', (one) => one.moved],
+        ['→', 'w · (W · B⁻¹ · v)', 'weighted', (one) => one.term],
+        ['→', 'Σ', 'sum so far', (one) => one.sum],
+      ])[1];
+      after.push(this.point('v′', 'position as drawn', (now) => now.position));
+      row.append(operator('='), ...after);
+    }
+    const stages = vertexStages(first).labels.length;
+    const middle = Array.from({ length: stages - before.length - after.length }, () => moved);
+    return [...before, ...middle, ...after];
+  }
+
+  private addNormal(skin: Skin): void {
+    const { first, element: row } = this;
+    row.append(
+      element('span', { class: 'steps-gap' }),
+      this.point('n₀', normalSource(skin), (now) => now.baseNormal),
+    );
+    if (first.normalMorphs.length > 0) this.addMorphs('n', (now) => now.normalMorphs);
+    if (first.attachments.length > 0) {
+      this.addColumns([
+        ['→', '(W · B⁻¹)⁻ᵀ · n', 'rotated by each joint', (one) => one.turned],
+        ['→', 'w · ((W · B⁻¹)⁻ᵀ · n)', 'weighted', (one) => one.normalTerm],
+        ['→', 'Σ', 'sum so far', (one) => one.normalSum],
+      ]);
+    }
+    row.append(
+      operator('→'),
+      this.point('n′ = n / |n|', 'normal as drawn', (now) => now.normal),
+    );
+  }
+
+  private point(formula: string, law: string, of: (now: VertexSteps) => Vec3): HTMLElement {
     const card = new Card(formula, formula, law);
     card.element.classList.add('step-point');
     const grid = card.grid({ rows: 1, columns: 3, columnLabels: AXES });
-    fills.push((now) => grid.setRow(0, of(now)));
+    this.fills.push((now) => grid.setRow(0, of(now)));
     return card.element;
-  };
-  const table = (formula: string, law: string, rows: number, columnLabels: readonly string[]) => {
-    const card = new Card(formula, formula, law);
-    card.element.classList.add('step-table');
-    return { card, grid: card.grid({ rows, columns: columnLabels.length, columnLabels }) };
-  };
-  const morphs = (symbol: string, of: (now: VertexSteps) => readonly MorphTerm[]) => {
-    const terms = of(first);
+  }
+
+  private addColumns(columns: readonly Column[]): readonly HTMLElement[] {
+    return columns.map(([sign, formula, law, of]) => {
+      const { card, grid } = table(formula, law, this.first.attachments.length);
+      this.fills.push((now) => fillRows(grid, now.attachments, of));
+      this.element.append(operator(sign), card.element);
+      return card.element;
+    });
+  }
+
+  /** Returns the card of the sum. */
+  private addMorphs(symbol: string, of: (now: VertexSteps) => readonly MorphTerm[]): HTMLElement {
+    const { character, formulas } = this;
+    const terms = of(this.first);
     const firstMorph = stepsOfPose(character, 0).dofs.length - character.morphs.length;
     const card = new Card(`${symbol}: morph weights`, 'φ', 'weight of each morph');
     card.element.classList.add('step-weights');
@@ -54,10 +136,10 @@ export function vertexView(formulas: FormulaView, character: Character, skin: Sk
         formulas.symbol(dofSymbol(character.morphs[morph].name, firstMorph + morph), character),
       ),
     });
-    const difference = table(`${symbol}ₜ − ${symbol}₀`, 'of the morph', terms.length, AXES);
-    const term = table(`φ · (${symbol}ₜ − ${symbol}₀)`, 'weighted', terms.length, AXES);
-    const sum = table(`${symbol}₀ + Σ`, 'sum so far', terms.length, AXES);
-    fills.push((now) => {
+    const difference = table(`${symbol}ₜ − ${symbol}₀`, 'of the morph', terms.length);
+    const term = table(`φ · (${symbol}ₜ − ${symbol}₀)`, 'weighted', terms.length);
+    const sum = table(`${symbol}₀ + Σ`, 'sum so far', terms.length);
+    this.fills.push((now) => {
       of(now).forEach((each, i) => {
         weights.set(i, 0, each.weight);
         difference.grid.setRow(i, each.difference);
@@ -65,68 +147,18 @@ export function vertexView(formulas: FormulaView, character: Character, skin: Sk
         sum.grid.setRow(i, each.sum);
       });
     });
-    row.append(operator('+'), card.element, operator('·'), difference.card.element, operator('='), term.card.element);
-    row.append(operator('→'), sum.card.element);
+    this.element.append(
+      ...[operator('+'), card.element, operator('·'), difference.card.element, operator('='), term.card.element],
+      ...[operator('→'), sum.card.element],
+    );
     return sum.card.element;
-  };
-  const columns = (
-    shown: readonly (readonly [operator: string, formula: string, law: string, of: (one: AttachmentStep) => Vec3])[],
-  ) =>
-    shown.map(([sign, formula, law, of]) => {
-      const { card, grid } = table(formula, law, first.attachments.length, AXES);
-      fills.push((now) => fillRows(grid, now.attachments, of));
-      row.append(operator(sign), card.element);
-      return card.element;
-    });
+  }
+}
 
-  const base = point('v₀', 'position in the file', (now) => now.base);
-  row.append(base);
-  const blended = first.morphs.length > 0 ? morphs('v', (now) => now.morphs) : undefined;
-  let moved: HTMLElement | undefined;
-  let position: HTMLElement | undefined;
-  if (first.attachments.length > 0) {
-    row.append(operator('→'), jointsCard(formulas, character, first, fills));
-    const made = columns([
-      ['·', 'B⁻¹ · v', 'in the joint’s space', (one) => one.inJoint],
-      ['→', 'W · B⁻¹ · v', 'where this joint alone would put v', (one) => one.moved],
-      ['→', 'w · (W · B⁻¹ · v)', 'weighted', (one) => one.term],
-      ['→', 'Σ', 'sum so far', (one) => one.sum],
-    ]);
-    moved = made[1];
-    position = point('v′', 'position as drawn', (now) => now.position);
-    row.append(operator('='), position);
-  }
-  row.append(
-    element('span', { class: 'steps-gap' }),
-    point('n₀', normalSource(skin), (now) => now.baseNormal),
-  );
-  if (first.normalMorphs.length > 0) morphs('n', (now) => now.normalMorphs);
-  if (first.attachments.length > 0) {
-    columns([
-      ['→', '(W · B⁻¹)⁻ᵀ · n', 'rotated by each joint', (one) => one.turned],
-      ['→', 'w · ((W · B⁻¹)⁻ᵀ · n)', 'weighted', (one) => one.normalTerm],
-      ['→', 'Σ', 'sum so far', (one) => one.normalSum],
-    ]);
-  }
-  row.append(
-    operator('→'),
-    point('n′ = n / |n|', 'normal as drawn', (now) => now.normal),
-  );
-  const stages = vertexStages(first).labels.length;
-  const before = blended ? [base, blended] : [base];
-  const after = position ? [position] : [];
-  const middle = Array.from({ length: stages - before.length - after.length }, () => moved ?? base);
-  return {
-    element: row,
-    cards: [...before, ...middle, ...after],
-    follow(pose) {
-      steps = computed(pose);
-      return vertexStages(steps);
-    },
-    fill() {
-      for (const fill of fills) fill(steps);
-    },
-  };
+function table(formula: string, law: string, rows: number) {
+  const card = new Card(formula, formula, law);
+  card.element.classList.add('step-table');
+  return { card, grid: card.grid({ rows, columns: AXES.length, columnLabels: AXES }) };
 }
 
 function normalSource({ normals }: Skin): string {

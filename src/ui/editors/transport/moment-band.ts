@@ -39,45 +39,64 @@ interface End {
 
 /** Stays for as long as the page. @param ruler whose times it shares, and after which it is put */
 export function momentBand(wb: Parts, ruler: HTMLElement): void {
-  const { timeline, store, transport } = wb;
-  let edit: MomentEdit | undefined;
-  const ends = SIDES.map(([side, label, way]): End => {
-    const text = element('span', { class: 'moment-text' });
-    const handle = element(
-      'div',
-      {
-        class: 'moment-end',
-        role: 'slider',
-        tabindex: 0,
-        'aria-label': label,
-        'aria-valuemin': 0,
-        tooltip: `${label}: drag it, or ← →`,
-      },
-      text,
-    );
-    return { side, way, handle, text };
-  });
-  const rise = element('div', { class: 'moment-tent' });
-  const band = element(
+  new MomentBand(wb, ruler).follow();
+}
+
+class MomentBand {
+  private readonly ends = SIDES.map(endOf);
+  private readonly rise = element('div', { class: 'moment-tent' });
+  private readonly band = element(
     'div',
     { class: 'moment-band', role: 'group', 'aria-label': 'Easing of the last moment', hidden: true },
-    rise,
-    ...ends.map(({ handle }) => handle),
+    this.rise,
+    ...this.ends.map(({ handle }) => handle),
   );
-  ruler.after(band);
+  private edit: MomentEdit | undefined;
+
+  constructor(
+    private readonly wb: Parts,
+    private readonly ruler: HTMLElement,
+  ) {
+    ruler.after(this.band);
+    for (const end of this.ends) {
+      end.handle.addEventListener('pointerdown', (event) => this.drag(end, event));
+      end.handle.addEventListener('keydown', (event) => this.onKey(end, event));
+    }
+  }
+
+  follow(): void {
+    const { timeline, store } = this.wb;
+    const show = () => this.show();
+    const showSoon = oncePerFrame(show);
+    timeline.moment.subscribe(show);
+    timeline.view.subscribe((is, was) => {
+      if (is.window !== was.window) showSoon();
+    });
+    store.subscribe((is, was) => {
+      if (is.document !== was.document) showSoon();
+    });
+    new ResizeObserver(showSoon).observe(this.ruler);
+    show();
+  }
 
   /** While it is dragged, as it would be. */
-  const now = () => {
+  private now(): KeyedMoment['args'] | undefined {
+    const { edit, wb } = this;
     if (edit && !edit.isOver) return edit.args;
-    const moment = timeline.moment.get();
+    const moment = wb.timeline.moment.get();
     return moment && isLastMoment(wb, moment) ? moment.args : undefined;
-  };
-  const strip = () => ({ window: timeline.view.get().window, width: Math.max(1, ruler.clientWidth) });
-  const show = () => {
-    const args = now();
+  }
+
+  private strip() {
+    return { window: this.wb.timeline.view.get().window, width: Math.max(1, this.ruler.clientWidth) };
+  }
+
+  private show(): void {
+    const { band, rise, ruler, ends } = this;
+    const args = this.now();
     write(band, 'hidden', args === undefined);
     if (!args) return;
-    const x = (seconds: number) => timeX(strip(), seconds);
+    const x = (seconds: number) => timeX(this.strip(), seconds);
     const [from, at, to] = [args.timeSeconds - args.easeIn, args.timeSeconds, args.timeSeconds + args.easeOut].map(x);
     band.style.left = `${ruler.offsetLeft}px`;
     band.style.width = `${ruler.clientWidth}px`;
@@ -90,72 +109,82 @@ export function momentBand(wb: Parts, ruler: HTMLElement): void {
       setAttribute(handle, 'aria-valuenow', String(args[side]));
       setAttribute(handle, 'aria-valuetext', `${shown(args[side])} seconds`);
     }
-  };
-  const showSoon = oncePerFrame(show);
-  const seek = (seconds: number, shift: boolean) => {
-    const timeSeconds = snapTime(seconds, secondsPerPixel(strip()), scrubFrames(wb, shift));
-    transport.update((p) => ({ ...p, timeSeconds, playing: false }));
-  };
+  }
 
-  for (const { side, way, handle } of ends) {
-    const ease = (made: MomentEdit, seconds: number) => {
-      made.show({ ...made.args, [side]: wholeFrames(wb, seconds) });
-      show();
-    };
-    handle.addEventListener('pointerdown', (event) => {
-      const moment = timeline.moment.get();
-      if (event.button !== 0 || edit || !moment || !now()) return;
-      event.preventDefault();
-      handle.focus({ preventScroll: true });
-      const { left } = ruler.getBoundingClientRect();
-      const secondsAt = ({ clientX }: PointerEvent) => timeAt(strip(), clientX - left);
-      const { args } = moment;
-      const beside = secondsAt(event) - args.timeSeconds - way * args[side];
-      handle.classList.add('is-dragged');
-      followPointer(handle, event, {
-        move: (at) => {
-          if (!edit && Math.abs(at.clientX - event.clientX) < TREMBLE_PIXELS) return;
-          edit ??= new MomentEdit(wb, moment);
-          if (!edit.isOver) ease(edit, way * (secondsAt(at) - beside - args.timeSeconds));
-        },
-        key: (key) => {
-          if (key.key !== 'Escape') return;
-          key.preventDefault();
-          key.stopPropagation();
-          edit?.cancel();
-        },
-        over: (_, release) => {
-          handle.classList.remove('is-dragged');
-          if (!edit && release) seek(secondsAt(release), release.shiftKey);
-          else if (release) edit?.commit();
-          else edit?.cancel();
-          edit = undefined;
-          show();
-        },
-      });
-    });
-    handle.addEventListener('keydown', (event) => {
-      const moment = timeline.moment.get();
-      const later = { ArrowLeft: -way, ArrowRight: way, ArrowUp: 1, ArrowDown: -1 }[event.key];
-      if (later === undefined || edit || !moment || !now()) return;
-      event.preventDefault();
-      event.stopPropagation();
-      const frames = (event.shiftKey ? MORE_FRAMES : FRAMES) * later;
-      const made = new MomentEdit(wb, moment);
-      ease(made, moment.args[side] + frames / transport.get().framesPerSecond);
-      made.commit();
-      show();
+  private seek(seconds: number, shift: boolean): void {
+    const { wb } = this;
+    const timeSeconds = snapTime(seconds, secondsPerPixel(this.strip()), scrubFrames(wb, shift));
+    wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  }
+
+  private ease(made: MomentEdit, side: Side, seconds: number): void {
+    made.show({ ...made.args, [side]: wholeFrames(this.wb, seconds) });
+    this.show();
+  }
+
+  private drag({ side, way, handle }: End, event: PointerEvent): void {
+    const moment = this.wb.timeline.moment.get();
+    if (event.button !== 0 || this.edit || !moment || !this.now()) return;
+    event.preventDefault();
+    handle.focus({ preventScroll: true });
+    const { left } = this.ruler.getBoundingClientRect();
+    const secondsAt = ({ clientX }: PointerEvent) => timeAt(this.strip(), clientX - left);
+    const { args } = moment;
+    const beside = secondsAt(event) - args.timeSeconds - way * args[side];
+    handle.classList.add('is-dragged');
+    followPointer(handle, event, {
+      move: (at) => {
+        if (!this.edit && Math.abs(at.clientX - event.clientX) < TREMBLE_PIXELS) return;
+        this.edit ??= new MomentEdit(this.wb, moment);
+        if (!this.edit.isOver) this.ease(this.edit, side, way * (secondsAt(at) - beside - args.timeSeconds));
+      },
+      key: (key) => {
+        if (key.key !== 'Escape') return;
+        key.preventDefault();
+        key.stopPropagation();
+        this.edit?.cancel();
+      },
+      over: (_, release) => {
+        handle.classList.remove('is-dragged');
+        if (!this.edit && release) this.seek(secondsAt(release), release.shiftKey);
+        else if (release) this.edit?.commit();
+        else this.edit?.cancel();
+        this.edit = undefined;
+        this.show();
+      },
     });
   }
-  timeline.moment.subscribe(show);
-  timeline.view.subscribe((is, was) => {
-    if (is.window !== was.window) showSoon();
-  });
-  store.subscribe((is, was) => {
-    if (is.document !== was.document) showSoon();
-  });
-  new ResizeObserver(showSoon).observe(ruler);
-  show();
+
+  private onKey({ side, way }: End, event: KeyboardEvent): void {
+    const { wb } = this;
+    const moment = wb.timeline.moment.get();
+    const later = { ArrowLeft: -way, ArrowRight: way, ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (later === undefined || this.edit || !moment || !this.now()) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const frames = (event.shiftKey ? MORE_FRAMES : FRAMES) * later;
+    const made = new MomentEdit(wb, moment);
+    this.ease(made, side, moment.args[side] + frames / wb.transport.get().framesPerSecond);
+    made.commit();
+    this.show();
+  }
+}
+
+function endOf([side, label, way]: (typeof SIDES)[number]): End {
+  const text = element('span', { class: 'moment-text' });
+  const handle = element(
+    'div',
+    {
+      class: 'moment-end',
+      role: 'slider',
+      tabindex: 0,
+      'aria-label': label,
+      'aria-valuemin': 0,
+      tooltip: `${label}: drag it, or ← →`,
+    },
+    text,
+  );
+  return { side, way, handle, text };
 }
 
 /** Takes the last step back and makes another in its place. */
