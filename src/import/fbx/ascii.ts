@@ -7,10 +7,12 @@
  *
  * Numbers that are none (`-1.#IND`) are read as 0.
  */
+import { parseDecimal } from '../../formats/decimal.ts';
 import { integer } from './binary.ts';
 import type { FbxReport } from './failure.ts';
 import { NumberPool } from './number-pool.ts';
-import type { FbxFile, FbxRecord, FbxValue } from './record.ts';
+import { type FbxFile, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
+import { Texts } from './texts.ts';
 
 const MAX_DEPTH = 64;
 
@@ -34,7 +36,9 @@ const LF = 10;
 const SPACE = 32;
 const QUOTE = 34;
 const STAR = 42;
+const PLUS = 43;
 const COMMA = 44;
+const MINUS = 45;
 const COLON = 58;
 const SEMICOLON = 59;
 const OPEN = 123;
@@ -43,12 +47,14 @@ const UTF8 = new TextDecoder();
 
 class AsciiReader {
   private at = 0;
+  private readonly texts: Texts;
 
   constructor(
     private readonly bytes: Uint8Array,
     private readonly pool: NumberPool,
     private readonly report: FbxReport,
   ) {
+    this.texts = new Texts(bytes);
     if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
   }
 
@@ -78,19 +84,21 @@ class AsciiReader {
     if (bytes[this.at] !== COLON || this.at === offset) {
       report.fail('name-expected', `Expected a name and a colon, found ${this.found(offset)}.`, offset);
     }
-    const name = UTF8.decode(bytes.subarray(offset, this.at));
+    const name = this.texts.of(offset, this.at);
     this.at++;
     const values = this.values();
     this.skip();
-    const children: FbxRecord[] = [];
+    let children = NO_RECORDS;
     if (bytes[this.at] === OPEN) {
       const open = this.at++;
+      const inside: FbxRecord[] = [];
       for (this.skip(); bytes[this.at] !== CLOSE; this.skip()) {
         if (this.at >= bytes.length) {
           report.fail('brace-missing', `Expected } for the { of ${name}, found the end of the file.`, open);
         }
-        children.push(this.record(depth + 1));
+        inside.push(this.record(depth + 1));
       }
+      children = inside;
       this.at++;
     }
     return { name, values, children, offset };
@@ -125,13 +133,22 @@ class AsciiReader {
     const start = this.at;
     while (this.at < bytes.length && isOfWord(bytes[this.at])) this.at++;
     if (this.at === start) return undefined;
-    const word = UTF8.decode(bytes.subarray(start, this.at));
     // A name: the record has no value here, and the next one begins.
     if (bytes[this.at] === COLON) {
       this.at = start;
       return undefined;
     }
-    return numberOr(word) ?? word;
+    return this.numberOr(start, this.at) ?? this.texts.of(start, this.at);
+  }
+
+  /** The number of a word. Integers of more than 53 bits stay exact. */
+  private numberOr(start: number, end: number): number | bigint | undefined {
+    const { bytes, texts } = this;
+    if (end - start >= MIN_LONG_DIGITS && isDigits(bytes, start, end)) return longOf(texts.of(start, end));
+    const number = parseDecimal(bytes, start, end);
+    if (!Number.isNaN(number)) return number;
+    // How Windows printed infinities and what is not a number.
+    return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(texts.of(start, end)) ? 0 : undefined;
   }
 
   private text(): string {
@@ -140,7 +157,7 @@ class AsciiReader {
     const end = bytes.indexOf(QUOTE, start);
     if (end < 0) this.report.fail('quote-missing', 'Expected a closing ", found the end of the file.', this.at);
     this.at = end + 1;
-    return UTF8.decode(bytes.subarray(start, end)).replaceAll('&quot;', '"');
+    return this.texts.of(start, end).replaceAll('&quot;', '"');
   }
 
   /** `*count { a: numbers }` */
@@ -168,7 +185,7 @@ class AsciiReader {
       for (this.skip(); bytes[this.at] !== CLOSE; this.skip()) {
         const start = this.at;
         while (this.at < bytes.length && isOfWord(bytes[this.at])) this.at++;
-        const number = numberOr(UTF8.decode(bytes.subarray(start, this.at)));
+        const number = this.numberOr(start, this.at);
         if (number === undefined) {
           report.fail('not-a-number', `Expected a number of the array, found ${this.found(start)}.`, start);
         }
@@ -201,10 +218,19 @@ function isOfWord(byte: number): boolean {
   return byte > SPACE && byte !== COLON && isOfName(byte);
 }
 
-/** Integers of more than 53 bits stay exact. */
-function numberOr(word: string): number | bigint | undefined {
-  if (/^[+-]?\d{16,20}$/.test(word)) return integer(BigInt(word.replace('+', '')));
-  if (/^[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?$/.test(word)) return Number(word);
-  // How Windows printed infinities and what is not a number.
-  return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(word) ? 0 : undefined;
+/** Digits of integers that doubles may not hold. */
+const MIN_LONG_DIGITS = 16;
+const MAX_LONG_DIGITS = 20;
+
+/** Whether a word is a sign, if any, and digits. */
+function isDigits(bytes: Uint8Array, start: number, end: number): boolean {
+  const isSigned = bytes[start] === PLUS || bytes[start] === MINUS;
+  for (let at = isSigned ? start + 1 : start; at < end; at++) if (!(bytes[at] >= 48 && bytes[at] <= 57)) return false;
+  return true;
+}
+
+/** An integer of up to 64 bits exactly; of more digits, as a double. */
+function longOf(word: string): number | bigint {
+  const digits = word.replace(/^[+-]/, '').length;
+  return digits >= MIN_LONG_DIGITS && digits <= MAX_LONG_DIGITS ? integer(BigInt(word.replace('+', ''))) : Number(word);
 }

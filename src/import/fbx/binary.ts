@@ -12,7 +12,8 @@
 import type { FbxReport } from './failure.ts';
 import { canUnpackTo, inflateExactly } from './inflate.ts';
 import { NumberPool } from './number-pool.ts';
-import type { FbxFile, FbxNumbers, FbxRecord, FbxValue } from './record.ts';
+import { type FbxFile, type FbxNumbers, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
+import { Texts } from './texts.ts';
 
 const MAGIC = 'Kaydara FBX Binary  \0';
 const HEADER = 27;
@@ -21,7 +22,6 @@ const ENDIANNESS_AT = 22;
 const VERSION_AT = 23;
 /** Real files have less than ten levels. */
 const MAX_DEPTH = 64;
-const UTF8 = new TextDecoder();
 
 /** Whether bytes begin like a binary FBX file; all others are read as text. */
 export function isBinaryFbx(bytes: Uint8Array): boolean {
@@ -47,7 +47,6 @@ export function readBinary(bytes: Uint8Array<ArrayBuffer>, report: FbxReport): F
 
 /** Values of a record that a list is made for at once. */
 const MAX_USUAL = 64;
-const NO_RECORDS: readonly FbxRecord[] = [];
 
 interface Cursor {
   at: number;
@@ -309,50 +308,4 @@ function elementBytes(type: ArrayType): number {
 export function integer(value: bigint): number | bigint {
   const number = Number(value);
   return Number.isSafeInteger(number) ? number : value;
-}
-
-/** Entries of `Texts`; a power of two. */
-const TEXT_SLOTS = 1024;
-/** Bytes of a text that is looked up. */
-const MAX_SHORT = 64;
-
-/**
- * The texts of a file, each decoded once: a few hundred names make up nearly all of it, and a decoder takes as long to
- * begin as for hundreds of letters.
- */
-class Texts {
-  private readonly texts: string[] = [];
-  private readonly starts = new Int32Array(TEXT_SLOTS);
-  private readonly lengths = new Int32Array(TEXT_SLOTS).fill(-1);
-
-  constructor(private readonly bytes: Uint8Array) {}
-
-  /** UTF-8. */
-  of(start: number, end: number): string {
-    const { bytes, starts, lengths, texts } = this;
-    const length = end - start;
-    if (length > MAX_SHORT) return UTF8.decode(bytes.subarray(start, end));
-    let hash = length;
-    for (let at = start; at < end; at++) hash = (Math.imul(hash, 31) + bytes[at]) | 0;
-    const slot = (hash ^ (hash >>> 16)) & (TEXT_SLOTS - 1);
-    if (lengths[slot] === length) {
-      const known = starts[slot];
-      let i = 0;
-      while (i < length && bytes[known + i] === bytes[start + i]) i++;
-      if (i === length) return texts[slot];
-    }
-    starts[slot] = start;
-    lengths[slot] = length;
-    texts[slot] = decoded(bytes, start, end);
-    return texts[slot];
-  }
-}
-
-function decoded(bytes: Uint8Array, start: number, end: number): string {
-  let text = '';
-  for (let at = start; at < end; at++) {
-    if (bytes[at] > 127) return UTF8.decode(bytes.subarray(start, end));
-    text += String.fromCharCode(bytes[at]);
-  }
-  return text;
 }

@@ -21,6 +21,9 @@ export interface FbxRecord {
   readonly offset: number;
 }
 
+/** Those inside most records; shared. */
+export const NO_RECORDS: readonly FbxRecord[] = [];
+
 /** A file as records, before any meaning. */
 export interface FbxFile {
   /** 7400 for 7.4. */
