@@ -77,7 +77,8 @@ function usedJoints({ node, skinned }: SceneMesh) {
   if (!skinned) return { joints: [node], inverseBinds: identity() };
   const { skin, attachments } = skinned;
   const isUsed = new Uint8Array(skin.joints.length);
-  for (const joint of attachments.joints) isUsed[joint] = 1;
+  const { joints: attached } = attachments;
+  for (let a = 0; a < attached.length; a++) isUsed[attached[a]] = 1;
   const inverseBinds = skin.inverseBinds.slice();
   for (let j = 0; j < isUsed.length; j++) if (isUsed[j]) makeInvertible(inverseBinds, 16 * j);
   return { joints: skin.joints.map((joint, j) => (isUsed[j] ? joint : -1)), inverseBinds };

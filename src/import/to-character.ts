@@ -145,10 +145,14 @@ function sizeOf({ meshes }: Scene, worlds: Float64Array, binding: Binding): numb
   const max = [-Infinity, -Infinity, -Infinity];
   const include = (points: Float64Array, stride: number) => {
     for (let k = 0; k < 3; k++) {
+      let low = min[k];
+      let high = max[k];
       for (let o = k; o < points.length; o += stride) {
-        min[k] = Math.min(min[k], points[o]);
-        max[k] = Math.max(max[k], points[o]);
+        low = Math.min(low, points[o]);
+        high = Math.max(high, points[o]);
       }
+      min[k] = low;
+      max[k] = high;
     }
   };
   include(worlds.subarray(12), 16);
@@ -197,9 +201,11 @@ function skinOf(
   bindings: Float64Array,
 ): Skin {
   const total = meshes.reduce((sum, { positions }) => sum + positions.length / 3, 0);
-  const positions = new Float64Array(3 * total);
-  const normals = new Float64Array(3 * total).fill(Number.NaN);
-  const texcoords = new Float64Array(2 * total);
+  const hasNormals = meshes.some((mesh) => mesh.normals);
+  const hasTexcoords = meshes.some((mesh) => mesh.texcoords);
+  const positions: Float64Array[] = [];
+  const normals: Float64Array[] = [];
+  const texcoords: Float64Array[] = [];
   const triangles: Uint32Array[] = [];
   const surfaces: Surface[] = [];
   const names = new DistinctNames();
@@ -215,9 +221,11 @@ function skinOf(
     const { matrix } = binding.meshes[m];
     const moved = movedBy(matrix, mesh.positions, 1);
     if (firstNotFinite(moved) >= 0) throw tooFar(`A vertex of "${cutText(nodes[mesh.node].name)}"`);
-    positions.set(moved, 3 * first);
-    if (mesh.normals) normals.set(movedBy(matrix, mesh.normals, 0), 3 * first);
-    if (mesh.texcoords) texcoords.set(mesh.texcoords, 2 * first);
+    const { length } = mesh.positions;
+    positions.push(moved);
+    if (hasNormals)
+      normals.push(mesh.normals ? movedBy(matrix, mesh.normals, 0) : new Float64Array(length).fill(Number.NaN));
+    if (hasTexcoords) texcoords.push(mesh.texcoords ?? new Float64Array((2 * length) / 3));
     for (const { material: index, triangles: own } of mesh.surfaces) {
       triangles.push(raised(own, first));
       const material = finished[index] ?? (surfaces.length ? otherwise : undefined);
@@ -228,24 +236,32 @@ function skinOf(
       } else surfaces.push({ ...(material && { material }), triangleStart, triangleCount });
       triangleStart += triangleCount;
     }
-    first += mesh.positions.length / 3;
+    first += length / 3;
   });
-  const all = new Uint32Array(3 * triangleStart);
-  let at = 0;
-  for (const own of triangles) {
-    all.set(own, at);
-    at += own.length;
-  }
+  const all = joined(triangles, Uint32Array);
+  const points = joined(positions, Float64Array);
   return {
     name,
-    positions,
-    ...(meshes.some((mesh) => mesh.normals) && { normals: completed(normals, positions, all) }),
-    ...(meshes.some((mesh) => mesh.texcoords) && { texcoords }),
+    positions: points,
+    ...(hasNormals && { normals: completed(joined(normals, Float64Array), points, all) }),
+    ...(hasTexcoords && { texcoords: joined(texcoords, Float64Array) }),
     attachments: attachmentsOf(meshes, binding, jointsOf, total),
     triangles: all,
     surfaces: surfaces.length ? surfaces : [{ triangleStart: 0, triangleCount: 0 }],
     bindings,
   };
+}
+
+/** One list after the other; the list itself if there is only one. */
+function joined<A extends Float64Array | Uint32Array>(lists: readonly A[], Numbers: new (length: number) => A): A {
+  if (lists.length === 1) return lists[0];
+  const all = new Numbers(lists.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const own of lists) {
+    all.set(own, at);
+    at += own.length;
+  }
+  return all;
 }
 
 /** Indices of vertices that follow others. */
@@ -284,20 +300,21 @@ function attachmentsOf(
   let vertex = 0;
   let at = 0;
   meshes.forEach(({ skinned, positions }, m) => {
-    const slots = jointsOf(binding.meshes[m]);
-    for (let v = 0; v < positions.length / 3; v++) {
-      if (skinned) {
-        const { attachments } = skinned;
-        for (let a = attachments.start[v]; a < attachments.start[v + 1]; a++) {
-          joints[at] = slots[attachments.joints[a]];
-          weights[at++] = attachments.weights[a];
-        }
-      } else {
-        joints[at] = slots[0];
-        weights[at++] = 1;
-      }
-      start[++vertex] = at;
+    const slots = Uint32Array.from(jointsOf(binding.meshes[m]));
+    const vertices = positions.length / 3;
+    if (skinned) {
+      const { start: itsStart, joints: itsJoints, weights: itsWeights } = skinned.attachments;
+      for (let a = 0; a < itsJoints.length; a++) joints[at + a] = slots[itsJoints[a]];
+      weights.set(itsWeights, at);
+      for (let v = 1; v <= vertices; v++) start[vertex + v] = at + itsStart[v];
+      at += itsJoints.length;
+    } else {
+      joints.fill(slots[0], at, at + vertices);
+      weights.fill(1, at, at + vertices);
+      for (let v = 1; v <= vertices; v++) start[vertex + v] = at + v;
+      at += vertices;
     }
+    vertex += vertices;
   });
   return { start, joints, weights };
 }

@@ -11,8 +11,8 @@
  */
 import { lastNotAbove } from '../../math/search.ts';
 import type { FbxReport } from './failure.ts';
-import type { NumberPool } from './number-pool.ts';
-import { childOf, type FbxFile, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './record.ts';
+import type { NumberPool } from './records/number-pool.ts';
+import { childOf, type FbxFile, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './records/record.ts';
 
 /** A curve as columns with an entry per key; values are those of the file, angles in degrees. */
 export interface FbxCurve {

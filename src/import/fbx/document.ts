@@ -3,7 +3,16 @@
  * a part of: a curve to its curve node, a joint to its parent, whose id is 0 for the scene itself.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { childOf, childrenOf, type FbxFile, type FbxRecord, type FbxValue, idAt, numberAt, textAt } from './record.ts';
+import {
+  childOf,
+  childrenOf,
+  type FbxFile,
+  type FbxRecord,
+  type FbxValue,
+  idAt,
+  numberAt,
+  textAt,
+} from './records/record.ts';
 
 /** An object of the file, with its properties. */
 export interface FbxObject {

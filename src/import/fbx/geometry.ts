@@ -6,7 +6,7 @@
  */
 import type { FbxReport } from './failure.ts';
 import { cutPolygon, type Effort } from './polygons.ts';
-import { childOf, childrenOf, type FbxNumbers, type FbxRecord, numbersOf, textAt } from './record.ts';
+import { childOf, childrenOf, type FbxNumbers, type FbxRecord, numbersOf, textAt } from './records/record.ts';
 
 /** A mesh as vertices and triangles, in the space of its model. */
 export interface FbxMesh {

@@ -8,7 +8,7 @@ import { fromBase64 } from '../gltf/data-uri.ts';
 import type { SceneMaterial } from '../scene.ts';
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
 import { imageType } from './images.ts';
-import { childOf, textAt } from './record.ts';
+import { childOf, textAt } from './records/record.ts';
 
 /** The properties that the colour of a surface is connected to, by program. */
 const COLOR =

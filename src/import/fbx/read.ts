@@ -1,7 +1,7 @@
 /** `.fbx` from version 7.0 on, binary or text. */
 import { bytesReader, type Reader } from '../../formats/reader.ts';
 import type { Scene } from '../scene.ts';
-import { readFbxFile } from './read-file.ts';
+import { readFbxFile } from './records/read-file.ts';
 import { sceneOf } from './to-scene.ts';
 
 /** A reader of all that a file holds, as a scene. */

@@ -3,7 +3,7 @@
  * between which it blends.
  */
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
-import { childOf, type FbxNumbers, numberAt, numbersOf } from './record.ts';
+import { childOf, type FbxNumbers, numberAt, numbersOf } from './records/record.ts';
 
 /** A channel of blend shapes. */
 export interface FbxChannel {

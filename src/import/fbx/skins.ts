@@ -4,7 +4,7 @@
  */
 import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import { type FbxDocument, type FbxObject, partsOfKind } from './document.ts';
-import { childOf, numbersOf, textAt } from './record.ts';
+import { childOf, numbersOf, textAt } from './records/record.ts';
 
 /** The weights of one joint, with the matrices of its binding. */
 export interface FbxCluster {

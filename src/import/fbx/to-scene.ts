@@ -27,7 +27,7 @@ import {
   type Tolerances,
 } from './moves.ts';
 import { nodesOf, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
-import type { FbxFile } from './record.ts';
+import type { FbxFile } from './records/record.ts';
 import { shapeWeight } from './shapes.ts';
 
 /** Fraction of the size, for lengths; an angle that moves the end of a bone of that size by less; a factor likewise. */

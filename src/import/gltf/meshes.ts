@@ -148,6 +148,7 @@ export class Meshes {
   /** An attribute of all parts; NaN for those without it; undefined if none has it. */
   private joined(parts: readonly Part[], name: string, width: number, total: number, called: string) {
     let out: Float64Array | undefined;
+    const missing = new Set(parts);
     for (const part of parts) {
       const found = this.attribute(part, name, width, called);
       if (!found) continue;
@@ -157,9 +158,11 @@ export class Meshes {
         else throw new ImportError('count-mismatch', message);
         continue;
       }
-      out ??= new Float64Array(width * total).fill(Number.NaN);
+      out ??= new Float64Array(width * total);
       out.set(found.values, width * part.first);
+      missing.delete(part);
     }
+    if (out) for (const { first, count } of missing) out.fill(Number.NaN, width * first, width * (first + count));
     return out;
   }
 
@@ -200,16 +203,17 @@ export class Meshes {
     const count = mode === 4 ? Math.floor(n / 3) : Math.max(0, n - 2);
     this.budget.spend(3 * count, called);
     const out = new Uint32Array(3 * count);
-    for (let t = 0; t < count; t++) {
+    if (mode === 4 && corners) out.set(corners.subarray(0, out.length));
+    else if (mode === 4) for (let i = 0; i < out.length; i++) out[i] = i;
+    for (let t = 0; mode !== 4 && t < count; t++) {
       // Of a strip every other triangle is turned over; a fan turns about its first vertex.
       const isOdd = mode === 5 && t % 2 === 1;
-      const a = mode === 4 ? 3 * t : mode === 5 ? t : 0;
-      const b = mode === 4 ? a + 1 : t + 1;
+      const [a, b, c] = [mode === 5 ? t : 0, t + 1, t + 2].map((corner) => corners?.[corner] ?? corner);
       out[3 * t + (isOdd ? 1 : 0)] = a;
       out[3 * t + (isOdd ? 0 : 1)] = b;
-      out[3 * t + 2] = b + 1;
+      out[3 * t + 2] = c;
     }
-    for (let i = 0; i < out.length; i++) out[i] = part.first + (corners ? corners[out[i]] : out[i]);
+    if (part.first > 0) for (let i = 0; i < out.length; i++) out[i] += part.first;
     return out;
   }
 
@@ -274,12 +278,13 @@ export class Meshes {
       for (let v = 0; v < part.count; v++) {
         const first = used;
         let sum = 0;
-        for (const set of sets) {
+        for (let s = 0; s < sets.length; s++) {
+          const { joints: itsJoints, weights: itsWeights } = sets[s];
           for (let k = 4 * v; k < 4 * v + 4; k++) {
-            const weight = set.weights[k];
+            const weight = itsWeights[k];
             if (!(weight > 0 && weight < Infinity)) continue;
             sum += weight;
-            const joint = set.joints[k];
+            const joint = itsJoints[k];
             if (!(joint < skin.joints.length)) throw beyond(part.first + v, joint);
             let at = first;
             while (at < used && joints[at] !== joint) at++;
@@ -306,7 +311,7 @@ export class Meshes {
       const message = `${called} has ${off} vertices whose weights don't sum to 1.`;
       this.remarks.warn('weights-off', message, 'scaled to 1');
     }
-    return { skin, attachments: { start, joints: joints.slice(0, used), weights: weights.slice(0, used) } };
+    return { skin, attachments: { start, joints: joints.subarray(0, used), weights: weights.subarray(0, used) } };
   }
 
   private targets(

@@ -9,7 +9,7 @@ import { documentOf } from '../../../src/import/fbx/document.ts';
 import { SceneMotion } from '../../../src/import/fbx/motion.ts';
 import { nodesOf } from '../../../src/import/fbx/nodes.ts';
 import { fbxReader } from '../../../src/import/fbx/read.ts';
-import { readFbxFile } from '../../../src/import/fbx/read-file.ts';
+import { readFbxFile } from '../../../src/import/fbx/records/read-file.ts';
 import { posed } from '../../helpers/posed.ts';
 import { multiply, worldsAt } from '../scene-at.ts';
 import { randomFbx } from './random-fbx.ts';

@@ -9,7 +9,7 @@
  * Lengths are checked before anything is allocated: arrays take no more memory than the file says, deflate can hold, and
  * the budget of the file allows.
  */
-import type { FbxReport } from './failure.ts';
+import type { FbxReport } from '../failure.ts';
 import { canUnpackTo, inflateExactly } from './inflate.ts';
 import { NumberPool } from './number-pool.ts';
 import { type FbxFile, type FbxNumbers, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';

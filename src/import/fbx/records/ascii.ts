@@ -7,9 +7,9 @@
  *
  * Numbers that are none (`-1.#IND`) are read as 0.
  */
-import { parseDecimal } from '../../formats/decimal.ts';
+import { parseDecimal } from '../../../formats/decimal.ts';
+import type { FbxReport } from '../failure.ts';
 import { integer } from './binary.ts';
-import type { FbxReport } from './failure.ts';
 import { NumberPool } from './number-pool.ts';
 import { type FbxFile, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
 import { Texts } from './texts.ts';

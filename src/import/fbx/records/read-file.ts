@@ -1,10 +1,10 @@
 /** The records of an FBX file of either form; says of other files what they are. */
 
-import { NO_PLACE } from '../../formats/places.ts';
-import { ParseError, type Report } from '../../formats/report.ts';
+import { NO_PLACE } from '../../../formats/places.ts';
+import { ParseError, type Report } from '../../../formats/report.ts';
+import { FbxReport } from '../failure.ts';
 import { readAscii, textVersion } from './ascii.ts';
 import { binaryVersion, isBinaryFbx, readBinary } from './binary.ts';
-import { FbxReport } from './failure.ts';
 import type { FbxFile } from './record.ts';
 
 /** Throws a `ParseError` after it has reported why the file can't be read. */
