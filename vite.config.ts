@@ -2,7 +2,7 @@
  * Three things are built from here: the page (`vite build`, into dist/), the command (`vite build --mode cli`, into
  * build/, which is not published with the page), and the tests' projects.
  */
-import { chmodSync } from 'node:fs';
+import { chmodSync, existsSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import type { Plugin, UserConfig } from 'vite';
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
@@ -63,6 +63,8 @@ function executable(file: string): Plugin {
 const QUICK = ['tests/**/*.test.ts'];
 const DEEP = ['tests/**/*.deep.test.ts'];
 const BROWSER = ['tests/e2e/**/*.test.ts'];
+/** Tests that need the reference files, where these are not: `tests/helpers/shared.ts`. */
+const WITHOUT_FILES = existsSync(new URL('../shared', import.meta.url)) ? [] : ['tests/**/*.shared.*'];
 
 /** Projects run one after the other. @param order from 0 */
 function tests(
@@ -101,14 +103,18 @@ export default defineConfig(({ mode }) => {
       projects: [
         // Quick, and reported first. Tests leave no global state, so a worker imports modules once. Properties try
         // hundreds of cases, which takes longer on a busy machine.
-        tests('unit', QUICK, 0, { exclude: [...DEEP, ...BROWSER], isolate: false, testTimeout: 30_000 }),
+        tests('unit', QUICK, 0, {
+          exclude: [...DEEP, ...BROWSER, ...WITHOUT_FILES],
+          isolate: false,
+          testTimeout: 30_000,
+        }),
         // Properties over many cases and files, which take longer than all other tests together. Processes instead of
         // threads: some measure their CPU time.
-        tests('deep', DEEP, 1, { pool: 'forks', isolate: false, testTimeout: 60_000 }),
+        tests('deep', DEEP, 1, { exclude: WITHOUT_FILES, pool: 'forks', isolate: false, testTimeout: 60_000 }),
         // Two browsers at most, since they draw in software. Processes, so that their browsers end with them. A browser
         // under load may lose an event to a frame: a second try decides, and the run names each test that needed it.
         tests('browser', BROWSER, 2, {
-          exclude: firefoxPath() ? [] : ['tests/e2e/firefox.test.ts'],
+          exclude: [...(firefoxPath() ? [] : ['tests/e2e/firefox.test.ts']), ...WITHOUT_FILES],
           globalSetup: './tests/helpers/tell-firefox.ts',
           retry: 1,
           pool: 'forks',

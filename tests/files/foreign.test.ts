@@ -9,9 +9,8 @@ import { FORMAT_KINDS, formatKindOf, KINDS, READABLE_EXTENSIONS } from '../../sr
 import type { Diagnostic } from '../../src/model/diagnostic.ts';
 import { parse } from '../../src/worker/parse.ts';
 import { readInPieces } from '../formats/read-in-pieces.ts';
-import { ALL_FILES } from '../formats/shared-files.ts';
+import { ALL_FILES, fileBytes } from '../formats/shared-files.ts';
 import { command, type InfoJson } from '../helpers/command.ts';
-import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'marrow-foreign-'));
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -155,11 +154,11 @@ describe('a file that is not what its name says', () => {
   });
 });
 
-describeShared('the files at hand', () => {
+describe('the files at hand', () => {
   it('are all what their names say', () => {
     for (const path of ALL_FILES) {
       const kind = formatKindOf(path);
-      if (kind) expect(otherContent(path, kind, sharedBytes(path)), path).toBeUndefined();
+      if (kind) expect(otherContent(path, kind, fileBytes(path)), path).toBeUndefined();
     }
   });
 });

@@ -2,13 +2,13 @@
  * Real files damaged at random by one token, with fixed seeds: the first problem told is on the very line, and hardly
  * anything follows. All shares, with more cases: `MARROW_CASES=200 npx vitest run tests/formats/diagnosis.deep`.
  */
-import { expect, it } from 'vitest';
-import { BVH_FILES } from '../helpers/bvh-files.ts';
+import { describe, expect, it } from 'vitest';
+import { ALL_BVH, bvhBytes } from '../helpers/bvh-files.ts';
 import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
 import { type Damaged, Intact, newProblems, OPERATIONS, randomOf } from './damage.ts';
 import { bytesOf, read, readAsOpened, told } from './read-in-pieces.ts';
 import { type RealFile, realFiles } from './real-files.ts';
-import { GOOD_FILES } from './shared-files.ts';
+import { fileBytes, GOOD_FILES } from './shared-files.ts';
 
 /** Of each operation, for each kind of file. */
 const CASES = Number(process.env.MARROW_CASES ?? 40);
@@ -36,7 +36,7 @@ function turns(files: readonly RealFile[], cases: number): readonly RealFile[] {
   return chosen.slice(0, cases);
 }
 
-describeShared('a real file damaged by one token', () => {
+describe('a real file damaged by one token', () => {
   const kinds = [...realFiles()];
 
   it.each(kinds)('.%s: the very line is named in at least 95 of 100, with at most one follower', (kind, files) => {
@@ -85,16 +85,16 @@ describeShared('a real file damaged by one token', () => {
   });
 });
 
-describeShared('a file that is not damaged', () => {
-  const paths = [...GOOD_FILES, ...BVH_FILES.map((name) => `data/bvh/${name}`)];
+describe('a file that is not damaged', () => {
+  const captures = ALL_BVH.map((name): [string, Uint8Array] => [name, bvhBytes(name)]);
+  const files = [...GOOD_FILES.map((path): [string, Uint8Array] => [path, fileBytes(path)]), ...captures];
 
-  it.each(paths)('%s is told of as its reader tells it', (path) => {
-    const bytes = sharedBytes(path);
+  it.each(files)('%s is told of as its reader tells it', (path, bytes) => {
     expect(readAsOpened(path, bytes).diagnostics).toEqual(read(path, bytes).diagnostics);
   });
 });
 
-describeShared('a file with the extension of another kind', () => {
+describe('a file with the extension of another kind', () => {
   const kinds = [...realFiles()];
   /** Two forms of one thing, recognised by the reader. */
   const form = (kind: string) => (kind === 'axskel' ? 'skel' : kind);

@@ -2,9 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { FORMAT_KINDS, KINDS } from '../../src/files/kinds.ts';
 import { expectLinearTime } from '../helpers/growth.ts';
-import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { bytesOf, read, readAsOpened, readInPieces } from './read-in-pieces.ts';
-import { ALL_FILES } from './shared-files.ts';
+import { ALL_FILES, fileBytes } from './shared-files.ts';
 
 /** One file of each kind. */
 const NAMES = FORMAT_KINDS.map((kind) => `x.${KINDS[kind].extensions[0]}`);
@@ -251,9 +250,9 @@ describe('a hostile file', () => {
   });
 });
 
-describeShared('the files at hand in pieces', () => {
+describe('the files at hand in pieces', () => {
   it.each(ALL_FILES)('%s reads the same in pieces, also when it is damaged', (path) => {
-    const original = sharedBytes(path);
+    const original = fileBytes(path);
     const damage = fc.oneof(
       fc.record({ at: fc.nat(original.length), cut: fc.constant(0), put: fc.constantFrom(...VOCABULARY) }),
       fc.record({ at: fc.nat(original.length), cut: fc.nat(40), put: fc.constant('') }),

@@ -1,31 +1,33 @@
-/** The real files of each kind of text file, for damage; poses are written from the wasp's skeleton. */
+/** Whole files of each kind of text file, for damage; poses are written from the wasp's skeleton. */
 
 import { writePoses } from '../../src/formats/pose/write.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import { BVH_FILES } from '../helpers/bvh-files.ts';
-import { sharedBytes } from '../helpers/shared.ts';
-import { GOOD_FILES } from './shared-files.ts';
+import { OWN_CAPTURES } from '../helpers/own-files.ts';
+import { hasShared, sharedBytes } from '../helpers/shared.ts';
+import { fileBytes, GOOD_FILES } from './shared-files.ts';
 
 export interface RealFile {
   readonly name: string;
   readonly text: string;
 }
 
-const text = (path: string) => new TextDecoder().decode(sharedBytes(path));
-const named = (paths: readonly string[]) => paths.map((path) => ({ name: path, text: text(path) }));
+const decoded = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
+const named = (paths: readonly string[]) => paths.map((path) => ({ name: path, text: decoded(fileBytes(path)) }));
 const kind = (extension: string) => GOOD_FILES.filter((path) => path.endsWith(`.${extension}`));
 
-/** Files of each kind, by extension. */
+/** Files of each kind, by extension; kinds that none is here of are left out. */
 export function realFiles(): ReadonlyMap<string, readonly RealFile[]> {
-  return new Map([
-    ...['skel', 'skin', 'morph', 'anim', 'rig', 'axskel'].map((extension): [string, readonly RealFile[]] => [
-      extension,
-      named(kind(extension)),
-    ]),
-    ['bvh', named(BVH_FILES.map((name) => `data/bvh/${name}`))],
-    ['pose', [{ name: 'wasp.pose', text: waspPoses() }]],
-  ]);
+  const captures = [...OWN_CAPTURES].map(([name, bytes]) => ({ name, text: decoded(bytes) }));
+  const all: readonly (readonly [string, readonly RealFile[]])[] = [
+    ...['skel', 'skin', 'morph', 'anim', 'rig', 'axskel'].map(
+      (extension) => [extension, named(kind(extension))] as const,
+    ),
+    ['bvh', [...captures, ...named(BVH_FILES.map((name) => `data/bvh/${name}`))]],
+    ['pose', hasShared ? [{ name: 'wasp.pose', text: waspPoses() }] : []],
+  ];
+  return new Map(all.filter(([, files]) => files.length > 0));
 }
 
 function waspPoses(): string {

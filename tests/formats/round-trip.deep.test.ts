@@ -1,11 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { FileContent } from '../../src/model/files.ts';
-import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { writeFile } from '../helpers/write-file.ts';
 import * as arbitrary from './arbitraries.ts';
 import { read } from './read-in-pieces.ts';
-import { GOOD_FILES } from './shared-files.ts';
+import { fileBytes, GOOD_FILES } from './shared-files.ts';
 
 function write(fileName: string, content: FileContent): string {
   const written = writeFile(content, fileName);
@@ -65,9 +64,9 @@ describe('any model that is written and read', () => {
   });
 });
 
-describeShared('a file at hand that is read and written', () => {
+describe('a file at hand that is read and written', () => {
   it.each(GOOD_FILES)('%s gives the same model again', (path) => {
-    const { value } = read(path, sharedBytes(path));
+    const { value } = read(path, fileBytes(path));
     expect(value).toBeDefined();
     if (value) expectRoundTrip(path, value);
   });

@@ -1,14 +1,14 @@
 /** Small moving pictures of takes. */
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { guessSpace } from '../../src/evaluate/space/space-guess.ts';
 import { positionsMeant, withPositions } from '../../src/model/skeleton/position-channels.ts';
 import { digestOf } from '../../src/review/digest.ts';
 import { stickFigure } from '../../src/review/stick-figure.ts';
-import { BVH_FILES, sharedCaptures } from '../helpers/bvh-files.ts';
+import { ALL_BVH, sharedCaptures } from '../helpers/bvh-files.ts';
 import { describeShared } from '../helpers/shared.ts';
 
-describeShared('pictures of real takes', () => {
-  it.each(BVH_FILES)('%s fits its picture, head up, and takes a few kilobytes', (file) => {
+describe('pictures of takes', () => {
+  it.each(ALL_BVH)('%s fits its picture, head up, and takes a few kilobytes', (file) => {
     for (const { skeleton: read, take } of sharedCaptures(file)) {
       if (!take) continue;
       const skeleton = withPositions(read, positionsMeant(read, take));
@@ -22,7 +22,9 @@ describeShared('pictures of real takes', () => {
       expect(Math.max(extent(ys), extent(xs))).toBeGreaterThan(120);
     }
   });
+});
 
+describeShared('the picture of a real take', () => {
   it('a head is above the feet', () => {
     const [{ skeleton, take }] = sharedCaptures('bandai-namco-bow-normal.bvh');
     if (!take) throw new Error('no take');

@@ -1,12 +1,11 @@
 /** Every real file of motion capture through `.skel` and `.anim` and back, by the evaluators of both sides. */
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { formatOf } from '../../../src/files/readers.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/files/save/character-files.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
 import type { Capture, FileContent } from '../../../src/model/files.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
-import { BVH_FILES, readCaptures, sharedCaptures } from '../../helpers/bvh-files.ts';
-import { describeShared } from '../../helpers/shared.ts';
+import { ALL_BVH, readCaptures, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { writeFile } from '../../helpers/write-file.ts';
 import { characterOf, frameTimes, heightOf, worstDistance } from './round-trip.ts';
 
@@ -50,8 +49,8 @@ function someFrames(capture: Capture): readonly number[] {
   return times.filter((_, f) => f % step === 0 || f === times.length - 1);
 }
 
-describeShared('a real .bvh as .skel and .anim', () => {
-  it.each(BVH_FILES)(
+describe('a real .bvh as .skel and .anim', () => {
+  it.each(ALL_BVH)(
     '%s has every joint and End Site where it was, there and back',
     (name) => {
       for (const capture of sharedCaptures(name)) {

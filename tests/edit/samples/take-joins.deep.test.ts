@@ -8,10 +8,9 @@ import { type Character, type Document, shownTake } from '../../../src/model/doc
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
+import { ALL_BVH, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
-import { describeShared } from '../../helpers/shared.ts';
 
 const WALKER = personSkeleton();
 /** 20 frames at 10 FPS that walk along z. */
@@ -191,8 +190,8 @@ describe('changing the speed', () => {
   });
 });
 
-describeShared('joining real takes', () => {
-  for (const name of BVH_FILES) {
+describe('joining real takes', () => {
+  for (const name of ALL_BVH) {
     it(`the halves of ${name} joined are the take, and joined with itself it doesn't jump`, () => {
       for (const { skeleton, take: whole } of sharedCaptures(name)) {
         const samples = whole?.samples;

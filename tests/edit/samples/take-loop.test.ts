@@ -8,10 +8,9 @@ import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
+import { ALL_BVH, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
-import { describeShared } from '../../helpers/shared.ts';
 
 const takes = [{ characterId: 'c1', take: 0 }];
 
@@ -81,8 +80,8 @@ describe('making a take loop', () => {
   });
 });
 
-describeShared('loops of real takes', () => {
-  for (const name of BVH_FILES) {
+describe('loops of real takes', () => {
+  for (const name of ALL_BVH) {
     it(`${name} made a loop ends in the pose it begins with, at the speed it begins with`, () => {
       for (const { skeleton, take: whole } of sharedCaptures(name)) {
         if (!whole?.samples || whole.samples.frameCount < 20) continue;

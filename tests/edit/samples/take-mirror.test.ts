@@ -11,10 +11,9 @@ import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { character, documentOf, joint, morph } from '../../helpers/builders.ts';
-import { BVH_FILES, sharedCaptures } from '../../helpers/bvh-files.ts';
+import { ALL_BVH, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
-import { describeShared } from '../../helpers/shared.ts';
 import { channelOf } from '../keys/channels.ts';
 
 function mirrored(skeleton: Skeleton, take: Take, up: 'y' | 'z' = 'y'): Take {
@@ -172,8 +171,8 @@ describe('mirroring a take', () => {
   });
 });
 
-describeShared('mirroring real takes', () => {
-  for (const name of BVH_FILES) {
+describe('mirroring real takes', () => {
+  for (const name of ALL_BVH) {
     it(`${name} mirrored shows each side where the other was, and mirrored twice is itself`, () => {
       for (const { skeleton, take: whole } of sharedCaptures(name)) {
         if (!whole?.samples) continue;

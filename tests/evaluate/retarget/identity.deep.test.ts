@@ -1,12 +1,11 @@
 /** A real take retargeted to a copy of its own skeleton comes out as itself, to the digit, whatever its file pose and its dialect. */
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import type { RetargetOptions } from '../../../src/model/takes/retarget.ts';
-import { BVH_FILES } from '../../helpers/bvh-files.ts';
-import { describeShared } from '../../helpers/shared.ts';
+import { ALL_BVH } from '../../helpers/bvh-files.ts';
 import { captured, departure, frameTimes, retargeted } from './captures.ts';
 
-describeShared('real takes on a copy of their own skeleton', () => {
-  it.each(BVH_FILES)('%s on a copy of its own skeleton is itself, at every frame', (file) => {
+describe('real takes on a copy of their own skeleton', () => {
+  it.each(ALL_BVH)('%s on a copy of its own skeleton is itself, at every frame', (file) => {
     const source = captured(file);
     const times = frameTimes(source);
     const options: Partial<RetargetOptions>[] = [

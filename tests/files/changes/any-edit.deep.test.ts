@@ -1,6 +1,6 @@
 /** What any edits changed in real files: the text is the file with the hunks, and reads as what saving writes. */
 import fc from 'fast-check';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { CommandError } from '../../../src/edit/command-error.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { Store } from '../../../src/edit/store.ts';
@@ -16,10 +16,20 @@ import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { FileContent, ParsedFile } from '../../../src/model/files.ts';
 import { anyCommand, argumentsFor, COMMANDS_HERE } from '../../edit/any-command.ts';
 import { Dice, thrown } from '../../edit/dice.ts';
-import { describeShared, sharedBytes } from '../../helpers/shared.ts';
+import { fileBytes } from '../../formats/shared-files.ts';
+import { bvhBytes } from '../../helpers/bvh-files.ts';
+import { hasShared } from '../../helpers/shared.ts';
 import { applyHunks } from './apply-hunks.ts';
 
+/** Files that are opened together. */
 const SETS = [
+  ['own/cube.skel', 'own/cube_spin.anim'],
+  ['own/tangents.skel', 'own/tangents.skin'],
+  ['own/crawler.skel', 'own/crawler_walk.anim'],
+  ['own-walk.bvh'],
+];
+
+const REFERENCE_SETS = [
   ['data/cse169/wasp.skel', 'data/cse169/wasp.skin', 'data/cse169/wasp_walk.anim'],
   ['data/cse169/dragon.skel'],
   ['data/synthetic/nine.skel', 'data/synthetic/nine.skin'],
@@ -35,15 +45,15 @@ interface Given {
 
 function given(path: string): Given {
   const name = path.slice(path.lastIndexOf('/') + 1);
-  const text = new TextDecoder().decode(sharedBytes(path));
+  const text = new TextDecoder().decode(path.endsWith('.bvh') ? bvhBytes(name) : fileBytes(path));
   const format = formatOf(name);
   const { value } = format ? readWhole<FileContent>(format.reader(name), text) : {};
   if (!value) throw new Error(`${path} can't be read.`);
   return { file: { ...value, source: { name, path, bytes: text.length } }, text };
 }
 
-describeShared('what any edits changed in real files', () => {
-  const sets = SETS.map((paths) => paths.map(given));
+describe('what any edits changed in files', () => {
+  const sets = [...SETS, ...(hasShared ? REFERENCE_SETS : [])].map((paths) => paths.map(given));
   /** Often of the rig, which changes more than single numbers. */
   const command = fc.oneof(fc.constantFrom(...COMMANDS_HERE.filter((id) => id.startsWith('rig.'))), anyCommand);
   const steps = fc.array(fc.tuple(command, thrown), { minLength: 1, maxLength: 4 });

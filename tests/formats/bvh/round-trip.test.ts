@@ -2,9 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Capture } from '../../../src/model/files.ts';
 import { anyCapture } from '../../edit/convert/captures.ts';
-import { BVH_FILES, readCaptures, sharedCaptures } from '../../helpers/bvh-files.ts';
+import { ALL_BVH, readCaptures, sharedCaptures } from '../../helpers/bvh-files.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
-import { describeShared } from '../../helpers/shared.ts';
 import { finite } from '../arbitraries.ts';
 
 /** Without channels there are no frames. */
@@ -37,8 +36,8 @@ describe('a capture of BVH written and read', () => {
   });
 });
 
-describeShared('a real .bvh', () => {
-  it.each(BVH_FILES)('%s reads back the same after writing, and writes the same bytes', (name) => {
+describe('a real .bvh', () => {
+  it.each(ALL_BVH)('%s reads back the same after writing, and writes the same bytes', (name) => {
     const captures = sharedCaptures(name);
     const { text, diagnostics } = writeBvh(captures, name);
     expect(diagnostics).toEqual([]);
