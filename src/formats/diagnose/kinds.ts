@@ -34,6 +34,8 @@ function textKinds(lines: TextLines): readonly TextKind[] {
   const words = firstWords(lines);
   if (words.length === 0) return usualRow(lines) === 6 ? ['axskel'] : [];
   const found = OPENINGS.filter(([, openings]) => words.some((word) => openings.has(word))).map(([kind]) => kind);
+  // A rig names its animation.
+  if (found.includes('rig')) return found.filter((kind) => kind !== 'anim');
   if (found.includes('skin')) return found.filter((kind) => kind !== 'morph');
   // Both have positions and normals.
   return found.map((kind) => (kind === 'morph' && usualRow(lines) === 3 ? 'skin' : kind));
