@@ -27,6 +27,8 @@ export interface PackedMorphs {
   readonly texture: DataTexture;
   /** Of each difference: its row in the morph's positions, or -1. */
   readonly rows: Int32Array;
+  /** Whether any normal is moved; else shaders don't read differences of normals. */
+  readonly moveNormals: boolean;
 }
 
 /**
@@ -65,6 +67,7 @@ export function* packMorphs(
   yield 0.3;
   const floats = new Float32Array(4 * MORPH_ROW * Math.ceil((2 * all) / MORPH_ROW));
   const rows = new Int32Array(all).fill(NONE);
+  let moveNormals = false;
   for (let m = 0; m < morphs.length; m++) {
     const morph = morphs[m];
     for (let row = 0; row < rowsOf(morph); row++) {
@@ -78,6 +81,7 @@ export function* packMorphs(
           for (let i = 0; i < 3; i++) floats[o + 1 + i] = morph.positions.values[3 * row + i] - positions[3 * v + i];
         }
         if (morph.normals.indices[row] === v) {
+          moveNormals = true;
           for (let i = 0; i < 3; i++) floats[o + 4 + i] = morph.normals.values[3 * row + i] - normals[3 * v + i];
         }
       }
@@ -86,7 +90,7 @@ export function* packMorphs(
   }
   const texture = new DataTexture(floats, MORPH_ROW, floats.length / 4 / MORPH_ROW, RGBAFormat, FloatType);
   texture.needsUpdate = true;
-  return { morphs, ranges: new BufferAttribute(ranges, 2), texture, rows };
+  return { morphs, ranges: new BufferAttribute(ranges, 2), texture, rows, moveNormals };
 }
 
 /** Adds Σ φₘ · (vₘ − v₀) to a vertex's position v₀, in doubles. @param weights one per morph */

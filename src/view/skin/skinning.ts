@@ -188,10 +188,10 @@ ${TEXEL_OF}${PLACED[placing]}${TURN_NORMAL}${BONE_MATRIX}${more ? MORE_ATTACHMEN
 #endif
 `,
     skinning_pars_vertex: '',
-    ...(morphs && {
+    ...(morphs?.moveNormals && {
       morphnormal_vertex: forEachDifference('objectNormal += morphWeight * getDifference( 2u * d + 1u ).xyz;'),
-      morphtarget_vertex: forEachDifference('transformed += morphWeight * difference.yzw;'),
     }),
+    ...(morphs && { morphtarget_vertex: forEachDifference('transformed += morphWeight * difference.yzw;') }),
     // What has no weight isn't read: most vertices have one or two attachments.
     skinbase_vertex: /* glsl */ `
 #ifdef USE_SKINNING
@@ -357,7 +357,8 @@ export function withExactSkinning<M extends Material>(
     }
     Object.assign(shader.uniforms, uniforms);
   };
-  const kinds = [placing, throughWorld && 'world', attachmentTexture && 'any attachments', morphs && 'morphs'];
+  const morphing = morphs && (morphs.moveNormals ? 'morphs' : 'morphs of positions');
+  const kinds = [placing, throughWorld && 'world', attachmentTexture && 'any attachments', morphing];
   const key = `exact skinning: ${kinds.filter(Boolean).join(', ')}; ${keyBefore}`;
   material.customProgramCacheKey = () => key;
   return material;

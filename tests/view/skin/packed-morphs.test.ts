@@ -58,6 +58,8 @@ describe('the morphs of a skin', () => {
         blendMorphs(compiled, all, weights, 0, positions, normals);
         const packed = pack(all);
         const texels = packed?.texture.image.data;
+        const moved = all.flatMap((m) => Array.from(m.normals.indices)).filter((v) => v < VERTICES);
+        expect(packed?.moveNormals ?? false).toBe(moved.length > 0);
         // As the shader does.
         for (let v = 0; v < VERTICES; v++) {
           const position = [...base.positions.subarray(3 * v, 3 * v + 3)];
