@@ -1,8 +1,8 @@
 /**
  * Posing a character that another's take drives. Retargeting (`retarget/`) is a separate script, since few pages need
- * it, but posing must not wait for it to load. So code that adds a driver to a document must import it:
+ * it, but posing must not wait for it to load. So code that adds a driver to a document passes it on:
  *
- *     import '…/evaluate/retarget/driving.ts';
+ *     provideDrivenPose(retargetedPose);
  *
  * The commands for retargeting and the session reader do.
  */
@@ -20,14 +20,14 @@ export type DrivenPose = (
 
 let provided: DrivenPose | undefined;
 
-/** Installs the function that `drivenPose` calls; `retarget/driving.ts` does so when it is imported. */
+/** Passes on the function that `drivenPose` calls, before there is a driver. */
 export function provideDrivenPose(pose: DrivenPose): void {
   provided = pose;
 }
 
 /**
  * Poses a character by its driver, with the function that was provided.
- * @throws Error if the script was not imported
+ * @throws Error if none was
  */
 export const drivenPose: DrivenPose = (character, driver, skeleton, timeSeconds, out) => {
   if (!provided) throw new Error(`${character.name} is moved by another's take, but the code for that is not loaded.`);

@@ -2,6 +2,7 @@
  * Reads a kept session: its files through the worker as when they were opened, and its arrays from their pieces. All or
  * nothing; the document isn't touched here.
  */
+import { provideDrivenPose } from '../../evaluate/driven-pose.ts';
 import { adoptSkinFacts } from '../../evaluate/skin/bounds.ts';
 import { type KeptFile, SessionLostError, type SessionStore } from '../../io/session-store.ts';
 import type { ParsedFile } from '../../model/files.ts';
@@ -56,7 +57,9 @@ export async function readSession(
   options.signal.throwIfAborted();
   // `Keeper` wrote it.
   const { knownSkins, ...state } = decode(head.tree, { files, arrays, chunks }) as KeptState;
-  if (state.document.characters.some(({ driver }) => driver)) await import('../../evaluate/retarget/driving.ts');
+  if (state.document.characters.some(({ driver }) => driver)) {
+    provideDrivenPose((await import('../../evaluate/retarget/driving.ts')).retargetedPose);
+  }
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
   return {
     state,

@@ -6,13 +6,11 @@
  */
 
 import { bakeTake, framesOf } from '../../evaluate/bake.ts';
-import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
-import { command } from '../command.ts';
-import { boolean, either, index, list, number, oneOf, optional, record, type Shape, text } from '../schema/shape.ts';
-import { CHARACTER } from '../schema/shared-shapes.ts';
-import '../../evaluate/retarget/driving.ts';
+import { provideDrivenPose } from '../../evaluate/driven-pose.ts';
+import { retargetedPose } from '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
+import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import type { Character, Driver } from '../../model/document.ts';
 import { restPose } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -21,6 +19,7 @@ import type { Samples } from '../../model/takes/samples.ts';
 import { SAMPLED } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
@@ -28,6 +27,8 @@ import { driverSource, withoutDriver } from '../drivers.ts';
 import { retimed, withMarkers } from '../markers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
+import { boolean, either, index, list, number, oneOf, optional, record, type Shape, text } from '../schema/shape.ts';
+import { CHARACTER } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
 import { takeNameOf, uniqueTakeName } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
@@ -199,6 +200,7 @@ function withoutUnkeyedOverTake(character: Character): Character {
 
 /** The same object if it has that driver already. */
 function withDriver(character: Character, driver: Driver): Character {
+  provideDrivenPose(retargetedPose);
   return sameValue(driver, character.driver) ? character : { ...character, driver };
 }
 

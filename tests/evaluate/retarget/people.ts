@@ -1,5 +1,6 @@
 /** Small people to put takes onto each other: the same body under other names, in other poses, units and axes. */
-import '../../../src/evaluate/retarget/driving.ts';
+import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
+import { retargetedPose } from '../../../src/evaluate/retarget/driving.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Driver } from '../../../src/model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../../../src/model/skeleton/dofs.ts';
@@ -9,6 +10,8 @@ import type { Space } from '../../../src/model/space.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../../src/model/takes/retarget.ts';
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../../../src/model/takes/take.ts';
+
+provideDrivenPose(retargetedPose);
 
 export const PARTS = [
   'hips',
