@@ -50,7 +50,11 @@ async function takeFile({ fileName, bytes, beside, near }: Import): Promise<Impo
     report.info('unit-guessed', message, NO_PLACE, `used ${metresPerUnit(space.space)} m per unit`);
   }
   const diagnostics: readonly Diagnostic[] = report.finish();
-  if (!take || hasErrors(diagnostics)) return { diagnostics, beside: [] };
+  if (!take || hasErrors(diagnostics)) {
+    // One that is not named after the skeleton may be of another, which comes later.
+    const isOther = skeletonNameFor(fileName, [found.source.name, NOBODYS]) === undefined;
+    return { diagnostics, beside: [], ...(isOther && { isWaiting: true }) };
+  }
   const value = { kind: 'amc', skeleton: of.value, take, of: found.source, ...(space && { space }) } as const;
   return { value, diagnostics, beside: [] };
 }
@@ -64,6 +68,8 @@ function readOrFail(bytes: Uint8Array, report: Report, name: string, skeleton: S
   }
 }
 
+/** The name of no skeleton: beside it, no other is the only one. */
+const NOBODYS = ':.asf';
 const INCH = 0.0254;
 /** Metres; what is smaller or larger states another unit than it has. */
 const [SMALLEST, TALLEST] = [0.4, 3];

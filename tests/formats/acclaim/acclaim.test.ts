@@ -157,6 +157,15 @@ describe('an .amc', () => {
     expect(diagnostics).toMatchObject([{ severity: 'error', code: 'skeleton-missing' }]);
   });
 
+  it('waits for another skeleton if the only one has other bones, and other names', async () => {
+    const others = ODD_ASF.replaceAll('low', 'high');
+    const named = await readAmcText(ODD_AMC, others);
+    expect([named.value, named.isWaiting]).toEqual([undefined, undefined]);
+    const other = await readAmcText(ODD_AMC, others, ['walk.amc', 'x.asf']);
+    expect([other.value, other.isWaiting]).toEqual([undefined, true]);
+    expect(told(other.diagnostics).join()).toContain('error bone-unknown 6:1');
+  });
+
   it('takes no memory for frames without values', async () => {
     const bare = Array.from({ length: 3_000_000 }, (_, f) => `${f + 1}\n`).join('');
     const { diagnostics } = await readAmcText(`:FULLY-SPECIFIED\n${bare}`);
