@@ -163,7 +163,7 @@ describe('an .amc', () => {
     expect([named.value, named.isWaiting]).toEqual([undefined, undefined]);
     const other = await readAmcText(ODD_AMC, others, ['walk.amc', 'x.asf']);
     expect([other.value, other.isWaiting]).toEqual([undefined, true]);
-    expect(told(other.diagnostics).join()).toContain('error bone-unknown 6:1');
+    expect(told(other.diagnostics).join()).toContain('error bone-unknown 7:1');
   });
 
   it('takes no memory for frames without values', async () => {
