@@ -16,6 +16,7 @@ import { TAKE_ACTIONS } from '../editors/takes/actions.ts';
 import { TIMELINE_ACTIONS } from '../editors/timeline/actions.ts';
 import { KEY_ACTIONS } from '../editors/timeline/key-actions.ts';
 import { PLAY_ACTIONS } from '../editors/transport/actions.ts';
+import { TWEEN_ACTIONS } from '../editors/tween/actions.ts';
 import { VIEW_ACTIONS } from '../editors/viewport/actions.ts';
 import type { Action, Workbench } from '../state/workbench.ts';
 import { EDIT_ACTIONS } from './edit-actions.ts';
@@ -39,6 +40,7 @@ export const ACTIONS: readonly Action[] = [
   ...RIG_ACTIONS,
   ...KEYING_ACTIONS,
   ...KEY_ACTIONS,
+  ...TWEEN_ACTIONS,
   ...TIMELINE_ACTIONS,
   ...DOPE_ACTIONS,
   ...VIEW_ACTIONS,

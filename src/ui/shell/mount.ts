@@ -90,6 +90,7 @@ export function mountWorkbench(
     followKeyedPoses(wb),
     followLoneSkins(wb),
     followMoments(wb, scrubber.element),
+    followTweens(wb, scrubber.element),
     theme.subscribe(recolour),
   ];
   signal.addEventListener('abort', () => {
@@ -120,6 +121,21 @@ export function mountWorkbench(
   openSelectsAsMenus(signal);
   listenToKeys(wb, signal);
   return { filled: inspector.filled, run: (id, args) => runById(wb, id, args), commands };
+}
+
+/** So is the bar for values between keys. */
+function followTweens(wb: Workbench, ruler: HTMLElement): () => void {
+  let stop = () => {};
+  stop = wb.timeline.tween.subscribe(async () => {
+    stop();
+    const module = await onDemand(
+      wb.messages,
+      'The bar for values between keys',
+      () => import('../editors/tween/bar.ts'),
+    );
+    if (ruler.parentElement) module?.tweenBar(wb, ruler.parentElement);
+  });
+  return () => stop();
 }
 
 /** The band of a moment is a script of its own, loaded with the first. */

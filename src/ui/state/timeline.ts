@@ -12,6 +12,7 @@ import type { CycleQuestion, Easing, KeyedMoment } from './cycle-question.ts';
 import { ReviewState } from './review.ts';
 import type { SourcePlace } from './source.ts';
 import { Takes } from './takes.ts';
+import type { TweenKind } from './tween-ways.ts';
 
 export const TIMELINE_TABS = [
   'curves',
@@ -170,6 +171,8 @@ export class Timeline {
   readonly cycleQuestion: Observable<CycleQuestion | undefined> = observable<CycleQuestion | undefined>(undefined);
   /** The last one that was answered so. */
   readonly moment: Observable<KeyedMoment | undefined> = observable<KeyedMoment | undefined>(undefined);
+  /** What the bar under the scrubber does; undefined: it is closed. Not remembered: it would take room. */
+  readonly tween: Observable<TweenKind | undefined> = observable<TweenKind | undefined>(undefined);
   /** Counts requests to rename the take: its field is in the inspector. */
   readonly takeRenameAsked: Observable<number> = observable(0);
   /**

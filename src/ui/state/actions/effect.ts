@@ -28,6 +28,7 @@ function noticeable({
     dialog.get(),
     transport.get(),
     loading.get(),
+    timeline.tween.get(),
     comparing.get(),
     guide.get(),
     manual.get(),
