@@ -150,7 +150,7 @@ const FOUR = new FittedKeys(4);
 
 /** The DOFs of a form. */
 export function rotationDofs(form: RotationForm): RotationDofs {
-  return form === 'quaternion' ? QUATERNION_ROTATION : eulerRotation(form);
+  return form === 'xyzw' ? QUATERNION_ROTATION : eulerRotation(form);
 }
 
 /**

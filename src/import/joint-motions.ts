@@ -60,7 +60,7 @@ export function jointMotion(node: SceneNode, moves: readonly SceneMove[], size: 
   const clearest = euler?.order ?? clearestOrder(rest, paths);
   const isLocked = !euler && isTurning && worstOf(rest, paths, clearest) > LOCKED;
   const isQuaternion = isLocked && !isTranslated && !isScaled;
-  const form: RotationForm = isQuaternion ? 'quaternion' : clearest;
+  const form: RotationForm = isQuaternion ? 'xyzw' : clearest;
   const angles = restDofs(node, rest, rotationDofs(form));
 
   const translated = (move: SceneMove | undefined) => axisChannels(move?.translation, translation, lengthNoise);

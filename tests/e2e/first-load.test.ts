@@ -89,7 +89,8 @@ it('the inspector is filled before the fourth frame, and then the example plays'
     async ({ page }) => {
       await page.locator('.inspector .lil-slider').first().waitFor({ state: 'attached' });
       // The first picture, its texture, and what menus and panels have changed.
-      expect(await page.evaluate(() => window.framesBeforeInspector)).toBeLessThanOrEqual(3);
+      const frames = await page.evaluate(() => window.framesBeforeInspector);
+      expect(frames).toBeLessThanOrEqual(3);
       const time = page.getByRole('textbox', { name: 'Time in seconds' });
       await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(0);
     },

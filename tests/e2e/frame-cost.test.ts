@@ -99,7 +99,8 @@ describe('a frame', () => {
     (_, files, frame) =>
       withPage(async ({ page }) => {
         await open(page, files());
-        expect(await moving(page)).toEqual(frame);
+        const counted = await moving(page);
+        expect(counted).toEqual(frame);
       }, OPTIONS),
   );
 

@@ -28,8 +28,8 @@ export interface QuaternionTrack {
   readonly interpolation: 'step' | 'linear' | 'cubic';
 }
 
-/** How a joint's DOFs say a rotation: Euler angles of an order, or the four numbers of a quaternion joint. */
-export type RotationForm = EulerOrder | 'quaternion';
+/** How a joint's DOFs say a rotation: Euler angles of an order, or the numbers of a quaternion, x y z w. */
+export type RotationForm = EulerOrder | 'xyzw';
 
 /** A joint's rotation in a take. */
 export interface TrackedRotation {
