@@ -72,11 +72,13 @@ export function bonesInOrder(
     const below = children.get(name) ?? [];
     for (let i = below.length - 1; i >= 0; i--) open.push({ name: below[i], parent: index });
   }
+  const outside = new Set<string>();
   for (const [name, bone] of bones) {
     if (seen.has(name)) continue;
-    if (isInLoop(name, parents)) {
-      const at = lines.placeAt(places.get(name) ?? bone.at);
-      report.error('bone-loop', `"${shortName(name)}" is its own ancestor: the hierarchy goes round in a loop.`, at);
+    const looped = inLoopAbove(name, parents, outside);
+    if (looped !== undefined) {
+      const at = lines.placeAt(places.get(looped) ?? bone.at);
+      report.error('bone-loop', `"${shortName(looped)}" is its own ancestor: the hierarchy goes round in a loop.`, at);
       return undefined;
     }
     const message = `The bone "${shortName(name)}" is not below the root in :hierarchy.`;
@@ -87,14 +89,18 @@ export function bonesInOrder(
   return order;
 }
 
-/** Whether one comes back to a bone by going up from it. */
-function isInLoop(name: string, parents: ReadonlyMap<string, string>): boolean {
+/**
+ * A bone in the loop that one comes to by going up from a bone; undefined if there is none.
+ * @param without bones above which there is no loop; gets those passed, so that no bone is passed twice
+ */
+function inLoopAbove(name: string, parents: ReadonlyMap<string, string>, without: Set<string>): string | undefined {
   const passed = new Set<string>();
-  for (let at = parents.get(name); at !== undefined && !passed.has(at); at = parents.get(at)) {
-    if (at === name) return true;
+  for (let at: string | undefined = name; at !== undefined && !without.has(at); at = parents.get(at)) {
+    if (passed.has(at)) return at;
     passed.add(at);
   }
-  return false;
+  for (const bone of passed) without.add(bone);
+  return undefined;
 }
 
 /** The joints of bones. @param radians per angle of the file */

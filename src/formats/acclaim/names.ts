@@ -5,20 +5,28 @@ import { ROOT } from './bones.ts';
 
 /** The name of each joint in files, in the skeleton's order: of the first `root`. Cached. */
 export const boneNames = perSkeleton(({ joints }): readonly string[] => {
-  const taken = new Set([ROOT]);
+  const taken = new Map([[ROOT, 1]]);
   return joints.map(({ name }, j) => (j === 0 ? ROOT : freeName(fileName(name) || `joint${j}`, taken)));
 });
 
-/** A name as a word of a file, without the signs that mean something there; a number would be that of a frame. */
+/**
+ * A name as a word of a file, without the signs that mean something there; a number would be that of a frame, `end` the
+ * end of the hierarchy.
+ */
 export function fileName(name: string): string {
   const word = oneToken(name).replace(/[#(),]|^:/g, '_');
-  return /^\d+$/.test(word) ? `_${word}` : word;
+  return /^(\d+|begin|end)$/i.test(word) ? `_${word}` : word;
 }
 
-/** The name, with a number behind it if it is taken; it is taken then. */
-export function freeName(name: string, taken: Set<string>): string {
+/**
+ * The name, with a number behind it if it is taken; it is taken then.
+ * @param taken names with the last number that was tried for each
+ */
+export function freeName(name: string, taken: Map<string, number>): string {
   let free = name;
-  for (let i = 2; taken.has(free) || free.toLowerCase() === ROOT; i++) free = `${name}_${i}`;
-  taken.add(free);
+  let number = taken.get(name) ?? 1;
+  while (taken.has(free) || free.toLowerCase() === ROOT) free = `${name}_${++number}`;
+  if (free !== name) taken.set(name, number);
+  taken.set(free, 1);
   return free;
 }

@@ -12,7 +12,7 @@ import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { firstDofs, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
+import { LONGEST_FRAME, rangeOfSamples, type Samples, SHORTEST_FRAME } from '../../model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../../model/takes/take.ts';
 import { NO_PLACE, WHOLE_FILE } from '../places.ts';
 import { ParseError, type Report } from '../report.ts';
@@ -22,6 +22,9 @@ import { AcclaimLines } from './lines.ts';
 
 /** Frames per second of a file that states none. */
 export const SAMPLES_PER_SECOND = 120;
+/** For messages. */
+const MIN_RATE = (1 / LONGEST_FRAME).toPrecision(3);
+const MAX_RATE = Math.round(1 / SHORTEST_FRAME);
 /** As many as are told. */
 const UNKNOWN_TOLD = 100;
 /** Values that may be held without bytes for them: bones that are missing keep theirs. */
@@ -63,6 +66,8 @@ class Reading {
   private values = new Float64Array(0);
   /** Frames begun. */
   private frames = 0;
+  /** Bones of this frame that have values, each once. */
+  private given = 0;
   /** The bones of the frame before and of this one, in their order. */
   private before: Target[] = [];
   private now: Target[] = [];
@@ -155,8 +160,7 @@ class Reading {
         else if (c !== 32 && c !== 9 && c !== CR) break;
       }
       if (feeds === 0 || feeds !== scan.lineFeeds) return at;
-      target.seen = frames;
-      now.push(target);
+      this.note(target);
       at = scan.at;
     }
     return at;
@@ -196,6 +200,12 @@ class Reading {
     const base = (this.frames - 1) * this.width + target.column;
     for (let i = 0; i < target.width; i++)
       this.values[base + i] = lines.number(i + 1, `a value of "${target.name}"`) ?? 0;
+    this.note(target);
+  }
+
+  /** A bone that is given a second time in a frame has the later values. */
+  private note(target: Target): void {
+    if (target.seen !== this.frames && target.width > 0) this.given++;
     target.seen = this.frames;
     this.now.push(target);
   }
@@ -211,9 +221,12 @@ class Reading {
         break;
       case ':samples-per-second': {
         const rate = lines.number(1, 'the samples per second');
-        if (rate !== undefined && rate > 0) this.perSecond = rate;
-        else if (rate !== undefined)
-          lines.warn('rate-wrong', `Expected a positive number of samples per second, found ${rate}.`, 'ignored it', 1);
+        if (rate === undefined) break;
+        if (1 / rate >= SHORTEST_FRAME && 1 / rate <= LONGEST_FRAME) this.perSecond = rate;
+        else {
+          const message = `Expected from ${MIN_RATE} to ${MAX_RATE} samples per second, found ${shortName(lines.text(1))}.`;
+          lines.warn('rate-wrong', message, 'ignored it', 1);
+        }
         break;
       }
       case ':fully-specified':
@@ -259,7 +272,7 @@ class Reading {
 
   private endFrame(): void {
     const { now, targets, frames } = this;
-    if (now.length < this.moving && !this.report.hasErrors) {
+    if (this.given < this.moving && !this.report.hasErrors) {
       for (const target of targets) {
         if (target.seen === frames || target.width === 0 || target.isMissed) continue;
         target.isMissed = true;
@@ -268,6 +281,7 @@ class Reading {
         this.report.warn('bone-missing', message, NO_PLACE, assumed);
       }
     }
+    this.given = 0;
     // Nearly all frames have the bones of the first, and two lists serve them all.
     this.now = this.before;
     this.now.length = 0;

@@ -46,7 +46,12 @@ const SECTIONS = [':version', ':name', ':units', ':documentation', ':root', ':bo
 const ROOT_ORDER: readonly AcclaimDof[] = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz'];
 
 class Reading {
-  private header: { -readonly [K in keyof AcclaimHeader]: AcclaimHeader[K] } = { units: [], length: 1, angle: 'deg' };
+  private readonly units: string[] = [];
+  private readonly header: { -readonly [K in keyof AcclaimHeader]: AcclaimHeader[K] } = {
+    units: this.units,
+    length: 1,
+    angle: 'deg',
+  };
   private root: Bone = { ...emptyBone(ROOT), dofs: ROOT_ORDER };
   private readonly bones = new Map<string, Bone>();
   private hierarchy: Hierarchy | undefined;
@@ -127,7 +132,7 @@ class Reading {
       if (/^deg(rees?)?$/.test(angle)) header.angle = 'deg';
       else if (/^rad(ians?)?$/.test(angle)) header.angle = 'rad';
       else lines.error('unit-angle', `Expected deg or rad, found "${shortName(lines.text(1))}".`, 1);
-    } else header.units = [...header.units, lines.rest(0)];
+    } else this.units.push(lines.rest(0));
   }
 
   private rootLine(): void {
@@ -194,23 +199,25 @@ class Reading {
         break;
       case 'limits':
         bone.limitsAt = lines.words[0].from;
-        bone.limits = this.limits(1);
+        bone.limits = [];
+        this.addLimits(bone.limits, 1);
         break;
       default:
         // A row of limits begins with a parenthesis, which is a blank here.
-        if (bone.limits && isLimit(lines, 0)) bone.limits.push(...this.limits(0));
+        if (bone.limits && isLimit(lines, 0)) this.addLimits(bone.limits, 0);
         else if (isLimit(lines, 0)) lines.warnUnknown('a bone', 'a keyword such as direction');
         else bone.kept.push(lines.rest(0));
     }
   }
 
-  private limits(from: number): number[] {
+  /** @param from index of the first word that is a limit */
+  private addLimits(limits: number[], from: number): void {
     const { lines } = this;
-    return lines.words.slice(from).map((_, i) => {
-      const infinite = INFINITE.exec(lines.keyword(from + i));
-      if (infinite) return infinite[1] === '-' ? Number.NEGATIVE_INFINITY : Number.POSITIVE_INFINITY;
-      return lines.number(from + i, 'a limit') ?? 0;
-    });
+    for (let i = from; i < lines.words.length; i++) {
+      const infinite = INFINITE.exec(lines.keyword(i));
+      if (infinite) limits.push(infinite[1] === '-' ? Number.NEGATIVE_INFINITY : Number.POSITIVE_INFINITY);
+      else limits.push(lines.number(i, 'a limit') ?? 0);
+    }
   }
 
   private vector(what: string): Vec3 {

@@ -6,6 +6,7 @@
  * The number of rows decides; a different declared count is a warning, and one that is no integer an error. An unusable
  * frame time is a warning too, and 1/30 s is used: poses of one frame are written with 0.
  */
+import { LONGEST_FRAME, SHORTEST_FRAME } from '../../model/takes/samples.ts';
 import { type GrammarPart, number } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
@@ -23,9 +24,6 @@ export interface MotionRows {
 const KEYWORDS = new Set(['frames', 'frames:', 'frame', 'frametime:', 'time:']);
 const COLON = 58;
 
-/** Frame times between a microsecond and an hour are accepted. */
-const SHORTEST = 1e-6;
-const LONGEST = 3600;
 const ASSUMED = { frameSeconds: 1 / 30, text: 'used 1/30 s' };
 
 interface Header {
@@ -96,8 +94,8 @@ function* frameTime(t: Tokens): GrammarPart<number> {
   const value = yield* number(t, 'the frame time in seconds', KEYWORDS);
   // A missing one is an error, reported already.
   if (value === undefined) return ASSUMED.frameSeconds;
-  if (value >= SHORTEST && value <= LONGEST) return value;
-  const message = `Expected a frame time from ${SHORTEST} to ${LONGEST} seconds, found ${t.found()}.`;
+  if (value >= SHORTEST_FRAME && value <= LONGEST_FRAME) return value;
+  const message = `Expected a frame time from ${SHORTEST_FRAME} to ${LONGEST_FRAME} seconds, found ${t.found()}.`;
   t.warn('frame-time', message, ASSUMED.text);
   return ASSUMED.frameSeconds;
 }

@@ -31,6 +31,11 @@ export const INTERPOLATIONS = ['nearest', 'linear', 'cubic'] as const;
 /** How values between two frames are found; see `INTERPOLATIONS`. */
 export type Interpolation = (typeof INTERPOLATIONS)[number];
 
+/** Seconds between frames that files may state: from a microsecond to an hour. */
+export const SHORTEST_FRAME = 1e-6;
+/** See `SHORTEST_FRAME`. */
+export const LONGEST_FRAME = 3600;
+
 /** The column that drives a channel; -1 if none does. */
 export function columnOf(samples: Samples | undefined, channel: number): number {
   if (!samples) return -1;

@@ -5,6 +5,7 @@ import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { endSitePositions } from '../../../src/evaluate/end-sites.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { skeletonNameFor } from '../../../src/files/acclaim-names.ts';
+import { boneNames } from '../../../src/formats/acclaim/names.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import { ODD_AMC, ODD_ASF, readAmcText, readAsfText, writtenText } from '../../helpers/acclaim.ts';
 
@@ -95,6 +96,34 @@ describe('an .asf', () => {
     expect(value === undefined).toBe(diagnostics.some(({ severity }) => severity === 'error'));
   });
 
+  it('is read in time with its size, whatever it repeats', async () => {
+    const count = 100_000;
+    const numbered = (line: (i: number) => string) => Array.from({ length: count }, (_, i) => line(i)).join('\n');
+    const hostile = [
+      ODD_ASF.replace('angle rad', `angle rad\n${numbered(() => 'mass 1')}`),
+      ODD_ASF.replace('(-inf inf)', numbered(() => '0').replaceAll('\n', ' ')),
+      ODD_ASF.replace(':bonedata', `:bonedata\n${numbered((i) => `begin\nname b${i}\nend`)}`).replace(
+        'low rod stick',
+        `low rod stick\n${numbered((i) => `b${i} b${i + 1}`).replace(/ b\d+$/, '')}`,
+      ),
+    ];
+    const told = await Promise.all(hostile.map((text) => readAsfText(text)));
+    expect(told.map(({ value }) => value?.skeleton.joints.length)).toEqual([5, 5, 5]);
+    const { skeleton } = told[0].value ?? {};
+    const same = skeleton && { ...skeleton, joints: [skeleton.joints[0], ...Array(count).fill(skeleton.joints[1])] };
+    expect(same && new Set(boneNames(same)).size).toBe(count + 1);
+  });
+
+  it('is written with names that are no words of the file', async () => {
+    const { value } = await readAsfText(ODD_ASF);
+    if (!value) throw new Error('It was not read.');
+    const { skeleton } = value;
+    const joints = skeleton.joints.map((joint, j) => (j === 1 ? { ...joint, name: 'End' } : joint));
+    const again = await readAsfText(writtenText({ ...value, skeleton: { ...skeleton, joints } }, 'x.asf'));
+    expect(again.diagnostics).toEqual([]);
+    expect(again.value?.skeleton.joints[1]).toEqual({ ...skeleton.joints[1], name: '_End' });
+  });
+
   it('is the same with any line ends', async () => {
     const { value } = await readAsfText(ODD_ASF);
     for (const end of ['\r\n', '\r']) {
@@ -137,6 +166,8 @@ describe('an .amc', () => {
     ['no frame', (t: string) => t.slice(0, t.indexOf('\n1\n')), 'error frames-none'],
     ['frames that do not rise by one', (t: string) => t.replace('\n2\n', '\n5\n'), 'warning frame-number 10:1'],
     ['a missing bone', (t: string) => t.replace('rod 0.5 0.25\n', ''), 'warning bone-missing'],
+    ['a bone twice', (t: string) => t.replace('rod 0.5 0.25\n', 'low 1 2 3\n'), 'warning bone-missing'],
+    ['a rate of no length', (t: string) => t.replace('SECOND 60', 'SECOND 1e-320'), 'warning rate-wrong 4:21'],
     ['no rate', (t: string) => t.replace(':SAMPLES-PER-SECOND 60\n', ''), 'info rate-assumed'],
     ['an unknown keyword', (t: string) => t.replace(':RADIANS', ':RADIANS\n:SOMETHING'), 'warning keyword-unknown 4:1'],
   ])('with %s is told where', async (_, change, expected) => {
