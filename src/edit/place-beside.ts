@@ -12,7 +12,7 @@ import { areBoxesOversized, hasBox } from '../model/skeleton/boxes.ts';
 
 /** Gap between two characters, relative to the wider one. */
 const GAP = 0.25;
-/** Characters per row; all firstOf of a file count as one. */
+/** Characters per row; all of a file count as one. */
 const MAX_IN_ROW = 8;
 /** Distance between rows, as a multiple of the largest character in both; leaves room to walk. */
 const ROW_STEP = 1.5;

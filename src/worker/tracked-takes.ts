@@ -14,8 +14,9 @@ import {
   trackedOf,
 } from '../model/takes/tracked-take.ts';
 
-/** Keys of rotations that are fitted in some 10 ms: the page makes the channels of larger takes of none. */
+/** Keys of rotations that are fitted in some 10 ms: the channels of takes with more are made in the worker. */
 const MAX_KEYS = 5_000;
+
 /** A take in a message: without channels, if it has tracks. */
 interface PostedTake extends Take, Partial<Pick<TrackedTake, 'tracked' | 'spareKeys'>> {}
 
@@ -55,9 +56,10 @@ export function withCharacters<C extends FileContent>(
 }
 
 /**
- * A character as the page gets it; the same object if it needs nothing. The worker makes the channels that the page would ask for at once, or that would hold
- * it up later: of the take that is shown first, of those that have no frame rate but that of their keys, which lists of
- * takes show, and of long ones. All others are moved into one buffer, since theirs are parts of the file's.
+ * A character as the page gets it; the same object if it needs nothing. The worker makes the channels that the page would
+ * ask for at once, or that would hold it up later: of the take that is shown first, of those that have no frame rate but
+ * that of their keys, which lists of takes show, and of long ones. The tracks of all others are moved into one buffer,
+ * since they are parts of the file's.
  */
 export function settledTakes(character: WholeCharacter): WholeCharacter {
   const { takes } = character;

@@ -29,6 +29,19 @@ const readBack = (channel: KeyedChannel) => {
 };
 
 describe('auto slopes', () => {
+  it('keep the digits of a file while they are the formula’s within rounding', () => {
+    const anim = (slope: string, value = 6) =>
+      `animation {\n range 0 2\n numchannels 1\n channel {\n  extrapolate constant constant\n  keys 3 {\n   0 0 flat flat\n   1 1 ${slope} ${slope}\n   2 ${value} flat flat\n  }\n }\n}\n`;
+    for (const slope of ['3', '2.9999999999999996', '3.0000000000000004']) {
+      const take = readAnim(anim(slope), 'x.anim').value;
+      expect(keysOf(take?.channels[0]).tangentsIn.kinds[1]).toBe(AUTO_TANGENT);
+      expect(take && textOf(take)).toContain(` ${slope} ${slope}\n`);
+    }
+    const read = keysOf(readAnim(anim('2.9999999999999996'), 'x.anim').value?.channels[0]);
+    const moved = { ...read, kind: 'keys', values: Float64Array.of(0, 1, 4) } as const;
+    expect(textOf(takeOf(moved))).toContain(' 2 2\n');
+  });
+
   it('never lead a curve out of the values of the two keys around it', () => {
     fc.assert(
       fc.property(channels(2, { steps: true }), fc.double({ min: 0, max: 1, noNaN: true }), (given, share) => {

@@ -109,7 +109,7 @@ const USUAL = -26 * DEGREE;
 const USUAL_TOES = -6 * DEGREE;
 
 /**
- * The character with feet as flat as they are, on average, where they are lowest in these characters; undefined if a shin is
+ * The body with feet as flat as they are, on average, where they are lowest in these bodies; undefined if a shin is
  * never steep. On tiptoe, ankles are high. Both feet get the same slopes, those of the one that is nearer to what is usual,
  * since the other may be on its toes all the time.
  */
@@ -132,7 +132,7 @@ export function withFlatFeet(
   return out;
 }
 
-/** Turns feet, or their toes, so that what is their lower side in these characters is down, and slopes alike. */
+/** Turns feet, or their toes, so that what is their lower side in these bodies is down, and slopes alike. */
 function flatten(
   out: RetargetBody,
   feet: readonly PointedJoints[],
@@ -164,7 +164,7 @@ function lowest(all: readonly RetargetBody[], foot: Foot): readonly RetargetBody
 
 const DOWN = Float64Array.of(0, -1, 0);
 
-/** Turns joints, about the first of them, so that what is its lower side in these characters is down. */
+/** Turns joints, about the first of them, so that what is its lower side in these bodies is down. */
 function turnDown(body: RetargetBody, joints: readonly number[], flat: readonly RetargetBody[]): void {
   const [first] = joints;
   const down = new Float64Array(3);

@@ -4,7 +4,7 @@
  * convert to keys first (`edit/convert/keys-of-samples.ts`).
  */
 
-import { autoSlope } from '../../model/takes/auto-slope.ts';
+import { autoNumber } from '../../model/takes/auto-slope.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import type { KeyedChannel, RestChannel, Take, Tangents } from '../../model/takes/take.ts';
 import { AUTO_TANGENT, FIXED_TANGENT, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
@@ -64,6 +64,6 @@ function writeSampled(text: Text, { frameCount, frameSeconds, startSeconds, scal
 }
 
 function tangent(text: Text, channel: KeyedChannel, { kinds, slopes }: Tangents, key: number): string {
-  if (kinds[key] === AUTO_TANGENT) return text.number(autoSlope(channel, key));
+  if (kinds[key] === AUTO_TANGENT) return text.number(autoNumber(channel, key, slopes[key]));
   return kinds[key] === FIXED_TANGENT ? text.number(slopes[key]) : (TANGENT_KINDS[kinds[key]] ?? 'flat');
 }

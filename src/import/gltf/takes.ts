@@ -128,8 +128,9 @@ function targetOf(
   if (path === 'translation' || path === 'rotation' || path === 'scale' || path === 'weights') {
     return node === undefined ? undefined : { node, path };
   }
-  if (pointer === undefined) remarks.leaveOut(`the animation of "${path}"`);
-  else remarks.leaveOut(`the animation of ${pointer.split('/')[1]} (KHR_animation_pointer)`);
+  if (pointer !== undefined) {
+    remarks.leaveOut(`the animation of ${pointer.split('/')[1] || 'nothing'} (KHR_animation_pointer)`);
+  } else remarks.leaveOut(`the animation of ${path === undefined ? 'nothing' : `"${path}"`}`);
   return undefined;
 }
 

@@ -23,6 +23,16 @@ export function autoSlope(curve: KeyedCurve, key: number): number {
 }
 
 /**
+ * The number by which a file says an `auto` tangent: with the digits it was read with while they are still the
+ * formula's within rounding, so that a file that is saved again keeps them.
+ * @param read the slope beside its kind; 0 for none
+ */
+export function autoNumber(curve: KeyedCurve, key: number, read: number): number {
+  const formula = autoSlope(curve, key);
+  return !Object.is(read, 0) && isAutoSlope(read, formula) ? read : formula;
+}
+
+/**
  * Whether the first and last key are each other's neighbours: the keys repeat in both directions, and a repetition
  * begins where the one before it ends.
  */
@@ -54,7 +64,8 @@ function limited(times: Float64Array, values: Float64Array, a: number, b: number
 /**
  * The channel as read from a file, where `auto` is a number: numeric tangents that are the formula's become `auto`. One
  * of 0 does so only if another that isn't 0 does, or if all numbers of the channel are the formula's: zeros are written
- * for many reasons. The same object if none changes.
+ * for many reasons. Digits that are not the formula's own stay beside the kind (`autoNumber`). The same object if none
+ * changes.
  */
 export function withAutoRecognised(channel: KeyedChannel): KeyedChannel {
   const { times, tangentsIn, tangentsOut } = channel;
@@ -78,7 +89,7 @@ export function withAutoRecognised(channel: KeyedChannel): KeyedChannel {
       if (kinds[k] !== FIXED_TANGENT || !isAutoSlope(slopes[k], autoSlope(channel, k))) continue;
       if (slopes[k] === 0 && !isSloped && !areAll) continue;
       made.kinds[k] = AUTO_TANGENT;
-      made.slopes[k] = 0;
+      made.slopes[k] = Object.is(slopes[k], autoSlope(channel, k)) ? 0 : slopes[k];
     }
     return made;
   };

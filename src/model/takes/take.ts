@@ -69,7 +69,7 @@ export interface RestChannel extends Extrapolated {
 export interface Tangents {
   /** Index into TANGENT_KINDS (`tangent-kinds.ts`) for each key. */
   readonly kinds: Uint8Array;
-  /** Value per second for keys of kind `fixed`; 0 elsewhere. */
+  /** Value per second for keys of kind `fixed`; of `auto`, other digits of a file (`autoNumber`); 0 elsewhere. */
   readonly slopes: Float64Array;
 }
 
