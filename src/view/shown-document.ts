@@ -109,8 +109,7 @@ export class ShownDocument {
     this.selection = selection;
     this.picked.follow(selection);
     this.display = display;
-    const drawn = this.isShot && display.stepped ? { ...display, stepped: false } : display;
-    characters.show(document, drawn, selection, this.timeSeconds, everything, this.look);
+    characters.show(document, this.drawnDisplay, selection, this.timeSeconds, everything, this.look);
     this.tints = tints;
     for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
     this.stage.setShadow(display.shadow);
@@ -230,7 +229,13 @@ export class ShownDocument {
     characters.place(display.inPlace);
     this.skeletons.fill();
     this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
-    this.annotations?.motion.fill(selection, display, this.timeSeconds, this.playedRange, this.framesPerSecond);
+    this.annotations?.motion.fill(
+      selection,
+      this.drawnDisplay,
+      this.timeSeconds,
+      this.playedRange,
+      this.framesPerSecond,
+    );
     return true;
   }
 
@@ -285,7 +290,12 @@ export class ShownDocument {
   }
 
   private showMotion(): void {
-    this.annotations?.motion.show(this.selection, this.display, this.playedRange);
+    this.annotations?.motion.show(this.selection, this.drawnDisplay, this.playedRange);
+  }
+
+  private get drawnDisplay(): Display {
+    const { display } = this;
+    return this.isShot && display.stepped ? { ...display, stepped: false } : display;
   }
 
   private showSkeletons(): void {

@@ -1,5 +1,7 @@
 /** Of the motion of a character: the path of the selected joint, and the poses before and after the current time. */
 import { Group } from 'three';
+import { steppedCharacter } from '../../evaluate/stepped-take.ts';
+import type { Character } from '../../model/document.ts';
 import type { Display, Selection } from '../../model/session.ts';
 import type { ShownCharacter, ShownCharacters } from '../shown-characters.ts';
 import type { StageTheme } from '../theme.ts';
@@ -26,9 +28,9 @@ export class MotionDrawing {
   }
 
   /** After an edit, or with another range. @param playedRange seconds of the transport */
-  show({ characterId, joint }: Selection, { trail, inPlace }: Display, playedRange: readonly [number, number]): void {
+  show({ characterId, joint }: Selection, display: Display, playedRange: readonly [number, number]): void {
     const entry = this.characters.seen(characterId);
-    this.trail.show(trail ? entry?.character : undefined, joint, playedRange, inPlace);
+    this.trail.show(display.trail ? entry && played(entry, display) : undefined, joint, playedRange, display.inPlace);
   }
 
   /**
@@ -48,7 +50,7 @@ export class MotionDrawing {
     const { visible } = characters;
     const entry: ShownCharacter | undefined =
       characters.seen(characterId) ?? (visible.length === 1 ? visible[0] : undefined);
-    const shown = display.ghosts ? entry?.character : undefined;
+    const shown = display.ghosts ? entry && played(entry, display) : undefined;
     this.ghosts.fill(shown, display, timeSeconds, playedRange, framesPerSecond);
   }
 
@@ -56,4 +58,9 @@ export class MotionDrawing {
     this.trail.dispose();
     this.ghosts.dispose();
   }
+}
+
+/** The character as it plays. */
+function played({ character }: ShownCharacter, { stepped }: Display): Character {
+  return stepped ? steppedCharacter(character) : character;
 }

@@ -1,6 +1,10 @@
 import { GreaterDepth } from 'three';
 import { describe, expect, it, vi } from 'vitest';
+import { steppedCharacter } from '../../../src/evaluate/stepped-take.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
+import { DEFAULT_DISPLAY } from '../../../src/model/session.ts';
+import { Ghosts } from '../../../src/view/motion/ghosts.ts';
+import { MotionDrawing } from '../../../src/view/motion/motion-drawing.ts';
 import { samplePath, Trail } from '../../../src/view/motion/trail.ts';
 import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
 
@@ -37,6 +41,26 @@ describe('the trail of a joint', () => {
     trail.show(moving, 0, [0, 1], false);
     // three.js has no need to compute it, and to find that it isn't one.
     expect(trail.object.geometry.boundingSphere?.radius).toBe(-1);
+  });
+
+  it('with a stepped preview the path and the ghosts are of the poses that are held', () => {
+    const moving = character({ skeleton: skeleton(2), takes: [takeOfValues('walk', [0, 8])], shownTake: 0 });
+    const entry = { id: moving.id, character: moving };
+    const made = new MotionDrawing({ seen: () => entry, visible: [entry] } as never, () => undefined);
+    const drawn = vi.spyOn(Trail.prototype, 'show');
+    const ghosts = vi.spyOn(Ghosts.prototype, 'fill');
+    const display = { ...DEFAULT_DISPLAY, trail: true, ghosts: true };
+    for (const stepped of [true, false]) {
+      made.show({ characterId: moving.id, joint: 0 }, { ...display, stepped }, [0, 1]);
+      made.fill({ characterId: moving.id }, { ...display, stepped }, 0.5, [0, 1], 30);
+      const of = stepped ? steppedCharacter(moving) : moving;
+      expect(drawn.mock.lastCall?.[0]).toBe(of);
+      expect(ghosts.mock.lastCall?.[0]).toBe(of);
+    }
+    const held = path(steppedCharacter(moving), 0, [0, 1], 3, false);
+    expect(Array.from(held.subarray(3, 6))).toEqual(Array.from(held.subarray(0, 3)));
+    made.dispose();
+    vi.restoreAllMocks();
   });
 
   it('shows through what covers it, dimmed, at the same places', () => {

@@ -180,7 +180,9 @@ export const VIEW_ACTIONS: readonly Action[] = [
     shortcuts: ['Shift+D'],
     checked: (wb) => wb.settings.get().display.stepped,
     run(wb, args) {
-      const stepped = args === undefined ? !wb.settings.get().display.stepped : SWITCH.read(args, '').on;
+      // A shortcut says that it was a key.
+      const toggles = args === undefined || args === 'key';
+      const stepped = toggles ? !wb.settings.get().display.stepped : SWITCH.read(args, '').on;
       setDisplay(wb, { stepped });
     },
   },
