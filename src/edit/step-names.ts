@@ -2,7 +2,7 @@
  * Names in the labels of undo steps: `Rotate head (rx)`, `Delete 4 keys on hip`. A step says what it did to what.
  */
 
-import type { Character, Document } from '../model/document.ts';
+import { type Character, type Document, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { type CharacterDof, characterDofs } from '../model/skeleton/dofs.ts';
 import { jointName } from '../model/skeleton/joint-name.ts';
@@ -79,9 +79,9 @@ export function curvesIn(document: Document, characterId: string, channels: read
 
 /** `key on rx of hip`, `4 keys on hip`, `12 keys`: keys of the shown take. */
 export function keysIn(document: Document, characterId: string, keys: readonly ChannelKeys[]): string {
-  const count = countKeys(keys);
-  const text = count === 1 ? 'key' : `${count} keys`;
   const character = requireCharacter(document, characterId);
+  const count = countKeys(shownTake(character)?.channels ?? [], keys);
+  const text = count === 1 ? 'key' : `${count} keys`;
   const channels = keys.filter(({ indices }) => indices.length > 0).map(({ channel }) => channel);
   const joints = jointsOf(character, channels);
   return joints?.size === 1 ? `${text} on ${dofsIn(character, channels, SHORT_NAME)}` : text;

@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { withPage } from '../helpers/page.ts';
+import { kept, ready, restore } from './checks/autosave.ts';
 
 const ARM = { joint: 'upper_arm_l', rz: 38 } as const;
 
@@ -27,10 +28,44 @@ it('5 makes selected keys auto and 6 makes them steps, each as one step, and und
       await expect.poll(() => keys(page).then((all) => all.every((key) => key.tangentIn === 'auto'))).toBe(true);
       await page.keyboard.press('6');
       await expect.poll(() => keys(page).then((all) => all.length)).toBe(2 * before.length - 1);
+      // The last keys, which hold nothing, are steps as well; and a step is one key.
+      await page.getByRole('button', { name: 'Step', exact: true, pressed: true }).waitFor();
       await page.keyboard.press('5');
       await expect.poll(() => keys(page).then((all) => all.length)).toBe(before.length);
       for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
       await expect.poll(() => keys(page)).toEqual(before);
+    },
+    { walking: true },
+  ));
+
+it('auto tangents and steps come back after a reload as they were, and a key dragged then takes its tangents along', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      await page.locator('.curve-plot').focus();
+      await page.keyboard.press('Control+a');
+      await page.keyboard.press('5');
+      const all = await keys(page);
+      const move = { channel: ARM.rz, indices: [1] };
+      await page.evaluate(
+        (key) => window.marrow.run('keys.setTangents', { keys: [key], side: 'out', kind: 'step' }),
+        move,
+      );
+      await expect.poll(() => keys(page).then((now) => now.length)).toBe(all.length + 1);
+      await kept(page);
+      const before = await keys(page);
+      await page.reload();
+      await ready(page);
+      await restore(page);
+      await expect.poll(() => keys(page)).toEqual(before);
+      const kinds = before.map(({ tangentIn, tangentOut }) => [tangentIn, tangentOut]);
+      const raised = { keys: [move], seconds: 0, values: [0.2] };
+      await page.evaluate((args) => window.marrow.run('keys.move', args), raised);
+      await expect.poll(() => keys(page).then((now) => now[1].value)).toBeCloseTo(before[1].value + 0.2, 9);
+      // The held value follows its key, and the kinds are kept.
+      const moved = await keys(page);
+      expect(moved[2].value).toBe(moved[1].value);
+      expect(moved.map(({ tangentIn, tangentOut }) => [tangentIn, tangentOut])).toEqual(kinds);
     },
     { walking: true },
   ));
@@ -46,6 +81,10 @@ it('the stepped preview holds each pose up to the next key, and changes nothing 
       await expect.poll(() => arm(page)).toBeCloseTo(first.value, 9);
       await page.evaluate(() => window.marrow.run('view.steppedPreview', { on: false }));
       await expect.poll(() => arm(page)).not.toBeCloseTo(first.value, 3);
+      await page.keyboard.press('Shift+D');
+      await expect.poll(() => arm(page)).toBeCloseTo(first.value, 9);
+      await page.keyboard.press('Shift+D');
+      await expect.poll(() => arm(page)).not.toBeCloseTo(first.value, 3);
       const labelNow = await undoLabel(page);
       expect(labelNow).toBe(label);
     },
@@ -60,13 +99,13 @@ it('the bar takes no room until its key is pressed; a number, a button and a dra
       await page.evaluate((time) => window.marrow.seek(time), (first.time + second.time) / 2);
       const bar = page.locator('.tween-bar');
       await expect.poll(() => bar.count()).toBe(0);
+      // Typed on while the bar's script loads.
       await page.keyboard.press('Shift+W');
-      await bar.waitFor();
-      await expect.poll(() => page.getByText('nothing to change').count()).toBe(0);
       await page.keyboard.type('0.25');
       await page.keyboard.press('Enter');
       await expect.poll(() => arm(page)).toBeCloseTo(first.value + 0.25 * (second.value - first.value), 9);
       await expect.poll(() => undoLabel(page)).toMatch(/^Tween upper_arm_l/);
+      await expect.poll(() => page.getByText('nothing to change').count()).toBe(0);
       await bar.getByRole('button', { name: '1', exact: true }).click();
       await expect.poll(() => arm(page)).toBeCloseTo(second.value, 9);
       const slider = await bar.locator('.tween-slider').boundingBox();
@@ -83,6 +122,42 @@ it('the bar takes no room until its key is pressed; a number, a button and a dra
       await expect.poll(() => arm(page)).toBeCloseTo(second.value, 9);
       await page.keyboard.press('Escape');
       await expect.poll(() => bar.isVisible()).toBe(false);
+    },
+    { walking: true },
+  ));
+
+it('until a number is begun, keys are the page’s while the bar is open: Space plays, arrows step, letters choose', () =>
+  withPage(
+    async ({ page }) => {
+      await openWalker(page);
+      const label = await undoLabel(page);
+      const field = page.getByRole('textbox', { name: 'Share' });
+      const bar = page.locator('.tween-bar');
+      await page.keyboard.press('Shift+W');
+      await field.and(page.locator(':focus')).waitFor();
+      await page.keyboard.press('ArrowRight');
+      await expect.poll(() => page.getByRole('textbox', { name: 'Frame' }).inputValue()).toBe('1');
+      await page.keyboard.press('Space');
+      await page.getByRole('button', { name: 'Pause' }).waitFor();
+      await page.keyboard.press('Space');
+      await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+      await page.keyboard.press('Shift+X');
+      await bar.getByText('Relax or push').waitFor();
+      await expect.poll(() => undoLabel(page)).toBe(label);
+      await field.and(page.locator(':focus')).waitFor();
+      await page.keyboard.type('0.5');
+      await expect.poll(() => field.inputValue()).toBe('0.5');
+      await page.keyboard.press('Enter');
+      await expect.poll(() => undoLabel(page)).toMatch(/^Relax upper_arm_l/);
+      await page.keyboard.press('Shift+X');
+      await bar.waitFor({ state: 'hidden' });
+      // Where a way changes nothing, the bar says so.
+      await page.locator('.curve-plot').focus();
+      await page.keyboard.press('Control+a');
+      await page.keyboard.press('Shift+U');
+      await bar.getByText('No selected key lies between keys that are not selected.').waitFor();
+      await page.keyboard.press('Shift+Z');
+      await bar.getByText(/^\d+ selected keys$/).waitFor();
     },
     { walking: true },
   ));

@@ -93,7 +93,7 @@ const OF_POSE = {
 export const tweenPose = command({
   id: 'pose.tween',
   args: { ...OF_POSE, u: number, toward: optional(oneOf(TWEEN_TOWARD)) },
-  label: (document, args) => `Tween ${whatOf(document, args)}${args.toward === 'rest' ? ' toward rest' : ''}`,
+  label: (document, args) => `Tween ${whatOf(document, args)}${args.toward === 'rest' ? ' toward file pose' : ''}`,
   run: (document, { u, toward = 'keys', ...of }) => tweened(document, of, { kind: toward, u }),
 });
 

@@ -8,6 +8,7 @@ import { firstNotBelow } from '../../math/search.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { type Channel, keysOf } from '../../model/takes/take.ts';
 import { countNotAbove } from './same-time.ts';
+import { countKeys, keyCountOf } from './selection.ts';
 
 /** The keys of these channels from one time to another, both included. */
 export function keysBetween(
@@ -48,21 +49,25 @@ export function nearestKeyTime(
   return best;
 }
 
-/** Number of keys in the row. */
+/** Number of keys in the row, a step's two as one. */
 export function keyCount(channels: readonly Channel[], of: readonly number[]): number {
   let count = 0;
-  for (const channel of of) count += keysOf(channels[channel]).times.length;
+  for (const channel of of) if (channels[channel]) count += keyCountOf(channels[channel]);
   return count;
 }
 
-/** Number of selected ones. */
-export function selectedCount(of: readonly number[], selected: readonly ChannelKeys[]): number {
+/** Number of selected ones, a step's two as one. */
+export function selectedCount(
+  channels: readonly Channel[],
+  of: readonly number[],
+  selected: readonly ChannelKeys[],
+): number {
   let count = 0;
   let s = 0;
   // Both are in channel order.
   for (const channel of of) {
     while (s < selected.length && selected[s].channel < channel) s++;
-    if (s < selected.length && selected[s].channel === channel) count += selected[s].indices.length;
+    if (s < selected.length && selected[s].channel === channel) count += countKeys(channels, [selected[s]]);
   }
   return count;
 }

@@ -4,8 +4,9 @@
  * as selecting one.
  */
 import { firstNotBelow } from '../../math/search.ts';
+import { perObject } from '../../model/per-object.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { keysOf, type Take } from '../../model/takes/take.ts';
+import { type Channel, keysOf, type Take } from '../../model/takes/take.ts';
 import { sameTime } from './same-time.ts';
 
 /** The set without keys; always the same object. */
@@ -49,12 +50,26 @@ export function hasKey(keys: readonly ChannelKeys[] | undefined, channel: number
   return indices !== undefined && indices[firstNotBelow(indices, index)] === index;
 }
 
-/** The number of keys in all channels; 0 for undefined. */
-export function countKeys(keys: readonly ChannelKeys[] | undefined): number {
+/** The number of keys, a step's two as one. @param channels of the take */
+export function countKeys(channels: readonly Channel[], keys: readonly ChannelKeys[]): number {
   let count = 0;
-  for (const { indices } of keys ?? []) count += indices.length;
+  for (const { channel, indices } of keys) {
+    const { times } = keysOf(channels[channel]);
+    // Keys that no longer exist have no time, and count.
+    for (let i = 0; i < indices.length; i++) {
+      if (i === 0 || indices[i - 1] !== indices[i] - 1 || times[indices[i] - 1] !== times[indices[i]]) count++;
+    }
+  }
   return count;
 }
+
+/** The number of keys of a channel, a step's two as one; cached. */
+export const keyCountOf: (channel: Channel) => number = perObject((channel: Channel) => {
+  const { times } = keysOf(channel);
+  let count = times.length;
+  for (let k = 1; k < times.length; k++) if (times[k] === times[k - 1]) count--;
+  return count;
+});
 
 /** The keys from one index up to (excluding) another, in each of the channels. */
 function collect(

@@ -2,7 +2,7 @@
 import { keySlope } from '../../evaluate/slopes.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { Channel, KeyedChannel, Take, Tangents } from '../../model/takes/take.ts';
-import { FIXED_TANGENT, TANGENT_CHOICES } from '../../model/takes/tangent-kinds.ts';
+import { FIXED_TANGENT, FLAT, TANGENT_CHOICES } from '../../model/takes/tangent-kinds.ts';
 import { type Tangent, tangent } from './columns.ts';
 import { isStepped } from './steps.ts';
 
@@ -12,11 +12,13 @@ export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
 export type TangentSide = (typeof TANGENT_SIDES)[number];
 
 /**
- * The choices that keys have on one or both sides, as bits: 1 << index into TANGENT_CHOICES; 0 for no keys.
+ * The choices that keys have on one or both sides, as bits: 1 << index into TANGENT_CHOICES; 0 for no keys. A last key
+ * can only be flat where others are steps, and counts as they do.
  * @param channels of the take
  */
 export function tangentKindsOf(channels: readonly Channel[], keys: readonly ChannelKeys[], side: TangentSide): number {
   let found = 0;
+  let isLastFlat = false;
   for (const { channel, indices } of keys) {
     const own = channels[channel];
     if (own?.kind !== 'keys') continue;
@@ -24,10 +26,12 @@ export function tangentKindsOf(channels: readonly Channel[], keys: readonly Chan
     for (const k of indices) {
       // Between the halves of a step there is no curve, unless this is the only one.
       if (side !== 'out' && times[k - 1] !== times[k]) found |= 1 << tangentsIn.kinds[k];
-      if (side !== 'in' && times[k + 1] !== times[k]) found |= 1 << (isStepped(own, k) ? STEP : tangentsOut.kinds[k]);
+      if (side === 'in' || times[k + 1] === times[k]) continue;
+      if (k + 1 === times.length && tangentsOut.kinds[k] === FLAT) isLastFlat = true;
+      else found |= 1 << (isStepped(own, k) ? STEP : tangentsOut.kinds[k]);
     }
   }
-  return found;
+  return isLastFlat && !(found & (1 << STEP)) ? found | (1 << FLAT) : found;
 }
 
 const STEP = TANGENT_CHOICES.findIndex(({ name }) => name === 'step');

@@ -30,6 +30,7 @@ import { menuBar } from './menu-bar.ts';
 import { commands, runById } from './run-by-id.ts';
 import { sheetBar } from './sheet-bar.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
+import { keepKeys, replayKeys } from './start/early-keys.ts';
 import { statusBar } from './status-bar.ts';
 import { timelinePanel } from './timeline/timeline-panel.ts';
 import { timelineSwitches } from './timeline/timeline-switches.ts';
@@ -123,17 +124,20 @@ export function mountWorkbench(
   return { filled: inspector.filled, run: (id, args) => runById(wb, id, args), commands };
 }
 
-/** So is the bar for values between keys. */
+/** So is the bar for values between keys, in which whoever has pressed its key types on at once. */
 function followTweens(wb: Workbench, ruler: HTMLElement): () => void {
   let stop = () => {};
   stop = wb.timeline.tween.subscribe(async () => {
     stop();
+    const loaded = new AbortController();
+    const early = keepKeys(loaded.signal, () => wb.timeline.tween.update(() => undefined));
     const module = await onDemand(
       wb.messages,
       'The bar for values between keys',
       () => import('../editors/tween/bar.ts'),
     );
-    if (ruler.parentElement) module?.tweenBar(wb, ruler.parentElement);
+    loaded.abort();
+    if (module && ruler.parentElement) replayKeys(early, module.tweenBar(wb, ruler.parentElement));
   });
   return () => stop();
 }

@@ -65,8 +65,8 @@ describe('what is selected of a row', () => {
       { channel: 2, indices: [0, 4] },
       { channel: 5, indices: [3] },
     ];
-    expect(selectedCount([1, 2, 5], selected)).toBe(3);
-    expect(selectedCount([1, 3], selected)).toBe(0);
+    expect(selectedCount([], [1, 2, 5], selected)).toBe(3);
+    expect(selectedCount([], [1, 3], selected)).toBe(0);
   });
 });
 

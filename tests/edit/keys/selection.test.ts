@@ -4,6 +4,7 @@ import {
   allKeys,
   countKeys,
   hasKey,
+  keyCountOf,
   keysAtTime,
   toggleKeys,
   unionKeys,
@@ -49,9 +50,13 @@ describe('finding keys', () => {
     expect(keysAtTime(take, [0], 1.5)).toEqual([]);
   });
 
-  it('finding keys counts them, and knows each', () => {
-    expect(countKeys(allKeys(take))).toBe(6);
-    expect(countKeys(undefined)).toBe(0);
+  it('finding keys counts them, a step as one, and knows each', () => {
+    expect(countKeys(take.channels, [])).toBe(0);
+    expect(countKeys(take.channels, allKeys(take))).toBe(5);
+    // Of a step only one half is one key too, and so is a key that is gone.
+    const halves = [{ channel: 0, indices: [2, 3, 9] }];
+    expect(countKeys(take.channels, halves)).toBe(3);
+    expect(take.channels.map(keyCountOf)).toEqual([3, 0, 2]);
     const some = [{ channel: 2, indices: [1, 4, 7] }];
     expect([1, 2, 4, 7, 8].map((k) => hasKey(some, 2, k))).toEqual([true, false, true, true, false]);
     expect(hasKey(some, 1, 1)).toBe(false);

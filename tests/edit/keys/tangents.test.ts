@@ -1,7 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { setSlope, setTangentKind, withTangentsBroken, withTangentsUnified } from '../../../src/edit/keys/tangents.ts';
-import { FIXED_TANGENT, FLAT, SMOOTH } from '../../../src/model/takes/tangent-kinds.ts';
+import { withStepsAfter } from '../../../src/edit/keys/steps.ts';
+import {
+  setSlope,
+  setTangentKind,
+  tangentKindsOf,
+  withTangentsBroken,
+  withTangentsUnified,
+} from '../../../src/edit/keys/tangents.ts';
+import { FIXED_TANGENT, FLAT, SMOOTH, TANGENT_CHOICES } from '../../../src/model/takes/tangent-kinds.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, rowsOf, slopesAt, valueAt, withSome } from './channels.ts';
 
@@ -44,6 +51,18 @@ describe('setting tangents', () => {
     expect(setTangentKind(three, [2], 'both', FIXED_TANGENT)).toBe(three);
     expect(setTangentKind(three, [], 'both', FLAT)).toBe(three);
     expect(setSlope(three, [2], 'out', 3).tangentsIn).toBe(three.tangentsIn);
+  });
+});
+
+describe('the kinds of selected tangents', () => {
+  it('the kinds of keys that are all steps are steps, also of the last one, which has nothing to hold', () => {
+    const { channel } = withStepsAfter(three, [0, 1, 2]);
+    const all = [{ channel: 0, indices: [...channel.times.keys()] }];
+    const last = [{ channel: 0, indices: [channel.times.length - 1] }];
+    const kinds = (keys: typeof all) =>
+      TANGENT_CHOICES.filter((_, kind) => tangentKindsOf([channel], keys, 'out') & (1 << kind)).map(({ name }) => name);
+    expect(kinds(all)).toEqual(['step']);
+    expect(kinds(last)).toEqual(['flat']);
   });
 });
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { wholeSteps } from '../../../src/edit/keys/steps.ts';
-import { withKeysTweened } from '../../../src/edit/keys/tween.ts';
+import { keysWithin, withKeysTweened } from '../../../src/edit/keys/tween.ts';
 import { channelOf, channels, pointsOf, withSome } from './channels.ts';
 
 const five = channelOf([
@@ -33,6 +33,8 @@ describe('tweening selected keys', () => {
 
   it('leaves runs at an end alone, and everything that is not selected', () => {
     expect(withKeysTweened(five, [0, 1, 4], { kind: 'tween', u: 0.5 })).toBe(five);
+    expect(keysWithin([five], [{ channel: 0, indices: [0, 1, 4] }])).toEqual([]);
+    expect(keysWithin([five, five], [{ channel: 1, indices: [0, 2, 3] }])).toEqual([{ channel: 1, indices: [2, 3] }]);
     fc.assert(
       fc.property(withSome(channels(1, { steps: true })), ({ channel, some }) => {
         const after = withKeysTweened(channel, some, { kind: 'relax', amount: 0.5 });

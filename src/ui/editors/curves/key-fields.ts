@@ -36,7 +36,7 @@ const brief = (value: number) => shown(value, decimalsWithin(value, MAX_CHARACTE
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
 function sharedNumbers({ take }: Pick<CurrentTake, 'take'>, keys: readonly ChannelKeys[]): SharedNumbers {
-  if (!keys.length || countKeys(keys) > MAX_KEYS) return MIXED;
+  if (!keys.length || countKeys(take.channels, keys) > MAX_KEYS) return MIXED;
   let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
   for (const { channel: c, indices } of keys) {
     const channel = keysOf(take.channels[c]);

@@ -50,7 +50,8 @@ abstract class KeyDrag implements DopeDrag {
     const { take: current, keys } = this;
     const { edit } = this;
     const text = current && edit && keys.length && !edit.cancelled ? this.preview(at, current, edit) : undefined;
-    this.readout = text && !edit?.cancelled ? `${text} · ${plural(countKeys(keys), 'key')}` : undefined;
+    const count = countKeys(current?.take.channels ?? [], keys);
+    this.readout = text && !edit?.cancelled ? `${text} · ${plural(count, 'key')}` : undefined;
   }
 
   /** Previews the edit at a position, and returns its readout. */

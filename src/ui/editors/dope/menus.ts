@@ -72,7 +72,7 @@ export function rowMenu(
   const current = currentTake(wb);
   if (!current) return;
   const keys = allKeys(current.take, row.channels);
-  const count = countKeys(keys);
+  const count = countKeys(current.take.channels, keys);
   const name = rowName(row);
   const own: MenuEntry[] = [
     item(`Select ${plural(count, 'key')} in row`, () => selectKeys(wb, keys), count > 0),

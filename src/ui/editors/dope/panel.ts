@@ -192,7 +192,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   private count(row: DopeRow): { keys: number; selected: number } {
     const channels = this.take?.take.channels ?? [];
-    return { keys: keyCount(channels, row.channels), selected: selectedCount(row.channels, this.selected()) };
+    return { keys: keyCount(channels, row.channels), selected: selectedCount(channels, row.channels, this.selected()) };
   }
 
   /** Rebuilds the rows if they have changed; always redraws. */

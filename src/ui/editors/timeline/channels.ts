@@ -1,6 +1,7 @@
 /**
  * Which channels the timeline lists, and which it draws. A pure function of document, selection and timeline settings.
  */
+import { keyCountOf } from '../../../edit/keys/selection.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import type { Morph } from '../../../model/morph.ts';
@@ -12,7 +13,7 @@ import { shortJointName } from '../../../model/skeleton/joint-name.ts';
 import { dofsOf } from '../../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
-import { keysOf, spanOfChannel } from '../../../model/takes/take.ts';
+import { spanOfChannel } from '../../../model/takes/take.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 
 /** A DOF in the list, animated or not. */
@@ -107,6 +108,7 @@ export function namedChannel(character: Character, channel: number): ListedChann
   const dof: CharacterDof | undefined = dofs[channel];
   const ofJoint = dof !== undefined && dof.joint >= 0;
   const take = shownTake(character);
+  const own = take?.channels[channel];
   const follows = followedName(character, channel);
   return {
     channel,
@@ -114,8 +116,8 @@ export function namedChannel(character: Character, channel: number): ListedChann
     joint: ofJoint ? shortJointName(character.skeleton, dof.joint) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
-    keyCount: keysOf(take?.channels[channel]).times.length,
-    sampleCount: take?.channels[channel]?.kind === 'samples' ? (take.samples?.frameCount ?? 0) : 0,
+    keyCount: own ? keyCountOf(own) : 0,
+    sampleCount: own?.kind === 'samples' ? (take?.samples?.frameCount ?? 0) : 0,
   };
 }
 

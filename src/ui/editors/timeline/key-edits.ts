@@ -56,7 +56,7 @@ export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return false;
   wb.timeline.copied = copyKeys(current.take, keys);
-  const count = countKeys(keys);
+  const count = countKeys(current.take.channels, keys);
   wb.messages.note(`${plural(count, 'key')} copied from ${plural(keys.length, 'channel')}.`);
   return true;
 }
@@ -225,7 +225,7 @@ export function selectedText(
 ): string {
   const current = currentTake(wb);
   if (!current || !keys.length) return 'No key is selected.';
-  const count = countKeys(keys);
+  const count = countKeys(current.take.channels, keys);
   const inFrames = wb.settings.get().timeDisplay === 'frames';
   const { framesPerSecond } = wb.transport.get();
   const text = (takeSeconds: number) => {

@@ -8,6 +8,7 @@ import type { Command } from '../../../edit/command.ts';
 import { easeKeys, relaxKeys, SCALE_ABOUT, scaleKeys, tweenKeys } from '../../../edit/commands/keys.ts';
 import { relaxPose, tweenPose } from '../../../edit/commands/pose.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
+import { keysWithin } from '../../../edit/keys/tween.ts';
 import { tweenedPose } from '../../../edit/pose/tween.ts';
 import type { Document } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
@@ -16,8 +17,9 @@ import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { TWEEN_WAYS, type TweenKind, type TweenWay } from '../../state/tween-ways.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, setText, write } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { leaveField } from '../../widgets/focus/focus.ts';
+import { OFFERED } from '../../widgets/focus/typing.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { icon } from '../../widgets/icons.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
@@ -35,7 +37,7 @@ const ABOUT_LABELS = { first: 'first key', last: 'last key', mean: 'mean', pose:
 const STEP = 0.01;
 
 /** Stays for as long as the page, hidden while no way is chosen. @param row the ruler's, after which it is put */
-export function tweenBar(wb: Parts, row: HTMLElement): void {
+export function tweenBar(wb: Parts, row: HTMLElement): HTMLElement {
   const { timeline } = wb;
   let edit: HandEdit | undefined;
   const name = element('b');
@@ -51,6 +53,7 @@ export function tweenBar(wb: Parts, row: HTMLElement): void {
     commit: (value) => once(value),
     refuse: (reason) => wb.messages.note(reason, 'warning'),
   });
+  setAttribute(field.element, OFFERED, '');
   const close = button('Close', { class: 'tool' }, icon('close'), () => timeline.tween.update(() => undefined));
   const bar = element(
     'div',
@@ -132,6 +135,7 @@ export function tweenBar(wb: Parts, row: HTMLElement): void {
   wb.transport.subscribe(show);
   wb.store.subscribe(show);
   choose(timeline.tween.get());
+  return bar;
 }
 
 function preset(value: number, apply: (value: number) => void): HTMLElement {
@@ -183,8 +187,14 @@ function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefin
 /** What it applies to, and what is left alone. */
 function targetText(wb: Parts, way: TweenWay): string {
   if (ofKeys(wb, way)) {
-    const count = countKeys(selectedKeysInView(wb));
-    return count > 0 ? plural(count, 'selected key') : 'Select keys first.';
+    const channels = currentTake(wb)?.take.channels ?? [];
+    const keys = selectedKeysInView(wb);
+    const count = countKeys(channels, keys);
+    if (count === 0) return 'Select keys first.';
+    const changed = way.kind === 'scale' ? count : countKeys(channels, keysWithin(channels, keys));
+    if (changed === 0) return 'No selected key lies between keys that are not selected.';
+    const alone = count - changed;
+    return `${plural(changed, 'selected key')}${alone > 0 ? `; ${alone} without keys on both sides left alone` : ''}`;
   }
   const { character, dofs } = scopeOf(wb);
   if (!character) return '';

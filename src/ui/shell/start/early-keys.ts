@@ -1,5 +1,6 @@
 /** Keys pressed while the script of a dialog loads are meant for the dialog: no panel and no shortcut may act on them. */
 import { isTextField } from '../../widgets/focus/focus.ts';
+import { passes } from '../../widgets/focus/typing.ts';
 
 /**
  * Keeps all pressed keys from the page until `signal` is aborted. Escape isn't kept.
@@ -26,7 +27,7 @@ export function replayKeys(kept: readonly KeyboardEvent[], dialog: HTMLElement):
   for (const event of kept) {
     const { activeElement } = document;
     if (!activeElement || !dialog.contains(activeElement)) return;
-    const text = typedText(event);
+    const text = passes(activeElement, event) ? undefined : typedText(event);
     if (text === undefined) activeElement.dispatchEvent(new KeyboardEvent(event.type, event));
     else if (activeElement instanceof HTMLInputElement && isTextField(activeElement)) typeInto(activeElement, text);
   }

@@ -2,7 +2,7 @@
 import { elementWithKeys, focusedWithin, isTextField, letGoOfClicked } from '../../widgets/focus/focus.ts';
 import { rescueFocus } from '../../widgets/focus/focus-regions.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
-import { continuesTyping, isTypedIn, watchTyping } from '../../widgets/focus/typing.ts';
+import { continuesTyping, isTypedIn, passes, watchTyping } from '../../widgets/focus/typing.ts';
 import { activePanel, isNowhere, panelOf, watchActivePanel } from '../panels/active-panel.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from '../shortcuts.ts';
 import type { Action, Uses } from '../workbench.ts';
@@ -26,7 +26,8 @@ export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: Ke
     return;
   }
   if (isNowhere(target) && isUsedUnderPointer(event)) return;
-  if (swallows(focusKind(focusedWithin(target)), event, isMac)) return;
+  const focusedIn = focusedWithin(target);
+  if (!passes(focusedIn, event) && swallows(focusKind(focusedIn), event, isMac)) return;
   // The rest of a word isn't a row of shortcuts.
   if (continuesTyping(event)) {
     event.preventDefault();

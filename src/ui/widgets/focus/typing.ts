@@ -1,6 +1,9 @@
 /** What is being typed: whether a field was changed since it got the focus, and whether a key belongs to a word. */
 import { isTextField } from './focus.ts';
 
+/** Marks a number field that gets the focus with a tool, unasked. */
+export const OFFERED = 'data-offered';
+
 let typedIn: EventTarget | null | undefined;
 
 /** Characters typed within this time of each other belong together; milliseconds. */
@@ -19,7 +22,9 @@ export function watchTyping(signal: AbortSignal): void {
     (event) => {
       // Enter, Escape and Tab end a word; a modifier alone doesn't.
       if (!isCharacter(event)) typedAt = MODIFIER.test(event.key) ? typedAt : Number.NEGATIVE_INFINITY;
-      else if (event.target instanceof Element && isTextField(event.target)) noteTyped(event);
+      else if (event.target instanceof Element && isTextField(event.target) && !passes(event.target, event)) {
+        noteTyped(event);
+      }
     },
     options,
   );
@@ -49,6 +54,16 @@ export function isCharacter({ key, ctrlKey, metaKey, altKey }: TypedKey): boolea
   // AltGr types characters, and browsers report it as Ctrl+Alt.
   return [...key].length === 1 && !metaKey && ctrlKey === altKey;
 }
+
+/**
+ * Whether a key is the page's though a field has the focus: until a number is begun in a field that was offered, Space
+ * plays, arrows step frames, and letters are shortcuts.
+ */
+export function passes(field: Element, { key, ctrlKey, metaKey }: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey'>) {
+  if (!field.hasAttribute(OFFERED) || isTypedIn(field) || ctrlKey || metaKey) return false;
+  return NO_NUMBER.test(key);
+}
+const NO_NUMBER = /^(?:\s|\p{L}|ArrowLeft|ArrowRight)$/u;
 
 /** Whether something was typed in this field since it got the focus. */
 export function isTypedIn(field: Element): boolean {

@@ -125,7 +125,7 @@ export function scaleDialog(
     });
     return toolDialog(wb, close, {
       title: 'Scale keys',
-      about: `Scales ${plural(countKeys(keys), 'key')} about a pivot. −1 mirrors.`,
+      about: `Scales ${plural(countKeys(current.take.channels, keys), 'key')} about a pivot. −1 mirrors.`,
       asked: [
         number('time', 'Time ×', 1),
         number('pivot', 'about', wb.transport.get().timeSeconds, 's'),

@@ -22,7 +22,7 @@ export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag
       const scene = plot.scene();
       plot.showBox(boxTo(at));
       if (!scene) return;
-      const count = countKeys(keysInBox(scene, boxTo(at)));
+      const count = countKeys(scene.take.channels, keysInBox(scene, boxTo(at)));
       plot.say(plural(count, 'key'));
     },
     end(at, moved) {
