@@ -37,6 +37,7 @@ const BLANK = 32 - 48;
 const TAB = 9 - 48;
 const NEWLINE = 10 - 48;
 const RETURN = 13 - 48;
+const SMALL_E = 101 - 48;
 
 /** Why the loop stopped; `Scan.at` is then … */
 /** … the end of the bytes. */
@@ -65,11 +66,33 @@ export interface Scan {
  * Infinity, -Infinity, in this order.
  */
 export type BlockWords = readonly [Uint8Array, Uint8Array, Uint8Array];
+
+/**
+ * Words in front of numbers, each with its numbers on a line of its own: the rows of a table that are named. They are
+ * compared byte by byte.
+ */
+export interface Labels {
+  /** The bytes of all of them. */
+  readonly text: Uint8Array;
+  /** Of each, [from, to) in `text`, and [from, to) of its numbers in `out`, from `base`. */
+  readonly rows: Int32Array;
+  base: number;
+  /** The label to begin with; updated by each call to the first whose line was not read. */
+  next: number;
+  /** Where that line starts. */
+  at: number;
+}
+
+/** For numbers without labels. */
+const NO_LABELS: Labels = { text: new Uint8Array(0), rows: new Int32Array(0), base: 0, next: 0, at: 0 };
+
 const WORD_VALUES = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as const;
 
 /**
  * Reads numbers from `bytes[scan.at]` into `out[scan.count]` up to `out[scan.limit]`. Returns why it stopped: FULL only
  * if something follows, at which it stops.
+ * @param labels in front of numbers: then `scan.at` is the start of a line, `scan.count` equals `scan.limit`, and it
+ *     stops at the first line that is not the next label with its numbers; one that ends the bytes is not counted as read
  */
 export function scanNumbers(
   bytes: Uint8Array,
@@ -77,13 +100,20 @@ export function scanNumbers(
   out: Float64Array,
   scan: Scan,
   words: BlockWords | undefined,
+  labels?: Labels,
 ): number {
-  const capacity = scan.limit;
+  let capacity = scan.limit;
   let i = scan.at;
   let n = scan.count;
   let why = AT_END;
   let lineFeeds = 0;
   let sawCr = false;
+  // Labels passed, lines of them read to their end, and where the next starts.
+  let labelled = 0;
+  let linesRead = 0;
+  let lineAt = i;
+  const { text, rows, base } = labels ?? NO_LABELS;
+  let row = labels === undefined ? 0 : 4 * labels.next;
   while (i < end) {
     let c = bytes[i];
     if (c === 32 || c === 9) {
@@ -105,6 +135,29 @@ export function scanNumbers(
       continue;
     }
     if (n === capacity) {
+      // One line feed a label, right before the next.
+      if (labels !== undefined && lineFeeds === labelled && !sawCr && bytes[i - 1] === 10) {
+        lineAt = i;
+        linesRead = labelled++;
+        if (row < rows.length) {
+          const to = rows[row + 1];
+          let k = rows[row];
+          while (k < to && c === text[k]) {
+            k++;
+            c = bytes[++i];
+          }
+          if (k === to && (c === 32 || c === 9 || c === 10 || c === 13)) {
+            n = base + rows[row + 2];
+            capacity = base + rows[row + 3];
+            row += 4;
+            if (c === 32) i++;
+            continue;
+          }
+          i = lineAt;
+        }
+        why = FULL;
+        break;
+      }
       // A list of the declared length must not grow for the brace after it.
       why = c === 125 ? CLOSED : FULL;
       break;
@@ -168,8 +221,32 @@ export function scanNumbers(
         if (d === BLANK) i++;
         continue;
       }
+      if (d === SMALL_E && count > 0 && value <= EXACT) {
+        let k = i + 1;
+        const isNegative = bytes[k] === 45;
+        if (isNegative || bytes[k] === 43) k++;
+        const first = k;
+        let power = 0;
+        d = bytes[k] - 48;
+        while (d >>> 0 < 10 && k < first + 4) {
+          power = 10 * power + d;
+          d = bytes[++k] - 48;
+        }
+        power = decimals + (isNegative ? power : -power);
+        // One exact double by another rounds once.
+        if (
+          k > first &&
+          power < NEGATIVE &&
+          power > -NEGATIVE &&
+          (d === BLANK || d === NEWLINE || d === TAB || d === RETURN)
+        ) {
+          out[n++] = power >= 0 ? value / SIGNED_POWERS[sign + power] : value * SIGNED_POWERS[sign - power];
+          i = k;
+          continue;
+        }
+      }
     }
-    // Very many digits, an exponent, or a brace directly after it; else a word, a brace, or an invalid token.
+    // Very many digits, a large exponent, or a brace directly after it; else a word, a brace, or an invalid token.
     c = bytes[start];
     const stop = tokenEnd(bytes, start, end);
     if (stop > start) {
@@ -188,6 +265,10 @@ export function scanNumbers(
   scan.at = i;
   scan.count = n;
   scan.lineFeeds = sawCr ? -1 : lineFeeds;
+  if (labels !== undefined) {
+    labels.next += linesRead;
+    labels.at = lineAt;
+  }
   return why;
 }
 

@@ -4,8 +4,8 @@
  *     amc   = { ":FULLY-SPECIFIED" | ":DEGREES" | ":RADIANS" | ":SAMPLES-PER-SECOND" n } { frame }
  *     frame = NUMBER, on a line of its own, and lines BONE v …
  *
- * Bones come in any order, nearly always in that of the frame before: then only the bytes of their names are compared,
- * and their numbers read into place by the loop of all numbers (`scan.ts`). All other lines are read word by word.
+ * Bones come in any order, nearly always in that of the frame before: then the loop of all numbers (`scan.ts`) compares
+ * their names as labels, and reads the numbers of the whole frame into place. All other lines are read word by word.
  * A bone that is missing keeps its values.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
@@ -16,7 +16,7 @@ import { LONGEST_FRAME, rangeOfSamples, type Samples, SHORTEST_FRAME } from '../
 import { restChannel, SAMPLED, type Take } from '../../model/takes/take.ts';
 import { NO_PLACE, WHOLE_FILE } from '../places.ts';
 import { ParseError, type Report } from '../report.ts';
-import { FULL, type Scan, scanNumbers } from '../scan.ts';
+import { type Labels, type Scan, scanNumbers } from '../scan.ts';
 import { shortName } from '../words.ts';
 import { AcclaimLines } from './lines.ts';
 
@@ -33,7 +33,6 @@ const UNWRITTEN_VALUES = 4_000_000;
 /** Local names for the loops: some module loaders look up imported ones at every use. */
 const LF = 10;
 const CR = 13;
-const ENOUGH = FULL;
 const scanned = scanNumbers;
 
 /** A bone of the skeleton: where its values go. */
@@ -56,21 +55,36 @@ export function readAmc(bytes: Uint8Array, report: Report, name: string, skeleto
 
 const UTF8 = new TextEncoder();
 
+/** Lines of bones as labels of numbers. */
+function labelsOf(bones: readonly Target[]): Labels {
+  const text = new Uint8Array(bones.reduce((sum, { bytes }) => sum + bytes.length, 0));
+  let at = 0;
+  const rows = bones.flatMap(({ bytes, column, width }) => {
+    text.set(bytes, at);
+    at += bytes.length;
+    return [at - bytes.length, at, column, column + width];
+  });
+  return { text, rows: Int32Array.from(rows), base: 0, next: 0, at: 0 };
+}
+
 class Reading {
   private readonly lines: AcclaimLines;
   private readonly targets: readonly Target[];
   private readonly byName: ReadonlyMap<string, Target>;
+  /** Those that have values. */
+  private readonly moving: readonly Target[];
   private readonly width: number;
-  /** Bones that have values. */
-  private readonly moving: number;
   private values = new Float64Array(0);
   /** Frames begun. */
   private frames = 0;
-  /** Bones of this frame that have values, each once. */
-  private given = 0;
-  /** The bones of the frame before and of this one, in their order. */
-  private before: Target[] = [];
-  private now: Target[] = [];
+  /** The bones of the frame before, in their order, and as labels. */
+  private before: readonly Target[] = [];
+  private labels = labelsOf([]);
+  /** This frame's are as many of those, and then others. */
+  private same = 0;
+  private others: Target[] = [];
+  /** Those with values that the frame before lacks. */
+  private missing: readonly Target[] = [];
   private readonly scan: Scan = { at: 0, count: 0, limit: 0, lineFeeds: 0 };
   private angle: 'deg' | 'rad';
   private perSecond: number | undefined;
@@ -99,7 +113,7 @@ class Reading {
       isMissed: false,
     }));
     this.byName = new Map(this.targets.map((target) => [target.name, target]));
-    this.moving = this.targets.filter(({ width }) => width > 0).length;
+    this.moving = this.targets.filter(({ width }) => width > 0);
     this.width = this.targets.reduce((sum, { width }) => sum + width, 0);
   }
 
@@ -135,35 +149,15 @@ class Reading {
 
   /** Lines of bones in the order of the frame before; returns where the first other one starts. */
   private quickBones(from: number, end: number): number {
-    const { bytes, scan, values, before, now, frames } = this;
-    const base = (frames - 1) * this.width;
-    let at = from;
-    while (now.length < before.length) {
-      const target = before[now.length];
-      const name = target.bytes;
-      const { length } = name;
-      let i = 0;
-      while (i < length && bytes[at + i] === name[i]) i++;
-      const blank = bytes[at + i];
-      if (i < length || (blank !== 32 && blank !== 9)) return at;
-      const first = base + target.column;
-      scan.at = at + i;
-      scan.count = first;
-      scan.limit = first + target.width;
-      const why = scanned(bytes, end, values, scan, undefined);
-      if (scan.count !== scan.limit || (why !== ENOUGH && scan.at < end)) return at;
-      // All on one line, with nothing else on it.
-      let feeds = 0;
-      for (i = scan.at - 1; ; i--) {
-        const c = bytes[i];
-        if (c === LF) feeds++;
-        else if (c !== 32 && c !== 9 && c !== CR) break;
-      }
-      if (feeds === 0 || feeds !== scan.lineFeeds) return at;
-      this.note(target);
-      at = scan.at;
-    }
-    return at;
+    const { bytes, scan, values, labels } = this;
+    if (this.others.length > 0 || this.same === this.before.length) return from;
+    scan.at = from;
+    scan.count = scan.limit = 0;
+    labels.base = (this.frames - 1) * this.width;
+    labels.next = this.same;
+    scanned(bytes, end, values, scan, undefined, labels);
+    this.same = labels.next;
+    return labels.at;
   }
 
   /** Any line. */
@@ -200,14 +194,8 @@ class Reading {
     const base = (this.frames - 1) * this.width + target.column;
     for (let i = 0; i < target.width; i++)
       this.values[base + i] = lines.number(i + 1, `a value of "${target.name}"`) ?? 0;
-    this.note(target);
-  }
-
-  /** A bone that is given a second time in a frame has the later values. */
-  private note(target: Target): void {
-    if (target.seen !== this.frames && target.width > 0) this.given++;
-    target.seen = this.frames;
-    this.now.push(target);
+    if (this.others.length === 0 && this.before[this.same] === target) this.same++;
+    else this.others.push(target);
   }
 
   private header(): void {
@@ -247,10 +235,7 @@ class Reading {
     } else this.firstAt = at;
     this.number = number;
     this.frames++;
-    const { width, frames } = this;
-    if (frames * width > this.values.length) this.grow(at);
-    // Of bones that are missing, what was before.
-    if (frames > 1) this.values.copyWithin((frames - 1) * width, (frames - 2) * width, (frames - 1) * width);
+    if (this.frames * this.width > this.values.length) this.grow(at);
   }
 
   /** Room for the rest of the file, as long as the frames so far. */
@@ -271,21 +256,35 @@ class Reading {
   }
 
   private endFrame(): void {
-    const { now, targets, frames } = this;
-    if (this.given < this.moving && !this.report.hasErrors) {
-      for (const target of targets) {
-        if (target.seen === frames || target.width === 0 || target.isMissed) continue;
-        target.isMissed = true;
-        const assumed = frames === 1 ? 'used 0' : 'used the values of the frame before';
-        const message = `The bone "${shortName(target.name)}" is missing in frame ${frames}.`;
-        this.report.warn('bone-missing', message, NO_PLACE, assumed);
-      }
+    const { before, same, others, frames } = this;
+    this.same = 0;
+    // Nearly all frames have the bones of the first.
+    if (frames === 1 || others.length > 0 || same !== before.length)
+      this.changeBones([...before.slice(0, same), ...others]);
+    if (frames === 1) return;
+    const { values, width } = this;
+    for (const { column, width: count } of this.missing) {
+      const to = (frames - 1) * width + column;
+      values.copyWithin(to, to - width, to - width + count);
     }
-    this.given = 0;
-    // Nearly all frames have the bones of the first, and two lists serve them all.
-    this.now = this.before;
-    this.now.length = 0;
-    this.before = now;
+  }
+
+  /** This frame has other bones than the one before, or is the first. */
+  private changeBones(bones: readonly Target[]): void {
+    const { frames } = this;
+    this.others = [];
+    this.before = bones;
+    this.labels = labelsOf(bones);
+    for (const bone of bones) bone.seen = frames;
+    this.missing = this.moving.filter(({ seen }) => seen !== frames);
+    if (this.report.hasErrors) return;
+    for (const target of this.missing) {
+      if (target.isMissed) continue;
+      target.isMissed = true;
+      const assumed = frames === 1 ? 'used 0' : 'used the values of the frame before';
+      const message = `The bone "${shortName(target.name)}" is missing in frame ${frames}.`;
+      this.report.warn('bone-missing', message, NO_PLACE, assumed);
+    }
   }
 
   private get skeletonName(): string {

@@ -266,3 +266,56 @@ describe('random skeletons of Acclaim', () => {
     );
   });
 });
+
+const BONES = [
+  ['root', 6],
+  ['low', 3],
+  ['rod', 2],
+  ['slide', 5],
+  ['stick', 0],
+] as const;
+
+/** A line of a bone as it may stand among others: what is before it, its number, its values, what is after it, its end. */
+const boneLine = fc.record({
+  before: fc.constantFrom('', '', '', ' ', '\n', '# said\n'),
+  bone: fc.nat(4),
+  values: fc.array(fc.constantFrom('0.5', '-2', '1e-3', '3.64024e-015', '+.25', '12345678.875', '7.'), {
+    minLength: 6,
+    maxLength: 6,
+  }),
+  after: fc.constantFrom('', '', '', ' ', '\t', ' # low 1 2 3'),
+  end: fc.constantFrom('\n', '\n', '\n', '\r\n', '\r'),
+});
+
+describe('a motion of Acclaim', () => {
+  it('has the values of its lines, whatever their order, repetitions, gaps, blanks, comments and ends', async () => {
+    await fc.assert(
+      fc.asyncProperty(
+        fc.array(boneLine, { maxLength: 7 }),
+        fc.array(fc.record({ kept: fc.nat(7), others: fc.array(boneLine, { maxLength: 3 }) }), {
+          minLength: 1,
+          maxLength: 5,
+        }),
+        async (usual, changes) => {
+          const row = new Array<number>(16).fill(0);
+          const expected: number[] = [];
+          let text = ':RADIANS\n:SAMPLES-PER-SECOND 60\n';
+          // Most frames begin as the first.
+          changes.forEach(({ kept, others }, frame) => {
+            text += `${frame + 1}\n`;
+            for (const { before, bone, values, after, end } of [...usual.slice(0, kept), ...others]) {
+              const [name, count] = BONES[bone];
+              text += `${before}${[name, ...values.slice(0, count)].join(' ')}${after}${end}`;
+              const first = BONES.slice(0, bone).reduce((sum, [, width]) => sum + width, 0);
+              for (let i = 0; i < count; i++) row[first + i] = Number(values[i]);
+            }
+            expected.push(...row);
+          });
+          const { value, diagnostics } = await readAmcText(text);
+          expect(diagnostics.filter(({ code }) => code !== 'bone-missing')).toEqual([]);
+          expect([...(value?.take.samples?.values ?? [])]).toEqual(expected);
+        },
+      ),
+    );
+  });
+});
