@@ -73,16 +73,16 @@ export function loadFiles(args: readonly string[], folder: string, otherwise?: F
 }
 
 /**
- * The files in a folder or a zip, with paths relative to it.
+ * The files in a folder or a zip, of other programs too, with paths relative to it.
  *
  * @param container absolute
  */
-export function loadInside(container: string): Loaded {
-  if (!isFile(container)) return loadFiles(['.'], container);
+export async function loadInside(container: string): Promise<Loaded> {
+  if (!isFile(container)) return loadAny(['.'], container);
   const name = basename(container);
   const found = findFiles([name], dirname(container));
   const files = found.files.map((file) => ({ ...file, path: file.path.slice(name.length + 1) }));
-  return loadAll({ ...found, files });
+  return loadAll({ ...found, files }, undefined, await importGiven(files, dirname(container)));
 }
 
 function loadAll({ files, missing, problems }: FoundFiles, otherwise?: Format, imported?: ImportedPaths): Loaded {

@@ -43,7 +43,7 @@ async function takeFile({ fileName, bytes, beside, near }: Import): Promise<Impo
     return { diagnostics: [withoutPlace('error', 'skeleton-broken', message, fileName)], beside: [], isWaiting: true };
   }
   const report = new Report(fileName);
-  const take = readOrFail(bytes, report, stemOfName(fileName), of.value);
+  const take = amcTake(bytes, report, stemOfName(fileName), of.value);
   const space = take && spaceOf(of.value, take);
   if (space?.space.known === 'guessed') {
     const message = 'The unit that the skeleton states would make a person less than 0.4 m or more than 3 m tall.';
@@ -59,7 +59,8 @@ async function takeFile({ fileName, bytes, beside, near }: Import): Promise<Impo
   return { value, diagnostics, beside: [] };
 }
 
-function readOrFail(bytes: Uint8Array, report: Report, name: string, skeleton: Skeleton): Take | undefined {
+/** The take of an `.amc`; undefined, with errors in the report, if it is none. @param name of the take */
+export function amcTake(bytes: Uint8Array, report: Report, name: string, skeleton: Skeleton): Take | undefined {
   try {
     return readAmc(bytes, report, name, skeleton);
   } catch (error) {

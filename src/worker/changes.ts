@@ -1,9 +1,12 @@
 /** The `changes` and `check` jobs: what the page changed in a text file, and what was edited in the text. */
 
 import { changedText, rewritten } from '../files/changes/changed-text.ts';
+import type { Owned } from '../files/save/owned.ts';
+import { writeFile } from '../files/writers.ts';
 import { mapSource } from '../formats/source/map-source.ts';
+import { partsOf } from '../model/character-parts.ts';
 import { parse } from './parse.ts';
-import type { ChangesInput, ChangesOutput, CheckInput, CheckOutput, Progress } from './protocol.ts';
+import type { ChangesInput, ChangesOutput, CheckInput, CheckOutput, GivenBlob, Progress } from './protocol.ts';
 import { textIn } from './source.ts';
 
 export async function changesOf({ file, source, owned }: ChangesInput): Promise<ChangesOutput> {
@@ -21,7 +24,18 @@ export async function checkText(
   onProgress: (progress: Progress) => void,
 ): Promise<CheckOutput> {
   const { path } = source;
-  const output = await parse({ files: [{ path, blob: new Blob([edited]) }] }, onProgress);
+  const before = skeletonBeside(owned);
+  const output = await parse({ files: [{ path, blob: new Blob([edited]) }], before }, onProgress);
+  const diagnostics = output.diagnostics.filter(({ code }) => code !== 'part-given-before');
   const isSame = output.files.length > 0 && rewritten(source, edited, owned) === rewritten(source, base, owned);
-  return { ...output, isSame };
+  return { ...output, diagnostics, isSame };
+}
+
+/** The skeleton of a motion of Acclaim, as it is now. */
+function skeletonBeside([first]: readonly Owned[]): readonly GivenBlob[] {
+  if (first?.part.kind !== 'amc') return [];
+  return partsOf(first.character).flatMap(({ kind, content, file }) => {
+    const written = kind === 'asf' && file && writeFile({ kind, skeleton: content }, file.name);
+    return written && 'text' in written ? [{ path: file.path, blob: new Blob([written.text]) }] : [];
+  });
 }

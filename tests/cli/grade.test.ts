@@ -5,6 +5,7 @@ import { dirname, join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Grade } from '../../src/cli/grade/grade.ts';
+import { ODD_AMC, ODD_ASF } from '../helpers/acclaim.ts';
 import { command, commandJson, type PoseJson } from '../helpers/command.ts';
 
 const SKEL = `balljoint root { offset 1 0 0 pose 0.2 0.3 0.5
@@ -558,5 +559,28 @@ describe('dumps that the reference has too', () => {
     expect(err).toMatch(/contradicting\/ref\/joints\.txt warning reference-dump: .* off by \d/);
     const { submissions } = JSON.parse(out) as { submissions: readonly Grade[] };
     expect(submissions.map(({ verdict }) => verdict)).toEqual(['right', 'wrong']);
+  });
+});
+
+describe('a class with files of Acclaim', () => {
+  it('is judged by what they evaluate to, and by the numbers of its programs', async () => {
+    const given = (path: string, amc = ODD_AMC) => {
+      write(`${path}/x.asf`, ODD_ASF);
+      write(`${path}/x_walk.amc`, amc);
+    };
+    given('acclaim-ref');
+    given('acclaim/ann');
+    given('acclaim/bob/hw', ODD_AMC.replace('low 0.2', 'low 0.7'));
+    given('acclaim/cid', ODD_AMC.replace('low 0.2', 'lov 0.2'));
+    const { submissions } = await commandJson<{ readonly submissions: readonly Grade[] }>(
+      ['grade', 'acclaim', '--reference', 'acclaim-ref'],
+      folder,
+      1,
+    );
+    const [ann, bob, cid] = submissions;
+    expect([ann.verdict, bob.verdict, cid.loads]).toEqual(['right', 'wrong', false]);
+    expect(ann.joints).toBe(5);
+    expect(bob.parts).toMatchObject([{ own: ['low'] }]);
+    expect(cid.problems).toMatchObject([{ code: 'bone-unknown', line: 12 }]);
   });
 });

@@ -83,7 +83,7 @@ export const grade = shellCommand({
       throw new UsageError(`There is no folder or zip "${referencePath}" in ${io.folder}.`);
     }
     const { submissions, loose } = submissionsIn(folder, io.folder, referenceFolder);
-    const reference = loadReference(referenceFolder, referencePath, tolerance, io.err);
+    const reference = await loadReference(referenceFolder, referencePath, tolerance, io.err);
     const skipped = loose.map((name) => `${folder.replace(/[/\\]+$/, '')}/${name}`);
     report(skipped.map(looseFile), io);
     const options = { folder: io.folder, times, tolerance, needs };

@@ -25,7 +25,7 @@ import { fitDumpsAt } from '../../teaching/dump/times.ts';
 import { Evaluator } from '../../teaching/program/evaluator.ts';
 import { ownValues } from '../../teaching/program/own-values.ts';
 import { RIGHT_PROGRAM } from '../../teaching/program/program.ts';
-import { type Loaded, loadGiven } from '../load.ts';
+import { type Loaded, loadFound } from '../load.ts';
 import type { GivenPath } from '../paths.ts';
 import { fileBytes } from '../read-file.ts';
 import { reasonOf } from '../reason.ts';
@@ -53,9 +53,9 @@ const NOTHING_COMPARED: Compared = { world: 0, local: 0, positions: 0, vertices:
  * Never throws: a submission that can't be judged has a problem that says why.
  * @param submission its folder, absolute
  */
-export function judge(submission: string, reference: Reference, options: JudgeOptions): Grade {
+export async function judge(submission: string, reference: Reference, options: JudgeOptions): Promise<Grade> {
   try {
-    return new Judging(submission, reference, options).grade();
+    return await new Judging(submission, reference, options).grade();
   } catch (error) {
     const path = slashed(relative(options.folder, submission));
     return notJudged(
@@ -96,7 +96,7 @@ class Judging {
     this.path = slashed(relative(options.folder, submission));
   }
 
-  grade(): Grade {
+  async grade(): Promise<Grade> {
     const { reference, path, problems, parts } = this;
     const handedIn = filesOf(this.submission, this.options.folder);
     problems.push(...handedIn.problems);
@@ -116,7 +116,7 @@ class Judging {
       const message = `Expected files with the reference's names (${names}) or a dump, found none.`;
       return notJudged(path, withoutPlace('error', 'nothing-to-judge', message, path));
     }
-    const loaded = loadGiven(read);
+    const loaded = await loadFound(read, this.options.folder);
     problems.push(...loaded.diagnostics.filter(({ code }) => code !== 'format-unknown'));
     if (used.size > 0) this.judgeFiles(loaded, counterparts);
     for (const file of loaded.files) if (file.kind === 'dump' && !used.has(file.source.path)) this.judgeDump(file);
@@ -198,9 +198,11 @@ class Judging {
       if (file.kind === 'dump') continue;
       const own = counterparts.get(file.source.path);
       const theirs = own === undefined ? file : readByPath.get(own);
-      if (theirs)
-        files.push({ ...theirs, source: { ...theirs.source, name: file.source.name, path: file.source.path } });
-      else broken.push({ kind: file.kind, source: file.source });
+      if (theirs) {
+        const source = { ...theirs.source, name: file.source.name, path: file.source.path };
+        const of = file.kind === 'amc' ? file.of : undefined;
+        files.push(theirs.kind === 'amc' && of ? { ...theirs, source, of } : { ...theirs, source });
+      } else broken.push({ kind: file.kind, source: file.source });
     }
     if (broken.length > 0) this.loads = false;
     const called = ({ path, name }: SourceFile) => counterparts.get(path) ?? name;

@@ -27,8 +27,13 @@ const MAX_NAMED = 10;
  * @param tolerance of its dumps
  * @throws UsageError if a file has errors, or if there is nothing to judge by
  */
-export function loadReference(folder: string, path: string, tolerance: number, err: (text: string) => void): Reference {
-  const loaded = loadInside(folder);
+export async function loadReference(
+  folder: string,
+  path: string,
+  tolerance: number,
+  err: (text: string) => void,
+): Promise<Reference> {
+  const loaded = await loadInside(folder);
   const { document, diagnostics } = openLoaded(loaded);
   const told = (found: readonly Diagnostic[]) =>
     report(

@@ -26,7 +26,7 @@ export interface Class {
 /** For the threads (`threads.ts`): each loads the reference. */
 export const gradeWork: Work<Shared, string, Grade> = ({ referenceFolder, options }) => {
   const reference = loadReference(referenceFolder, referenceFolder, options.tolerance, () => undefined);
-  return (submission) => judge(submission, reference, options);
+  return async (submission) => judge(submission, await reference, options);
 };
 
 /**

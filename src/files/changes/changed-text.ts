@@ -4,10 +4,14 @@
  */
 import { newCharacter } from '../../edit/new-character.ts';
 import { addPoses } from '../../edit/pose/library.ts';
+import { asfReader } from '../../formats/acclaim/read-asf.ts';
+import { stemOfName } from '../../formats/grammar.ts';
 import { readWhole } from '../../formats/reader.ts';
+import { Report } from '../../formats/report.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import type { FileContent, SourceFile } from '../../model/files.ts';
 import type { LineHunk } from '../../model/text-changes.ts';
+import { amcTake } from '../acclaim.ts';
 import { openFiles } from '../open/open-files.ts';
 import { formatOf } from '../readers.ts';
 import { savedFileOf } from '../save/output.ts';
@@ -45,7 +49,7 @@ export function changedText(source: SourceFile, original: string, owned: readonl
  * @param owned the parts that are saved in such a file
  */
 export function rewritten(source: SourceFile, text: string, owned: readonly Owned[]): string | undefined {
-  const { value } = readWhole<FileContent>(formatOf(source.name)?.reader(source.name) ?? NOTHING, text);
+  const value = contentOf(source, text, owned);
   if (!value) return undefined;
   if (value.kind === 'bvh') {
     const { document } = openFiles(EMPTY_DOCUMENT, [{ ...value, source }]);
@@ -59,6 +63,19 @@ export function rewritten(source: SourceFile, text: string, owned: readonly Owne
   const content = value.kind === 'pose' ? inLibrary(value, owned) : value;
   const written = writeFile(content, source.name);
   return written && 'text' in written ? written.text : undefined;
+}
+
+/** Undefined if it has errors. A motion of Acclaim is read with the skeleton of the character that has it. */
+function contentOf({ name }: SourceFile, text: string, owned: readonly Owned[]): FileContent | undefined {
+  const format = formatOf(name);
+  if (format?.format === 'asf') {
+    const { value: skeleton } = readWhole(asfReader(name), text);
+    return skeleton && { kind: 'asf', skeleton };
+  }
+  if (format?.format !== 'amc') return readWhole<FileContent>(format?.reader(name) ?? NOTHING, text).value;
+  const skeleton = owned[0]?.character.skeleton;
+  const take = skeleton && amcTake(new TextEncoder().encode(text), new Report(name), stemOfName(name), skeleton);
+  return take && { kind: 'amc', skeleton, take };
 }
 
 const NOTHING = { feed: () => undefined, end: () => ({ diagnostics: [] }) };
