@@ -10,6 +10,7 @@ import { poseToSave } from '../files/save/saved-poses.ts';
 import { hasErrors } from '../model/diagnostic.ts';
 import type { Character, Document } from '../model/document.ts';
 import { baseName, type SourceFile } from '../model/files.ts';
+import { NO_MARKS } from '../model/part.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import { type CheckedText, type FileChanges, MAX_TEXT_BYTES, type TextEdits } from '../ui/state/source.ts';
 import { bytes as inWords } from '../ui/widgets/numbers/number-text.ts';
@@ -118,7 +119,18 @@ const forever = new AbortController().signal;
 
 /** Without all that writing the part needs nothing of, to be sent to the worker. */
 function alone({ character, part, pose }: Owned): Owned {
-  const { driver: _driver, parts: _parts, poses: _poses, ...rest } = character;
-  const bare: Character = { ...rest, skins: [], shownSkin: 0, morphs: [], takes: [], shownTake: -1, textures: [] };
+  const { driver: _driver, parts, poses: _poses, ...rest } = character;
+  // A motion of Acclaim is read with its skeleton's file.
+  const marks = { ...NO_MARKS, ...(parts?.skeleton && { skeleton: parts.skeleton }) };
+  const bare: Character = {
+    ...rest,
+    parts: marks,
+    skins: [],
+    shownSkin: 0,
+    morphs: [],
+    takes: [],
+    shownTake: -1,
+    textures: [],
+  };
   return { character: bare, part, pose };
 }

@@ -14,7 +14,7 @@ import type { LineHunk } from '../../model/text-changes.ts';
 import { amcTake } from '../acclaim.ts';
 import { openFiles } from '../open/open-files.ts';
 import { formatOf } from '../readers.ts';
-import { savedFileOf } from '../save/output.ts';
+import { outputOf, savedFileOf } from '../save/output.ts';
 import { type Owned, ownedIn } from '../save/owned.ts';
 import { posesByNames } from '../save/saved-poses.ts';
 import { writeParts } from '../save/saving.ts';
@@ -61,8 +61,8 @@ export function rewritten(source: SourceFile, text: string, owned: readonly Owne
     ).text;
   }
   const content = value.kind === 'pose' ? inLibrary(value, owned) : value;
-  const written = writeFile(content, source.name);
-  return written && 'text' in written ? written.text : undefined;
+  const isWritten = writeFile(content, source.name) !== undefined;
+  return isWritten ? savedFileOf(outputOf({ name: source.name, content: () => content })).text : undefined;
 }
 
 /** Undefined if it has errors. A motion of Acclaim is read with the skeleton of the character that has it. */
