@@ -1,6 +1,6 @@
 /**
- * The bar under the scrubber for values between keys: of the pose at the current time, or of the selected keys. One drag
- * of the slider, a button or a typed number is one step; Escape gives up a drag, and closes the bar.
+ * The bar under the scrubber for values between keys: of the pose at the current time, or of the selected keys. One
+ * drag of the slider, a button or a typed number is one step; Escape gives up a drag, and closes the bar.
  */
 
 import type { Edit } from '../../../edit/change.ts';
@@ -38,108 +38,140 @@ const STEP = 0.01;
 
 /** Stays for as long as the page, hidden while no way is chosen. @param row the ruler's, after which it is put */
 export function tweenBar(wb: Parts, row: HTMLElement): HTMLElement {
-  const { timeline } = wb;
-  let edit: HandEdit | undefined;
-  const name = element('b');
-  const slider = element('input', { type: 'range', step: String(STEP), class: 'tween-slider', 'aria-label': 'Share' });
-  const presets = element('span', { class: 'tools' });
-  const about = element('select', { 'aria-label': 'Scale about' });
-  for (const each of SCALE_ABOUT) about.append(element('option', { value: each }, ABOUT_LABELS[each]));
-  const what = element('span', { class: 'faint tween-what' });
-  const field = new NumberField({
-    label: 'Share',
-    text: (value) => shown(value, 3),
-    step: 0.1,
-    commit: (value) => once(value),
-    refuse: (reason) => wb.messages.note(reason, 'warning'),
-  });
-  setAttribute(field.element, OFFERED, '');
-  const close = button('Close', { class: 'tool' }, icon('close'), () => timeline.tween.update(() => undefined));
-  const bar = element(
-    'div',
-    { class: 'tween-bar', role: 'group', 'aria-label': 'Between keys', hidden: true },
-    name,
-    presets,
-    slider,
-    field.element,
-    about,
-    what,
-    close,
-  );
+  const { element: bar } = new TweenBar(wb);
   row.after(bar);
-
-  const way = () => ways.find(({ kind }) => kind === timeline.tween.get());
-  const rest = () => {
-    const { neutral = 0 } = way() ?? {};
-    slider.value = String(neutral);
-    field.show(neutral);
-  };
-  const begin = () => {
-    const current = currentTake(wb);
-    pausePlayback(wb);
-    return current && ofKeys(wb, way()) ? editOfTake(wb, current) : new HandEdit(wb.store, wb.messages);
-  };
-  const preview = (made: HandEdit, value: number) => {
-    const kind = way()?.kind;
-    if (kind) previewOf(wb, kind, about.value)?.(made, value);
-  };
-  const finish = () => {
-    edit?.commit();
-    edit = undefined;
-    rest();
-    show();
-  };
-  function once(value: number): void {
-    edit ??= begin();
-    preview(edit, value);
-    finish();
-  }
-  slider.addEventListener('input', () => {
-    edit ??= begin();
-    const value = Number(slider.value);
-    field.show(value);
-    preview(edit, value);
-  });
-  slider.addEventListener('change', finish);
-  bar.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape' || edit) return;
-    event.preventDefault();
-    event.stopPropagation();
-    timeline.tween.update(() => undefined);
-  });
-
-  const show = oncePerFrame(() => {
-    const now = way();
-    if (now) setText(what, targetText(wb, now));
-  });
-  const choose = (kind: TweenKind | undefined) => {
-    const now = way();
-    const hadFocus = bar.contains(document.activeElement);
-    write(bar, 'hidden', kind === undefined);
-    if (!now) {
-      if (hadFocus) leaveField(field.element);
-      return;
-    }
-    setText(name, now.label);
-    slider.min = String(now.span[0]);
-    slider.max = String(now.span[1]);
-    setTooltip(slider, now.text);
-    presets.replaceChildren(...now.presets.map((value) => preset(value, once)));
-    write(about, 'hidden', kind !== 'scale');
-    rest();
-    show();
-    field.element.focus();
-  };
-  timeline.tween.subscribe(choose);
-  timeline.view.subscribe(show);
-  wb.transport.subscribe(show);
-  wb.store.subscribe(show);
-  choose(timeline.tween.get());
   return bar;
 }
 
-function preset(value: number, apply: (value: number) => void): HTMLElement {
-  return button(shown(value), { class: 'tool text-tool' }, shown(value), () => apply(value));
+class TweenBar {
+  readonly element: HTMLElement;
+  private readonly name = element('b');
+  private readonly slider = element('input', {
+    type: 'range',
+    step: String(STEP),
+    class: 'tween-slider',
+    'aria-label': 'Share',
+  });
+  private readonly presets = element('span', { class: 'tools' });
+  private readonly about = element('select', { 'aria-label': 'Scale about' });
+  private readonly what = element('span', { class: 'faint tween-what' });
+  private readonly field: NumberField;
+  private readonly show: () => void;
+  /** The gesture under way. */
+  private edit: HandEdit | undefined;
+
+  constructor(private readonly wb: Parts) {
+    const { timeline, messages } = wb;
+    for (const each of SCALE_ABOUT) this.about.append(element('option', { value: each }, ABOUT_LABELS[each]));
+    this.field = new NumberField({
+      label: 'Share',
+      text: (value) => shown(value, 3),
+      step: 0.1,
+      commit: (value) => this.apply(value),
+      refuse: (reason) => messages.note(reason, 'warning'),
+    });
+    setAttribute(this.field.element, OFFERED, '');
+    const close = button('Close', { class: 'tool' }, icon('close'), () => this.close());
+    const { name, presets, slider, field, about, what } = this;
+    this.element = element(
+      'div',
+      { class: 'tween-bar', role: 'group', 'aria-label': 'Between keys', hidden: true },
+      name,
+      presets,
+      slider,
+      field.element,
+      about,
+      what,
+      close,
+    );
+    this.show = oncePerFrame(() => {
+      const { way } = this;
+      if (way) setText(what, targetText(wb, way));
+    });
+    this.listen();
+    timeline.tween.subscribe((kind) => this.choose(kind));
+    for (const each of [timeline.view, wb.transport, wb.store]) each.subscribe(this.show);
+    this.choose(timeline.tween.get());
+  }
+
+  private get way(): TweenWay | undefined {
+    const chosen = this.wb.timeline.tween.get();
+    return ways.find(({ kind }) => kind === chosen);
+  }
+
+  private listen(): void {
+    const { slider } = this;
+    slider.addEventListener('input', () => {
+      this.field.show(Number(slider.value));
+      this.preview(Number(slider.value));
+    });
+    slider.addEventListener('change', () => this.finish());
+    this.element.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape' || this.edit) return;
+      event.preventDefault();
+      event.stopPropagation();
+      this.close();
+    });
+  }
+
+  private choose(kind: TweenKind | undefined): void {
+    const { way, element: bar, slider } = this;
+    const hadFocus = bar.contains(document.activeElement);
+    write(bar, 'hidden', kind === undefined);
+    if (!way) {
+      if (hadFocus) leaveField(this.field.element);
+      return;
+    }
+    setText(this.name, way.label);
+    slider.min = String(way.span[0]);
+    slider.max = String(way.span[1]);
+    setTooltip(slider, way.text);
+    this.presets.replaceChildren(...way.presets.map((value) => preset(value, () => this.apply(value))));
+    write(this.about, 'hidden', kind !== 'scale');
+    this.rest();
+    this.show();
+    this.field.element.focus();
+  }
+
+  /** A value as one step. */
+  private apply(value: number): void {
+    this.preview(value);
+    this.finish();
+  }
+
+  private preview(value: number): void {
+    const { wb, way } = this;
+    this.edit ??= this.begin();
+    if (way) previewOf(wb, way.kind, this.about.value)?.(this.edit, value);
+  }
+
+  private begin(): HandEdit {
+    const { wb } = this;
+    const current = currentTake(wb);
+    pausePlayback(wb);
+    return current && ofKeys(wb, this.way) ? editOfTake(wb, current) : new HandEdit(wb.store, wb.messages);
+  }
+
+  private finish(): void {
+    this.edit?.commit();
+    this.edit = undefined;
+    this.rest();
+    this.show();
+  }
+
+  private rest(): void {
+    const { neutral = 0 } = this.way ?? {};
+    this.slider.value = String(neutral);
+    this.field.show(neutral);
+  }
+
+  private close(): void {
+    this.wb.timeline.tween.update(() => undefined);
+  }
+}
+
+function preset(value: number, apply: () => void): HTMLElement {
+  return button(shown(value), { class: 'tool text-tool' }, shown(value), apply);
 }
 
 /** Whether it is for the selected keys now. */
