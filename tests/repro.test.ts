@@ -1,6 +1,6 @@
 /**
- * What once made a reader give way, and what the attack on the readers (`npm run attack`) finds in a moment: in a thread
- * like that of the attack, where memory is measured exactly.
+ * What once made a reader give way, and what the attack on the readers (`npm run attack`) finds in a moment: in a
+ * thread like that of the attack, where memory is measured exactly.
  */
 import { once } from 'node:events';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';

@@ -1,6 +1,6 @@
 /**
- * Errors that nobody caught, and pictures that can't be drawn. Each is told once, however often it comes back, with what
- * can be done: save everything, and copy what a report needs.
+ * Errors that nobody caught, and pictures that can't be drawn. Each is told once, however often it comes back, with
+ * what can be done: save everything, and copy what a report needs.
  */
 import type { Messages } from '../ui/state/messages.ts';
 import { onDemand } from '../ui/state/on-demand.ts';

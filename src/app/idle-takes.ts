@@ -1,6 +1,6 @@
 /**
- * Makes the channels of takes that still have none, one take whenever the page is idle, so that nothing waits for them when
- * another take is shown, or a command changes all of them.
+ * Makes the channels of takes that still have none, one take whenever the page is idle, so that nothing waits for them
+ * when another take is shown, or a command changes all of them.
  */
 import type { Store } from '../edit/store.ts';
 import type { Document } from '../model/document.ts';

@@ -153,8 +153,8 @@ function besideOnDisk(absolute: string, wanted: string, folder: string): Beside 
 }
 
 /**
- * Files with an extension that one may belong to, relative to it: those of its folder that were given, else all that were
- * given, else those that are in its folder on disk.
+ * Files with an extension that one may belong to, relative to it: those of its folder that were given, else all that
+ * were given, else those that are in its folder on disk.
  */
 function namesNear(
   { path, absolute, zip }: GivenPath,

@@ -1,6 +1,6 @@
 /**
- * Shares work among threads that run this very program. Each asks for the next piece when it is done with one, so a slow
- * one holds up nobody; a thread that dies takes only its own piece with it.
+ * Shares work among threads that run this very program. Each asks for the next piece when it is done with one, so a
+ * slow one holds up nobody; a thread that dies takes only its own piece with it.
  */
 import { availableParallelism } from 'node:os';
 import { setImmediate as nextTurn } from 'node:timers/promises';

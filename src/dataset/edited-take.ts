@@ -6,8 +6,8 @@ import type { Take } from '../model/takes/take.ts';
 import { type TakeOptions, takeOf } from './take.ts';
 
 /**
- * The character that plays the takes of another one as edited: itself, or the target of retargeting. Frames that are only
- * cropped or mirrored keep the numbers of the file.
+ * The character that plays the takes of another one as edited: itself, or the target of retargeting. Frames that are
+ * only cropped or mirrored keep the numbers of the file.
  * @param options their `fps` is left to whoever samples the result
  * @throws CommandError, in a sentence, if nothing is left
  */

@@ -3,9 +3,10 @@
  *
  *     local q = q of J(φ)        world q = q_parent · q        world p = p_parent + q_parent · t        t: from the pivot
  *
- * Frames come in blocks, and a block joint by joint: what is the same in all frames stays available, and what is written is
- * near by. Where no joint stretches, quaternions are made of angles, without matrices: the sines and cosines of a joint's
- * block in one go. Where one does, rotations are those of the world matrices, and local ones follow from these.
+ * Frames come in blocks, and a block joint by joint: what is the same in all frames stays available, and what is
+ * written is near by. Where no joint stretches, quaternions are made of angles, without matrices: the sines and cosines
+ * of a joint's block in one go. Where one does, rotations are those of the world matrices, and local ones follow from
+ * these.
  *
  * In the scene: metres, y up, on the ground (`evaluate/space.ts`); the root's rotation includes that of the up axis, so
  * local rotations and the offsets compose to the world ones. Without a space all is as in the file.

@@ -1,6 +1,6 @@
 /**
- * Writes numpy's `.npz`: a zip of `.npy` files, stored, as `np.savez` does. All times are the first of 1980, so that the
- * same arrays give the same bytes.
+ * Writes numpy's `.npz`: a zip of `.npy` files, stored, as `np.savez` does. All times are the first of 1980, so that
+ * the same arrays give the same bytes.
  *
  *     each entry     local header, name, content
  *     at the end     central directory: a header and the name of each entry; end record

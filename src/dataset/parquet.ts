@@ -1,6 +1,6 @@
 /**
- * Writes Parquet: a table by columns, of which none may be empty cells. One row group; each column is one page of plain,
- * uncompressed values, so that the same table gives the same bytes, and the metadata say where it starts.
+ * Writes Parquet: a table by columns, of which none may be empty cells. One row group; each column is one page of
+ * plain, uncompressed values, so that the same table gives the same bytes, and the metadata say where it starts.
  *
  *     PAR1    page header, values; of each column    metadata, their length    PAR1
  *

@@ -1,6 +1,7 @@
 /**
- * Where the floor is drawn. Characters whose origin is in their middle would be half below a floor at 0; if none of those
- * that are visible stands on it, the floor is at their lowest point. That is for the view alone: no number changes.
+ * Where the floor is drawn. Characters whose origin is in their middle would be half below a floor at 0; if none of
+ * those that are visible stands on it, the floor is at their lowest point. That is for the view alone: no number
+ * changes.
  */
 import type { Character } from '../model/document.ts';
 import { filePose } from '../model/skeleton/dofs.ts';

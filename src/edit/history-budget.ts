@@ -4,9 +4,9 @@
  *
  * A buffer counts once, for the newest step that has it, and not at all while the document has it too.
  *
- * What is computed from stored objects and cached by their identity, such as compiled skeletons, goes with them and is not
- * counted. Measured in Chromium, with it: 1.3 times the budget for captures of 300 frames, 2.2 times for skeletons of 31
- * joints.
+ * What is computed from stored objects and cached by their identity, such as compiled skeletons, goes with them and is
+ * not counted. Measured in Chromium, with it: 1.3 times the budget for captures of 300 frames, 2.2 times for skeletons
+ * of 31 joints.
  */
 import type { Document } from '../model/document.ts';
 import { trackedOf } from '../model/takes/tracked-take.ts';

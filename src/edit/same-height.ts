@@ -41,8 +41,8 @@ export function spreadOfHeights(characters: readonly Character[]): readonly [lea
 }
 
 /**
- * Scales these characters to the height of one of `all` as placed; those without a height keep their scale. Undefined if
- * it has none itself.
+ * Scales these characters to the height of one of `all` as placed; those without a height keep their scale. Undefined
+ * if it has none itself.
  */
 export function withSameHeight(
   all: readonly Character[],

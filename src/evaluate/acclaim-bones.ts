@@ -1,7 +1,7 @@
 /**
- * Converts any character to a skeleton of Acclaim bones and a take of it, by way of a BVH capture (`bvh-capture.ts`), which
- * has neither scale nor shear nor linked DOFs: bones without axes of their own, Rz·Ry·Rx in degrees, with translations
- * where the joint moves. The root carries the motion of the character; Acclaim is y up.
+ * Converts any character to a skeleton of Acclaim bones and a take of it, by way of a BVH capture (`bvh-capture.ts`),
+ * which has neither scale nor shear nor linked DOFs: bones without axes of their own, Rz·Ry·Rx in degrees, with
+ * translations where the joint moves. The root carries the motion of the character; Acclaim is y up.
  */
 import { RADIANS_PER_DEGREE } from '../math/degrees.ts';
 import type { Vec3 } from '../math/vec3.ts';
@@ -35,8 +35,8 @@ const INCH = 0.0254;
 const STILL = 1e-9;
 
 /**
- * A character and its shown take as Acclaim bones, sampled at the frames; one that consists of such bones keeps them, and
- * a take that is nothing but its samples is returned as it is.
+ * A character and its shown take as Acclaim bones, sampled at the frames; one that consists of such bones keeps them,
+ * and a take that is nothing but its samples is returned as it is.
  * @param character with a skeleton
  * @param frames seconds of the take
  * @param file the name used in diagnostics

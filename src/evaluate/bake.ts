@@ -30,8 +30,8 @@ export const MAX_VALUES = 100_000_000;
 const SAME_FRAME = 1e-6;
 
 /**
- * Files round the time of a frame to six or seven digits, 0.0333333 s for a thirtieth: part of a range by which its last
- * frame is missed, though never half a frame.
+ * Files round the time of a frame to six or seven digits, 0.0333333 s for a thirtieth: part of a range by which its
+ * last frame is missed, though never half a frame.
  */
 const ROUNDED = 2e-6;
 

@@ -27,8 +27,8 @@ export function bareCharacter(skeleton: Skeleton, take: Take | undefined): Chara
 }
 
 /**
- * Calls `visit` with the character's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
- * file pose, if there is no take. The array is reused.
+ * Calls `visit` with the character's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with
+ * the file pose, if there is no take. The array is reused.
  */
 export function forFrames(
   skeleton: Skeleton,

@@ -60,8 +60,8 @@ export function framesFor(character: Character, framesPerSecond: number): Frames
 }
 
 /**
- * Converts a character and its shown take to a BVH capture, sampled at the frames; one that is such a character already is
- * returned as it is.
+ * Converts a character and its shown take to a BVH capture, sampled at the frames; one that is such a character already
+ * is returned as it is.
  * @param character with a skeleton
  * @param frames seconds of the take
  * @param file the name used in diagnostics

@@ -218,8 +218,8 @@ function hasAnglesOf({ turns }: CompiledSkeleton, j: number, dofs: Float64Array,
 }
 
 /**
- * W = W_parent · L for a joint with a given rotation: most joints of a crowd. Its local matrix is never written. Returns
- * false and writes nothing for all others.
+ * W = W_parent · L for a joint with a given rotation: most joints of a crowd. Its local matrix is never written.
+ * Returns false and writes nothing for all others.
  */
 function turnWorld(
   skeleton: CompiledSkeleton,

@@ -1,6 +1,6 @@
 /**
- * Stepped preview: each keyed channel holds the value of its last key at or before a time, and before the first key that
- * of the first. Animators block poses so. It is a take like any other, which is evaluated as ever.
+ * Stepped preview: each keyed channel holds the value of its last key at or before a time, and before the first key
+ * that of the first. Animators block poses so. It is a take like any other, which is evaluated as ever.
  */
 import { type Character, shownTake } from '../model/document.ts';
 import { perObject } from '../model/per-object.ts';

@@ -1,7 +1,7 @@
 /**
- * The keys on either side of a time, which a tween goes between. A key at the time itself is neither; of a step the value
- * that faces the time counts. Where the first and last key are neighbours across the seam of a loop, a time at one of
- * them has the neighbour beyond it.
+ * The keys on either side of a time, which a tween goes between. A key at the time itself is neither; of a step the
+ * value that faces the time counts. Where the first and last key are neighbours across the seam of a loop, a time at
+ * one of them has the neighbour beyond it.
  */
 import { firstNotBelow } from '../math/search.ts';
 import { crossesSeam } from '../model/takes/auto-slope.ts';

@@ -2,8 +2,8 @@
 import { baseName } from '../model/files.ts';
 
 /**
- * The `.asf` of an `.amc`: the one whose stem is the longest prefix of its stem; else one whose stem up to the first `_`
- * or `-` is the same (`07-walk.asf`, `07_05-walk.amc`); else the only one. Undefined if there is none.
+ * The `.asf` of an `.amc`: the one whose stem is the longest prefix of its stem; else one whose stem up to the first
+ * `_` or `-` is the same (`07-walk.asf`, `07_05-walk.amc`); else the only one. Undefined if there is none.
  * @param skeletons names or paths of the `.asf` files that were given with it, or are in its folder
  */
 export function skeletonNameFor(fileName: string, skeletons: readonly string[]): string | undefined {

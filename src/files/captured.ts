@@ -1,6 +1,6 @@
 /**
- * Facts that a motion capture file doesn't state, guessed when it is read: the space of its captures, and the meaning of
- * their position channels.
+ * Facts that a motion capture file doesn't state, guessed when it is read: the space of its captures, and the meaning
+ * of their position channels.
  */
 import { guessSharedSpace } from '../evaluate/space/space-guess.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';

@@ -1,8 +1,8 @@
 /**
  * All kinds of files. A record holds the names of a kind, its content, and which characters can be saved in it; the
  * tables below say what opening makes of each kind of content. Readers and writers are in `readers.ts` and
- * `writers.ts`, with an entry per kind: the page's first script includes neither, since it reads in a worker and loads the writers when something is
- * saved.
+ * `writers.ts`, with an entry per kind: the page's first script includes neither, since it reads in a worker and loads
+ * the writers when something is saved.
  */
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
 import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';

@@ -88,8 +88,8 @@ export function formatOf(fileName: string): Format | undefined {
 }
 
 /**
- * For files whose names say nothing: a dump is told by content. A function, since the bundler keeps a table that is read
- * at the top level of a module, and so all readers in the page.
+ * For files whose names say nothing: a dump is told by content. A function, since the bundler keeps a table that is
+ * read at the top level of a module, and so all readers in the page.
  */
 export function dumpFormat(): Format {
   return { format: 'dump', kind: 'dump', label: KINDS.dump.label, reader: readerOf('dump') };

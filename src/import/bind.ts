@@ -5,8 +5,8 @@
  *     v′ = Σ w · W · IBM · v          theirs, IBM of the mesh's skin
  *     v′ = Σ w · W · B⁻¹ · (A·v)      ours
  *
- * The vertices of a mesh are moved by A where that makes B⁻¹·A the IBM for all of its joints. Where none does, the joints
- * that disagree get a further joint below them, which doesn't move and has the other binding.
+ * The vertices of a mesh are moved by A where that makes B⁻¹·A the IBM for all of its joints. Where none does, the
+ * joints that disagree get a further joint below them, which doesn't move and has the other binding.
  */
 import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
 import { NOISE } from './noise.ts';

@@ -1,7 +1,7 @@
 /**
  * How much a file of another program may become in memory: as much as its own size makes likely. Bytes may be used many
- * times over, by instances, accessors of the same view, curves of many nodes, or be packed a thousandfold, so that a few
- * hundred of them would else ask for gigabytes.
+ * times over, by instances, accessors of the same view, curves of many nodes, or be packed a thousandfold, so that a
+ * few hundred of them would else ask for gigabytes.
  */
 
 /** Numbers of any file. */

@@ -1,6 +1,6 @@
 /**
- * Read files as a short text, without a reader: the opening example comes so from the build. Numbers are those that were
- * read, to the last bit.
+ * Read files as a short text, without a reader: the opening example comes so from the build. Numbers are those that
+ * were read, to the last bit.
  *
  *     {"column":"Uint32Array","values":[0,1,2,3,3,3],"back":3}      0 1 2 3 4 5: each less the one three before it
  */

@@ -7,10 +7,10 @@
  *     [id, 'chunk', n]       a run of the items of a long list
  *     [id, 'head']           everything else, with references to files, pieces and chunks
  *
- * A save is one transaction: either all of it is stored or the session is unchanged. After each quarter of a megabyte of
- * pieces and chunks it continues in the success event of the last put, since the browser copies a value while `put` runs:
- * together they would be one long task. All else doesn't wait, since each answer takes a while on a busy machine. (A
- * record per array would need no pieces, but a put then takes as long as the array is large.)
+ * A save is one transaction: either all of it is stored or the session is unchanged. After each quarter of a megabyte
+ * of pieces and chunks it continues in the success event of the last put, since the browser copies a value while `put`
+ * runs: together they would be one long task. All else doesn't wait, since each answer takes a while on a busy machine.
+ * (A record per array would need no pieces, but a put then takes as long as the array is large.)
  */
 
 import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';

@@ -1,7 +1,8 @@
 /**
  * Frames as MP4 or WebM: encoded by the browser (WebCodecs), put into a file by mediabunny. Loaded on first use.
  *
- * H.264 is missing in Firefox and in Chromium without its vendor's codecs, all of WebCodecs in older browsers: ask first.
+ * H.264 is missing in Firefox and in Chromium without its vendor's codecs, all of WebCodecs in older browsers: ask
+ * first.
  */
 import {
   BufferTarget,

@@ -19,8 +19,8 @@ export function roundStep(atLeast: number): number {
 }
 
 /**
- * The whole numbers from `from` to `to`, at most `most` of them: multiples of a step. None if they are so large that one
- * isn't told from the next, as in a window of a microsecond at a time in nanoseconds since 1970.
+ * The whole numbers from `from` to `to`, at most `most` of them: multiples of a step. None if they are so large that
+ * one isn't told from the next, as in a window of a microsecond at a time in nanoseconds since 1970.
  */
 export function wholeNumbers(from: number, to: number, most: number): number[] {
   const first = Math.ceil(from) + 0;

@@ -1,6 +1,7 @@
 /**
  * A dump: numbers that another program printed about a character, in the order of its file. Which joints, vertices or
- * channels they are is decided with a character available (`teaching/dump/fit-dump.ts`); here is only what the file says.
+ * channels they are is decided with a character available (`teaching/dump/fit-dump.ts`); here is only what the file
+ * says.
  */
 import type { Vec3 } from '../math/vec3.ts';
 

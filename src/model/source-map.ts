@@ -34,8 +34,8 @@ export interface LineIndex {
 }
 
 /**
- * The line of each row of a block, in runs of equal distance: run r starts at row `rows[r]` on line `lines[r]`, and each
- * further row of it begins `steps[r]` lines below.
+ * The line of each row of a block, in runs of equal distance: run r starts at row `rows[r]` on line `lines[r]`, and
+ * each further row of it begins `steps[r]` lines below.
  */
 export interface RowLines {
   readonly rows: Uint32Array;

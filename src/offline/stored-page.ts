@@ -4,8 +4,8 @@
  *
  *     https://host/marrow/assets/panel-D15q8sUj.js?sha256-…    what a file is stored as: its address and its content
  *
- * All versions share one cache. Files that two of them have are stored once; an interrupted installation continues where
- * it was; and a page of an earlier version finds its own scripts until it is closed.
+ * All versions share one cache. Files that two of them have are stored once; an interrupted installation continues
+ * where it was; and a page of an earlier version finds its own scripts until it is closed.
  */
 
 /** The files of a build: their encoded paths below the page, `/` between folders, and their `integrity`, `sha256-…`. */

@@ -1,6 +1,6 @@
 /**
- * Takes whose channels are yet to be made, between worker and page. A message holds what they are made of: cloning asks for
- * every property, and would make them.
+ * Takes whose channels are yet to be made, between worker and page. A message holds what they are made of: cloning asks
+ * for every property, and would make them.
  */
 import { takeOfTracks } from '../import/fit-take.ts';
 import type { FileContent, WholeCharacter } from '../model/files.ts';
@@ -56,10 +56,10 @@ export function withCharacters<C extends FileContent>(
 }
 
 /**
- * A character as the page gets it; the same object if it needs nothing. The worker makes the channels that the page would
- * ask for at once, or that would hold it up later: of the take that is shown first, of those that have no frame rate but
- * that of their keys, which lists of takes show, and of long ones. The tracks of all others are moved into one buffer,
- * since they are parts of the file's.
+ * A character as the page gets it; the same object if it needs nothing. The worker makes the channels that the page
+ * would ask for at once, or that would hold it up later: of the take that is shown first, of those that have no frame
+ * rate but that of their keys, which lists of takes show, and of long ones. The tracks of all others are moved into one
+ * buffer, since they are parts of the file's.
  */
 export function settledTakes(character: WholeCharacter): WholeCharacter {
   const { takes } = character;

@@ -1,6 +1,6 @@
 /**
- * An attack: what tries to break the program, for as long as it is given. It draws all its chances from one seed, so that
- * a run can be repeated.
+ * An attack: what tries to break the program, for as long as it is given. It draws all its chances from one seed, so
+ * that a run can be repeated.
  */
 export interface Attack {
   /** For `--only`, and the table. */

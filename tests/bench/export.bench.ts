@@ -1,8 +1,8 @@
 /**
  * The arrays of a take of 1,000 frames and 25 joints, as `marrow export` writes them, against a bare loop that makes of
- * the same angles only the local and world quaternions and the positions, joint by joint with `Math.sin` and `Math.cos`:
- * no signs, 6D, velocities, contacts, units, or other joints. Goal: at most its time. With the review's checks in
- * passing it is some twice as long.
+ * the same angles only the local and world quaternions and the positions, joint by joint with `Math.sin` and
+ * `Math.cos`: no signs, 6D, velocities, contacts, units, or other joints. Goal: at most its time. With the review's
+ * checks in passing it is some twice as long.
  */
 import { afterAll, bench, describe } from 'vitest';
 import { checkOf } from '../../src/cli/export/take-check.ts';

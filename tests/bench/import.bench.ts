@@ -1,6 +1,6 @@
 /**
- * Files of other programs against three.js's loaders of the same: from the bytes to characters, and to a scene. Read the
- * ratios, not the times. Goals: at most 3 times GLTFLoader, and half of FBXLoader. Ours are bundled, as they ship.
+ * Files of other programs against three.js's loaders of the same: from the bytes to characters, and to a scene. Read
+ * the ratios, not the times. Goals: at most 3 times GLTFLoader, and half of FBXLoader. Ours are bundled, as they ship.
  *
  * three.js keeps floats as they are in a file, ours become doubles, but for rotations: their angles are fitted once
  * something asks for the channels of their take. The third figure of a GLB is with the channels of all its takes.

@@ -1,6 +1,6 @@
 /**
- * The reference pages that are made from the code: shortcuts, the command, and what scripts can run. A test fails if one
- * is out of date; `npm run docs` writes them.
+ * The reference pages that are made from the code: shortcuts, the command, and what scripts can run. A test fails if
+ * one is out of date; `npm run docs` writes them.
  */
 import { expect, it } from 'vitest';
 import { type HelpPart, helpParts, usageLines } from '../../src/cli/options/help.ts';

@@ -1,6 +1,6 @@
 /**
- * The heart of the page in Firefox, where there is one: the same checks as in Chromium. One browser for all of them, which
- * ends with the file.
+ * The heart of the page in Firefox, where there is one: the same checks as in Chromium. One browser for all of them,
+ * which ends with the file.
  */
 import { afterAll, describe, expect, it } from 'vitest';
 import type { Check } from '../helpers/check.ts';

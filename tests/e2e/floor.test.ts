@@ -14,7 +14,8 @@ it('a character with its origin in its middle stands on a floor below 0, and one
     await expect.poll(world).toEqual([0, 0, 0]);
     await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).not.toMatch(/floor/i);
 
-    // Beside the character, at the height of its middle, there is only background; with the floor at 0 there is the grid.
+    // Beside the character, at the height of its middle, there is only background; with the floor at 0 there is the
+    // grid.
     await page.evaluate(() => window.marrow.run('view.front'));
     const take = { x: 700, y: 150, width: 200, height: 400 };
     const before = await readPixels(page, take);

@@ -72,9 +72,9 @@ const captures = (count: number): Files =>
   Array.from({ length: count }, (_, i) => textFile(`take${i}.bvh`, capture(i, CAPTURE).bvh));
 
 /**
- * What is drawn, in the shadow and in the picture: skins in one call each for equal ones, or balls and bones in one each;
- * and the background, the floor, the grid and its numbers. What is uploaded: rows of the palette, or 32 bytes for each
- * joint and bone end; of the walker, which the camera follows, its place in the view too.
+ * What is drawn, in the shadow and in the picture: skins in one call each for equal ones, or balls and bones in one
+ * each; and the background, the floor, the grid and its numbers. What is uploaded: rows of the palette, or 32 bytes for
+ * each joint and bone end; of the walker, which the camera follows, its place in the view too.
  */
 const SCENES: readonly (readonly [what: string, files: () => Files, frame: FrameCalls])[] = [
   ['the walker', () => [], { calls: 78, draws: 6, uploads: 2, uploadedBytes: 8192 }],

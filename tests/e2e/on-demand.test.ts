@@ -80,7 +80,8 @@ describe('the page', () => {
         await page.reload();
         await asked;
         await shown(page, 'post');
-        // The handle comes once the page listens: a key takes another way to the page than scripts, and may overtake one.
+        // The handle comes once the page listens: a key takes another way to the page than scripts, and may overtake
+        // one.
         const kept = await page.evaluateHandle(() => ({
           pressed: new Promise<boolean>((resolve) => {
             window.addEventListener('keydown', (event) => event.key === 's' && resolve(event.defaultPrevented));

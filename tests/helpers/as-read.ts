@@ -4,7 +4,8 @@ import type { Channel, KeyedChannel, Tangents } from '../../src/model/takes/take
 import { AUTO_TANGENT, FIXED_TANGENT } from '../../src/model/takes/tangent-kinds.ts';
 
 /**
- * A channel as an `.anim` gives it back: an `auto` slope is a number there, and any number that is one is read as `auto`.
+ * A channel as an `.anim` gives it back: an `auto` slope is a number there, and any number that is one is read as
+ * `auto`.
  */
 export function asRead(channel: Channel): Channel {
   return channel.kind === 'keys' ? withAutoRecognised(withNumbers(channel)) : channel;

@@ -1,7 +1,8 @@
 /**
  * Firefox for the browser tests: a stock one (`firefox-path.ts`), driven by Playwright over WebDriver BiDi, without a
- * display; WebGL is drawn in software where there is no GPU. What the protocol lacks, no test for Firefox may use: touch,
- * double clicks, `fill` into fields that wait for `change`, colour schemes (always light) and motion (always reduced).
+ * display; WebGL is drawn in software where there is no GPU. What the protocol lacks, no test for Firefox may use:
+ * touch, double clicks, `fill` into fields that wait for `change`, colour schemes (always light) and motion (always
+ * reduced).
  */
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

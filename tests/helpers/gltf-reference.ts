@@ -1,6 +1,6 @@
 /**
- * What three.js makes of a glTF file: world matrices of the nodes that a character needs, and vertices of all triangles,
- * at rest and at times of its animations. Pictures and materials are taken out, since they need a browser.
+ * What three.js makes of a glTF file: world matrices of the nodes that a character needs, and vertices of all
+ * triangles, at rest and at times of its animations. Pictures and materials are taken out, since they need a browser.
  */
 import { AnimationMixer, LoopOnce, Mesh, type Object3D, SkinnedMesh, Vector3 } from 'three';
 import { type GLTF, GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';

@@ -4,8 +4,8 @@ import type { CDPSession, Page } from 'playwright-core';
 /** A task of the main thread. */
 export interface MainThreadTask {
   /**
-   * CPU time of the thread. What it waits for is no part of it: other processes that share the cores, and the GPU's, which
-   * draws in software here.
+   * CPU time of the thread. What it waits for is no part of it: other processes that share the cores, and the GPU's,
+   * which draws in software here.
    */
   readonly ms: number;
   /** On the clock. */

@@ -86,8 +86,8 @@ function tellViolations(): void {
 }
 
 /**
- * Runs in the page. A visitor who has closed the hint, opened the timeline, and turned shadows off: drawn in software, a
- * shadow takes almost half of the time of a frame.
+ * Runs in the page. A visitor who has closed the hint, opened the timeline, and turned shadows off: drawn in software,
+ * a shadow takes almost half of the time of a frame.
  */
 function asKnownVisitor(): void {
   try {

@@ -1,6 +1,6 @@
 /**
- * Properties try the same cases in every run: whether `npm test` passes depends on the change, never on luck. Cases that
- * nobody has tried come by MARROW_SEED: a number, the seed that a failure prints, or `random`.
+ * Properties try the same cases in every run: whether `npm test` passes depends on the change, never on luck. Cases
+ * that nobody has tried come by MARROW_SEED: a number, the seed that a failure prints, or `random`.
  */
 import { env } from 'node:process';
 import fc from 'fast-check';

@@ -73,7 +73,8 @@ const displacementOf = (skin: Skin, kept: KeptFour, world = inRow(skin.bindings.
 };
 
 it.each([
-  // All: 0.1·(0 + 1 + 2 + 3) + 0.6·4 = 3. The largest are joint 4 and the first three: (0.1·(0 + 1 + 2) + 2.4) / 0.9 = 3.
+  // All: 0.1·(0 + 1 + 2 + 3) + 0.6·4 = 3. The largest are joint 4 and the first three: (0.1·(0 + 1 + 2) + 2.4) / 0.9 =
+  // 3.
   ['largest four normalised', 0],
   ['largest four', 0.3],
   // The first four: 0.6, normalised 1.5.

@@ -1,6 +1,6 @@
 /**
- * Numbers in the layouts that programs print: each way to write names, rows, numbers and headings with every other. What
- * is printed is read back, and agrees.
+ * Numbers in the layouts that programs print: each way to write names, rows, numbers and headings with every other.
+ * What is printed is read back, and agrees.
  */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';

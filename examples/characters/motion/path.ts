@@ -1,6 +1,6 @@
 /**
- * Where a gait leads. In path space all motion repeats with every stride, so legs are keyed for one stride and cycled; a
- * planted foot doesn't move in the world:
+ * Where a gait leads. In path space all motion repeats with every stride, so legs are keyed for one stride and cycled;
+ * a planted foot doesn't move in the world:
  *
  *     circle     world = Ry(2π·t / duration) · path     the centre of the circle at the origin, the walker at
  *                                                       x = −radius, facing +z (so that it walks counterclockwise)

@@ -1,6 +1,6 @@
 /**
- * Converts a gait (a pose for each phase of a stride, in path space) to channels: the joints' for one stride, cycled, and
- * the root's, which on a circle take its whole round.
+ * Converts a gait (a pose for each phase of a stride, in path space) to channels: the joints' for one stride, cycled,
+ * and the root's, which on a circle take its whole round.
  */
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Skeleton } from '../../../src/model/skeleton/skeleton.ts';

@@ -1,7 +1,7 @@
 /**
  * Which parts of long lists the store holds. A chunk is a run of a list's items, encoded: a record of its own, written
- * once. What is in the document is immutable, so a chunk is right for as long as its items are the same objects, wherever
- * in whichever list they are.
+ * once. What is in the document is immutable, so a chunk is right for as long as its items are the same objects,
+ * wherever in whichever list they are.
  *
  *     stored     a b c d │ e f g │ h i
  *     now        a b c d │ e x g │ h i      writes one chunk

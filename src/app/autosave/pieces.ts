@@ -1,6 +1,6 @@
 /**
- * Where each large typed array is stored among the pieces of the store. Arrays are immutable, so one that has a place is
- * never written again; a save writes those without a place and deletes pieces that are no longer needed.
+ * Where each large typed array is stored among the pieces of the store. Arrays are immutable, so one that has a place
+ * is never written again; a save writes those without a place and deletes pieces that are no longer needed.
  *
  *     array      ▒▒▒▒ ▒▒▒▒ ▒▒     its own pieces, deleted with it
  */

@@ -5,8 +5,8 @@
  *
  * `marrow convert IN… OUT.glb`: a character with its takes (`convert-glb.ts`).
  *
- * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`); takes
- * that are edited, and GLB, one by one (`export/`).
+ * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`);
+ * takes that are edited, and GLB, one by one (`export/`).
  */
 import { basename, dirname, join, resolve } from 'node:path';
 import { withEditedTakes } from '../../dataset/edited-take.ts';

@@ -8,8 +8,8 @@ import { flagText } from '../../review/flags.ts';
 import { takeFrames } from '../../review/frames.ts';
 
 /**
- * What the checks find, as texts: in a take as it was read, at all of its frames; in one that is mirrored or retargeted,
- * in the result, whose joints are others.
+ * What the checks find, as texts: in a take as it was read, at all of its frames; in one that is mirrored or
+ * retargeted, in the result, whose joints are others.
  */
 export function flagsOf(take: ArrayTake, read: Character): readonly string[] {
   const { character } = take;

@@ -93,9 +93,9 @@ function animationsIn(files: readonly GivenPath[]): Omit<TakeInput, 'stem'>[] {
 
 /**
  * Names the outputs after the inputs: the path below the folder that was named; of a file that was named itself, below
- * the caller's, or, outside it, below the folder that all such files share. A zip is a folder with its name. Where two would be the same, all are named by
- * their paths below the folder that all inputs share: `day1/walk.npz`, `day2/walk.npz`. Where two differ only in their
- * endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
+ * the caller's, or, outside it, below the folder that all such files share. A zip is a folder with its name. Where two
+ * would be the same, all are named by their paths below the folder that all inputs share: `day1/walk.npz`,
+ * `day2/walk.npz`. Where two differ only in their endings, these are kept: `walk.bvh.npz`, `walk.anim.npz`.
  */
 function withStems(
   inputs: readonly Omit<TakeInput, 'stem'>[],

@@ -10,8 +10,8 @@
  *       async run({ inputs, options: { times, json } }, io) { … },
  *     });
  *
- * Its options are declared once (`option.ts`). From them come their types, the parser and its errors (`parse.ts`), usage
- * and `--help` (`help.ts`), and `docs/reference/command.md`.
+ * Its options are declared once (`option.ts`). From them come their types, the parser and its errors (`parse.ts`),
+ * usage and `--help` (`help.ts`), and `docs/reference/command.md`.
  */
 import type { CommandIo, ExitCode, Exits } from '../io.ts';
 import type { Inputs } from './inputs.ts';

@@ -164,8 +164,8 @@ export const makeLoop = command({
   args: {
     ...CHANNELS,
     /**
-     * Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. Default: those that do
-     * so already, and lengths that travel (`travels`).
+     * Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. Default: those that
+     * do so already, and lengths that travel (`travels`).
      */
     keepOffset: optional(either(boolean, indices)),
   },

@@ -46,7 +46,8 @@ export interface NewKeyAt extends AtTime, KeyPlacing {}
 
 /**
  * Inserts keys on the curves (`keys/insert.ts`), and selects them, or existing keys there. The curves keep their shape,
- * but between `auto` tangents, unless `keepShape` is set, the new key is `auto` too and the shape follows. Sampled channels are skipped; refused if there are no others.
+ * but between `auto` tangents, unless `keepShape` is set, the new key is `auto` too and the shape follows. Sampled
+ * channels are skipped; refused if there are no others.
  */
 export const insertKeys = command({
   id: 'keys.insert',
@@ -202,8 +203,8 @@ export const snapKeys = command({
     ...KEYS,
     framesPerSecond: number,
     /**
-     * Time of frame 0, in seconds of the take; default 0. Pass the character's time offset to use the transport's frames,
-     * which are the visible ones.
+     * Time of frame 0, in seconds of the take; default 0. Pass the character's time offset to use the transport's
+     * frames, which are the visible ones.
      */
     offsetSeconds: optional(number),
   },

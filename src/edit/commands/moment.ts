@@ -24,8 +24,8 @@ import { withinLimit } from './pose.ts';
 const MIN_EASE = 1e-3;
 
 /**
- * Keys DOFs at a time for a moment: the take is offset by what was posed, eased in and out around that time, and is what
- * it was outside. Repetitions that the moment is in become keys first. Also over samples, whose frames change.
+ * Keys DOFs at a time for a moment: the take is offset by what was posed, eased in and out around that time, and is
+ * what it was outside. Repetitions that the moment is in become keys first. Also over samples, whose frames change.
  */
 export const keyForMoment = command({
   id: 'keys.forMoment',

@@ -68,8 +68,8 @@ export const setRetarget = command({
 });
 
 /**
- * The character, with another's shown take retargeted to it: for the page and the command alike. It keeps its own takes:
- * one of them may tell how its joints are meant to be rotated (`evaluate/retarget/reference.ts`).
+ * The character, with another's shown take retargeted to it: for the page and the command alike. It keeps its own
+ * takes: one of them may tell how its joints are meant to be rotated (`evaluate/retarget/reference.ts`).
  * @param pairs default: matched by name and shape
  * @throws CommandError
  */

@@ -1,7 +1,7 @@
 /**
  * Locks the feet of a take: during each contact with the ground (`evaluate/foot-contacts.ts`) the ball of the foot is
- * held still at its mean place, by the legs alone (`hold.ts`), with ease in and out while the foot is in the air. A foot
- * that hardly slides is left exactly as it is.
+ * held still at its mean place, by the legs alone (`hold.ts`), with ease in and out while the foot is in the air. A
+ * foot that hardly slides is left exactly as it is.
  */
 
 import { contactSpans, feetOf, type JointPaths, standingHeight } from '../../evaluate/foot-contacts.ts';

@@ -65,8 +65,8 @@ export interface MeasuredPoint {
 }
 
 /**
- * Length of the arms that show a held orientation; fraction of the reach. With the default tolerance it is kept within a
- * quarter of a degree.
+ * Length of the arms that show a held orientation; fraction of the reach. With the default tolerance it is kept within
+ * a quarter of a degree.
  */
 const ARM = 0.25;
 

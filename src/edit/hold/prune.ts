@@ -1,5 +1,6 @@
 /**
- * Removes what thinning has left that nothing needs: first whole channels, which become what they were, then single keys.
+ * Removes what thinning has left that nothing needs: first whole channels, which become what they were, then single
+ * keys.
  *
  * Thinning (`bake.ts`) judges each curve by its own tolerance, the same along all of it. Here the joints and pins
  * themselves are measured, at all frames and halfway between, so that keys remain only where without them something

@@ -10,10 +10,10 @@
  * end key starts to matter: it gets the slope of the extrapolated curve. With `constant` and `linear` extrapolation
  * nothing changes; if a channel cycles or bounces, its period changes, which can't be avoided.
  *
- * Between two keys the new one has a single slope, and bends the curve smoothly when it is moved: it is `smooth` if that
- * comes to this slope, as on a straight line, and a number elsewhere; between `flat` keys on a level it is flat too. Only
- * between two `linear` keys it is `linear`, since corners are meant there. Beyond the ends it gets for each side the most
- * adaptive kind that changes nothing now. A channel without keys gets a `smooth` key at its value.
+ * Between two keys the new one has a single slope, and bends the curve smoothly when it is moved: it is `smooth` if
+ * that comes to this slope, as on a straight line, and a number elsewhere; between `flat` keys on a level it is flat
+ * too. Only between two `linear` keys it is `linear`, since corners are meant there. Beyond the ends it gets for each
+ * side the most adaptive kind that changes nothing now. A channel without keys gets a `smooth` key at its value.
  *
  * An `auto` tangent is a number from then on if it faces the new key, which then is one too; so is one at the other end
  * of a loop, across its seam. Where the shape may follow instead, see `insertKeyAmong`.

@@ -1,6 +1,6 @@
 /**
- * A pose for a moment, over motion that continues: a curve is offset by what was posed, eased in before that time and out
- * after it.
+ * A pose for a moment, over motion that continues: a curve is offset by what was posed, eased in before that time and
+ * out after it.
  *
  *     value(t) = take(t) + w(t) · (posed − take(at))
  *
@@ -107,8 +107,8 @@ function withinCycle({ times, extrapolateIn, extrapolateOut }: KeyedChannel, mom
 }
 
 /**
- * Samples in which channels have their values at the moment's time; frames outside it are the same to the bit. Between two
- * frames both have the whole offset.
+ * Samples in which channels have their values at the moment's time; frames outside it are the same to the bit. Between
+ * two frames both have the whole offset.
  *
  * @param values by channel, each of which has a column
  * @param shown the channel's value at that time

@@ -1,6 +1,6 @@
 /**
- * Moves keys in time and value; steps move in time as one. Drags always pass the total movement from their start. Tangents are kept, since slopes
- * are per second.
+ * Moves keys in time and value; steps move in time as one. Drags always pass the total movement from their start.
+ * Tangents are kept, since slopes are per second.
  */
 import type { KeyedChannel } from '../../model/takes/take.ts';
 import { CommandError } from '../command-error.ts';

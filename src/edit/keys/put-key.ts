@@ -45,8 +45,8 @@ export function putKeyAt(channel: Channel, time: number, value: number, kind: nu
 
 /**
  * Changes the last key along with the first, or the first with the last, if a loop continues from one to the other. A
- * `cycle_offset` keeps its rise only if the key was meant for another repetition: it never jumps, and keying its own end
- * is meant to change how far it goes.
+ * `cycle_offset` keeps its rise only if the key was meant for another repetition: it never jumps, and keying its own
+ * end is meant to change how far it goes.
  */
 function withClosedSeam(before: KeyedChannel, after: KeyedChannel, isFolded: boolean): KeyedChannel {
   const last = before.times.length - 1;

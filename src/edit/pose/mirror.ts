@@ -29,8 +29,8 @@ export interface MirrorScope {
   /** Up axis of the character's space; default y. */
   readonly up?: 'y' | 'z';
   /**
-   * Mirrors the whole character in place: its root keeps its position and heading (`heading.ts`). Absent: across the plane
-   * of the character's space, to its other side.
+   * Mirrors the whole character in place: its root keeps its position and heading (`heading.ts`). Absent: across the
+   * plane of the character's space, to its other side.
    */
   readonly stays?: boolean;
 }
@@ -302,8 +302,8 @@ class Mirroring {
   }
 
   /**
-   * The map from world rotations of one hierarchy to those of the other at their tops: M for the whole character; else the
-   * map between their two parents, which don't change.
+   * The map from world rotations of one hierarchy to those of the other at their tops: M for the whole character; else
+   * the map between their two parents, which don't change.
    */
   private acrossTo(t: number, s: number): Float64Array {
     const { compiled, a } = this;

@@ -4,9 +4,9 @@
  *     frames   0 ……… W ………………… n−W ……… n          out   0 ……… W ………………… n−W
  *              ╱╱╱╱╱ own                              ╲╲╲╲╲ of the end, carried to the beginning
  *
- * The result begins with the pose of frame n−W, which its last frame shows again, and continues from it as the take does:
- * pose and speed are continuous. A root that travels is carried back by its way, so that every round continues from the
- * one before; one that returns, or turns by little, is blended.
+ * The result begins with the pose of frame n−W, which its last frame shows again, and continues from it as the take
+ * does: pose and speed are continuous. A root that travels is carried back by its way, so that every round continues
+ * from the one before; one that returns, or turns by little, is blended.
  */
 import type { Steps } from '../../evaluate/steps.ts';
 import { smoothstep } from '../../math/smoothstep.ts';

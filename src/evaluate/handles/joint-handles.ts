@@ -23,8 +23,8 @@ import { type DofAxis, dofAxes } from './dof-axes.ts';
 import { type FreeTurn, freeTurn, turnsOnlyFreely } from './free-turn.ts';
 
 /**
- * A DOF by index; `own`: free rotation about the x, y or z of the gizmo; `along`: motion along one of them; `across`: in
- * the plane of the other two; `view`: rotation about the line of sight; `ball`: like a trackball.
+ * A DOF by index; `own`: free rotation about the x, y or z of the gizmo; `along`: motion along one of them; `across`:
+ * in the plane of the other two; `view`: rotation about the line of sight; `ball`: like a trackball.
  */
 export type HandleId =
   | { readonly kind: 'dof'; readonly dof: number }

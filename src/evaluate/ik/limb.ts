@@ -29,8 +29,8 @@ export function bendingOf(skeleton: Skeleton, joint: number, reach: IkReach): Be
 }
 
 /**
- * The limb that a joint ends: from it upwards to where the body branches. A joint that carries limbs, as hips do under a
- * root, is the body.
+ * The limb that a joint ends: from it upwards to where the body branches. A joint that carries limbs, as hips do under
+ * a root, is the body.
  */
 export function limbOf(skeleton: Skeleton, joint: number): Bending {
   if (joint <= 0) return 'body';
@@ -53,8 +53,8 @@ export function limbOf(skeleton: Skeleton, joint: number): Bending {
 }
 
 /**
- * Whether a joint with all on it is much longer than the limb that moves its pivot, as a head is than its neck. Then the pivot
- * can hardly be moved, and the joint turns wildly when one tries. Not for joints that bend alone.
+ * Whether a joint with all on it is much longer than the limb that moves its pivot, as a head is than its neck. Then
+ * the pivot can hardly be moved, and the joint turns wildly when one tries. Not for joints that bend alone.
  */
 export function isLongerThanLimb(skeleton: Skeleton, joint: number): boolean {
   const limb = limbOf(skeleton, joint);

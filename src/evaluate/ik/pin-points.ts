@@ -83,9 +83,9 @@ export function defaultPinPoint(skeleton: Skeleton, joint: number, skin?: Skin):
 const AS_WELL = 0.5;
 
 /**
- * The current position of a vertex of the shown skin as a point of a joint that moves it. Undefined if none does, or the
- * joint's matrix is singular. Of joints that move it about as much it is the one whose pivot is nearest: what is picked
- * at the knee is the shin's, which bends there, not the thigh's.
+ * The current position of a vertex of the shown skin as a point of a joint that moves it. Undefined if none does, or
+ * the joint's matrix is singular. Of joints that move it about as much it is the one whose pivot is nearest: what is
+ * picked at the knee is the shin's, which bends there, not the thigh's.
  *
  * @param world from `worldMatrices`
  * @param deformed the vertex's position in the same space

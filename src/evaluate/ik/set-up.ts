@@ -90,8 +90,8 @@ export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: DragTarge
 export type RootHold = 'moves' | 'in place' | 'fixed';
 
 /**
- * How a character's root is held. In the axis-angle form it is the first bone, which turns in place unless that is locked;
- * arms of one or two bones could reach nothing otherwise.
+ * How a character's root is held. In the axis-angle form it is the first bone, which turns in place unless that is
+ * locked; arms of one or two bones could reach nothing otherwise.
  */
 export function rootHold({ form }: Pick<Skeleton, 'form'>, { stiff, rootIsFree }: Omit<IkSetup, 'pins'>): RootHold {
   if (rootIsFree) return 'moves';

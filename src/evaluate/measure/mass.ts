@@ -2,11 +2,11 @@
  * The centre of mass as a sum over joints: c = Σ w_j p_j, with Σ w_j = 1, since the centre of each segment is a point
  * between two joints.
  *
- * Of a body whose arms and legs are recognised, the masses and centres of segments are those of P. de Leva, *Adjustments
- * to Zatsiorsky-Seluyanov's segment inertia parameters*, Journal of Biomechanics 29 (1996), table 4, men: of the trunk
- * that from the middle of the shoulders to that of the hips, of the shank that to the ankle. Head and hands have their
- * mass at their joint, as skeletons don't say where they end; the foot, from heel to toes in the table, has its own
- * between ankle and toes. Any other skeleton is uniform over its bones:
+ * Of a body whose arms and legs are recognised, the masses and centres of segments are those of P. de Leva,
+ * *Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters*, Journal of Biomechanics 29 (1996), table 4, men:
+ * of the trunk that from the middle of the shoulders to that of the hips, of the shank that to the ankle. Head and
+ * hands have their mass at their joint, as skeletons don't say where they end; the foot, from heel to toes in the
+ * table, has its own between ankle and toes. Any other skeleton is uniform over its bones:
  * each from a joint to its parent, as heavy as it is long at rest.
  */
 import { perObject } from '../../model/per-object.ts';

@@ -1,11 +1,12 @@
 /**
- * Bones of Acclaim skeletons, about axes of their own: with C their rotation, and R the product of the bone's rotations,
+ * Bones of Acclaim skeletons, about axes of their own: with C their rotation, and R the product of the bone's
+ * rotations,
  *
  *     bone    J = C·T(t)·R·C⁻¹        root    J = T(t)·C·R
  *
- * C is constant, so that derivatives are those of T(t)·R between the same two factors; and C·R(e, φ)·C⁻¹ = R(C·e, φ), so
- * that a bone is a product of screws about the axes as C turns them. `l` lengthens the bone, which moves no frame of its
- * own: children of such a bone start at its tip.
+ * C is constant, so that derivatives are those of T(t)·R between the same two factors; and C·R(e, φ)·C⁻¹ = R(C·e, φ),
+ * so that a bone is a product of screws about the axes as C turns them. `l` lengthens the bone, which moves no frame of
+ * its own: children of such a bone start at its tip.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { AcclaimMotion } from '../../model/skeleton/skeleton.ts';

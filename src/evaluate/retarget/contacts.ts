@@ -1,10 +1,10 @@
 /**
  * Finds when the source's feet are on the ground (`foot-contacts.ts`), and where the target's then belong.
  *
- * The target's ball (the toe joint, or the ankle if no toe is paired) then follows the source's, in proportion, with an offset that is constant
- * during the contact, so that it slides no more than the source's does. Over the ground the offset is the difference
- * that rotations alone give during the contact, so that feet stay as far apart as suits the hips; upwards it makes soles
- * equally high. Between contacts it changes smoothly, while the foot is in the air.
+ * The target's ball (the toe joint, or the ankle if no toe is paired) then follows the source's, in proportion, with an
+ * offset that is constant during the contact, so that it slides no more than the source's does. Over the ground the
+ * offset is the difference that rotations alone give during the contact, so that feet stay as far apart as suits the
+ * hips; upwards it makes soles equally high. Between contacts it changes smoothly, while the foot is in the air.
  *
  * The ground level is not constant within takes: inertial suits drift, and a foot may come down decimetres below its
  * previous contact. It would sink into a flat ground, so it is raised during the contact by its average depth. From

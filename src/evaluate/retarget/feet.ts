@@ -1,7 +1,7 @@
 /**
- * How feet stand. Bones say little about soles: from ankle to ball they slope by 10° in one skeleton and by 40° in another,
- * and both soles are flat. So soles are aligned rather than bones, as far as the bones don't differ by more than feet of
- * people do; and where a pose doesn't tell how a sole lies, the bones.
+ * How feet stand. Bones say little about soles: from ankle to ball they slope by 10° in one skeleton and by 40° in
+ * another, and both soles are flat. So soles are aligned rather than bones, as far as the bones don't differ by more
+ * than feet of people do; and where a pose doesn't tell how a sole lies, the bones.
  */
 import { copy3, multiply3, swing, turnAbout, turnVector } from '../../math/mat3.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -110,8 +110,8 @@ const USUAL_TOES = -6 * DEGREE;
 
 /**
  * The body with feet as flat as they are, on average, where they are lowest in these bodies; undefined if a shin is
- * never steep. On tiptoe, ankles are high. Both feet get the same slopes, those of the one that is nearer to what is usual,
- * since the other may be on its toes all the time.
+ * never steep. On tiptoe, ankles are high. Both feet get the same slopes, those of the one that is nearer to what is
+ * usual, since the other may be on its toes all the time.
  */
 export function withFlatFeet(
   body: RetargetBody,

@@ -8,8 +8,8 @@ export const FINGERS = ['thumb', 'index', 'middle', 'ring', 'pinky'] as const;
 export type Finger = (typeof FINGERS)[number];
 
 /**
- * The first joint of each finger of a hand but the thumb, which points elsewhere: the one with number 1, as bones within
- * the palm have none, else the first of its name.
+ * The first joint of each finger of a hand but the thumb, which points elsewhere: the one with number 1, as bones
+ * within the palm have none, else the first of its name.
  */
 export function fingerBases({ joints }: Skeleton, { names }: BodyParts, hand: number): ReadonlyMap<Finger, number> {
   const out = new Map<Finger, number>();

@@ -2,8 +2,9 @@
  * How high the target moves: its soles are as high above the ground as the source's, times the scale.
  *
  * Neither file pose nor joints tell where soles are: file pose may be folded flat, and ankles are 4 to 12 cm above the
- * ground. So both are measured while the take plays, on the poses that rotations alone give. A sole is the lowest of the
- * foot's joints and End Sites. The ground is the scene's on both sides: a take that its space puts too high stays so.
+ * ground. So both are measured while the take plays, on the poses that rotations alone give. A sole is the lowest of
+ * the foot's joints and End Sites. The ground is the scene's on both sides: a take that its space puts too high stays
+ * so.
  */
 
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';

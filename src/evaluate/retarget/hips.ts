@@ -1,13 +1,13 @@
 /**
- * How hips follow feet. Legs of other proportions don't reach the places of their feet with the source's rotations. Legs
- * that bend for it point elsewhere; hips that move for it, by a few centimetres, are seen by nobody. So they are where both
- * feet on the ground are nearest to their places, and what is left is for the legs (`legs.ts`). In time they move smoothly,
- * whatever begins and ends under them:
+ * How hips follow feet. Legs of other proportions don't reach the places of their feet with the source's rotations.
+ * Legs that bend for it point elsewhere; hips that move for it, by a few centimetres, are seen by nobody. So they are
+ * where both feet on the ground are nearest to their places, and what is left is for the legs (`legs.ts`). In time they
+ * move smoothly, whatever begins and ends under them:
  *
  *     moved(t) = Σ cₖ · B((t − tₖ) / h)        cₖ = Σ B · w · d  /  Σ B · w        over both feet, around tₖ
  *
- * with B the uniform cubic B-spline, d the way of a foot to its place by rotations alone, and w 1 in contact, nearly 0 in
- * the air.
+ * with B the uniform cubic B-spline, d the way of a foot to its place by rotations alone, and w 1 in contact, nearly 0
+ * in the air.
  */
 import { riseAt, standing } from './contacts.ts';
 import { wayOfFoot } from './places.ts';

@@ -4,8 +4,8 @@
  *
  *     hip ─ l₁ ─ knee ─ l₂ ─ ankle        knee = hip + x·u + y·k        x = (l₁² − l₂² + D²)/2D        y = √(l₁² − x²)
  *
- * with u the direction to the ankle at distance D, and k perpendicular to it. The foot keeps its rotation. The hips have gone
- * to meet both feet before (`hips.ts`). A leg whose foot is in place already is left exactly as it is.
+ * with u the direction to the ankle at distance D, and k perpendicular to it. The foot keeps its rotation. The hips
+ * have gone to meet both feet before (`hips.ts`). A leg whose foot is in place already is left exactly as it is.
  */
 import { copy3, multiply3, swing, turnVector } from '../../math/mat3.ts';
 import { smoothstep } from '../../math/smoothstep.ts';
@@ -71,8 +71,8 @@ const IN_THE_AIR = Math.PI / 60;
 const LIFTING = 0.2;
 
 /**
- * The feet, each with how far the bones of its leg may turn for it: the less the more they would have to all the time. Once
- * in a while a knee may bend for a foot; one that did so in half of the take would be another way of walking.
+ * The feet, each with how far the bones of its leg may turn for it: the less the more they would have to all the time.
+ * Once in a while a knee may bend for a foot; one that did so in half of the take would be another way of walking.
  * @param plan with its hips
  */
 export function limitedTurns(plan: RetargetPlan): readonly FootTrack[] {

@@ -1,7 +1,7 @@
 /**
- * Measures a retargeted character as it is displayed, with its limits, linked DOFs and unpaired joints: whether its arms
- * and legs point like the source's, and how far its feet slide while the source's foot is in contact, over the ground
- * from where the contact began; and the same for the source, at the target's size.
+ * Measures a retargeted character as it is displayed, with its limits, linked DOFs and unpaired joints: whether its
+ * arms and legs point like the source's, and how far its feet slide while the source's foot is in contact, over the
+ * ground from where the contact began; and the same for the source, at the target's size.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Character } from '../../model/document.ts';

@@ -2,12 +2,12 @@
  * Chooses the poses in which the two skeletons are compared.
  *
  * A standing file pose (T, A, arms down) tells best how joints are meant to be rotated. Some files have none: in LAFAN1
- * all bones are along x. Then a frame of the character's own take is used. For the target it is the most upright one, if
- * the target has a take; for the source, the one that looks most like the target: the one with the smallest sum of
+ * all bones are along x. Then a frame of the character's own take is used. For the target it is the most upright one,
+ * if the target has a take; for the source, the one that looks most like the target: the one with the smallest sum of
  * angles between their bones. Such a frame may be one of a step, so its feet are turned flat (`feet.ts`).
  *
- * Skeletons with the same bones are compared in their file poses, whatever these are and whatever was chosen: they match
- * joint by joint.
+ * Skeletons with the same bones are compared in their file poses, whatever these are and whatever was chosen: they
+ * match joint by joint.
  */
 import { turnVector } from '../../math/mat3.ts';
 import type { RetargetOptions } from '../../model/takes/retarget.ts';
@@ -65,8 +65,8 @@ export function asksTake(bodies: Bodies): boolean {
 }
 
 /**
- * A pose with flat soles. Those of a standing file pose are, unless its feet are level with their ankles, as in files whose
- * bones are along axes, or hang; then the take is asked, as for poses of a take.
+ * A pose with flat soles. Those of a standing file pose are, unless its feet are level with their ankles, as in files
+ * whose bones are along axes, or hang; then the take is asked, as for poses of a take.
  */
 function onSoles(body: RetargetBody, isStanding: boolean, feet: readonly Foot[], sampled: SampledBodies): Reference {
   if (isStanding && feet.every((foot) => looksFlat(body, foot))) return { ...body, soles: true };

@@ -55,8 +55,8 @@ export function sameBones({ target, source, sourceOf, rest: own }: Bodies, rest:
 }
 
 /**
- * Whether each joint is paired with its equal in an equal skeleton: then a pose of one is a pose of the other, number by
- * number.
+ * Whether each joint is paired with its equal in an equal skeleton: then a pose of one is a pose of the other, number
+ * by number.
  */
 export function sameJoints({ target, targetSpace, source, sourceSpace, sourceOf }: Bodies): boolean {
   if (target.joints.length !== source.joints.length || !sourceOf.every((s, j) => s === j)) return false;

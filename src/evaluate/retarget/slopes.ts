@@ -1,11 +1,11 @@
 /**
- * Aligns feet. Where both soles are known to be flat in the reference poses, they are made parallel, and bones from ankle
- * to ball then differ by a constant angle δ, up or down:
+ * Aligns feet. Where both soles are known to be flat in the reference poses, they are made parallel, and bones from
+ * ankle to ball then differ by a constant angle δ, up or down:
  *
  *     flat soles        source  ╲ 40°        target  ╲ 10°        δ = 30°, the most that is allowed
  *
- * With a raised heel or a bent knee that stays so. But when the toes come up, the target's would be above the ankle while
- * the source's are still below. So towards the horizontal the angle is taken back, until both bones are alike:
+ * With a raised heel or a bent knee that stays so. But when the toes come up, the target's would be above the ankle
+ * while the source's are still below. So towards the horizontal the angle is taken back, until both bones are alike:
  *
  *     source's slope p       −δ − 1°    …    −1°       …       90°    …    180°
  *     target's               p + δ      −1°            p                   p + δ

@@ -1,9 +1,10 @@
 /**
- * The frame rate of a take: that of its samples, else the one that its file states, else the common spacing of its keys.
+ * The frame rate of a take: that of its samples, else the one that its file states, else the common spacing of its
+ * keys.
  *
- * Files store the time between frames, rounded: 0.0333333 means 1/30. The intended rate is the whole number or television
- * rate (30/1.001) that the file's digits can't be told from, unless that would lose half a frame by the take's end: frames
- * are counted as in the file.
+ * Files store the time between frames, rounded: 0.0333333 means 1/30. The intended rate is the whole number or
+ * television rate (30/1.001) that the file's digits can't be told from, unless that would lose half a frame by the
+ * take's end: frames are counted as in the file.
  */
 
 import { perObject } from '../../model/per-object.ts';
@@ -46,8 +47,8 @@ function usualNear(rate: number): readonly number[] {
 }
 
 /**
- * Keys set by hand, one per second or so, are evenly spaced too, but sampling at them would lose the curve in between. So
- * their spacing counts from 10 per second if curves are straight between keys, and from 23 (film's 23.976) if not.
+ * Keys set by hand, one per second or so, are evenly spaced too, but sampling at them would lose the curve in between.
+ * So their spacing counts from 10 per second if curves are straight between keys, and from 23 (film's 23.976) if not.
  */
 const MIN_STRAIGHT = 10;
 const MIN_CURVED = 23;
@@ -88,8 +89,8 @@ function rateOfKeys(take: Take): number | undefined {
 }
 
 /**
- * Frames per second of keys: the lowest rate that has all of them on frames, counted from the first; undefined if there is
- * none that counts.
+ * Frames per second of keys: the lowest rate that has all of them on frames, counted from the first; undefined if there
+ * is none that counts.
  * @param times ascending seconds of each channel
  * @param isStraight whether all curves are straight between keys
  */

@@ -1,7 +1,7 @@
 /**
- * The frames of a take. Motion capture converted to keys has a key at every frame, and sampling it at exactly these times
- * gives the original: if one channel has evenly spaced keys over the whole range, and all other keys are at some of these
- * times, they are the frames.
+ * The frames of a take. Motion capture converted to keys has a key at every frame, and sampling it at exactly these
+ * times gives the original: if one channel has evenly spaced keys over the whole range, and all other keys are at some
+ * of these times, they are the frames.
  */
 
 import { perObject } from '../../model/per-object.ts';

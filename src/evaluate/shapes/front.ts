@@ -6,8 +6,8 @@ import { worldOf } from './world-of.ts';
 
 /**
  * Facing direction of a character as x and z with y up: perpendicular to the line between joints that are left and
- * right; z if there are none. Motion capture may face anywhere, so there the pose decides; elsewhere a pose that turns the
- * whole character is shown as turned.
+ * right; z if there are none. Motion capture may face anywhere, so there the pose decides; elsewhere a pose that turns
+ * the whole character is shown as turned.
  */
 export function frontOf(
   skeleton: Skeleton | undefined,

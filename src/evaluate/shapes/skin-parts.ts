@@ -5,8 +5,8 @@
  *     c = Σ w·v / Σ w          C = Σ w·(v − c)(v − c)ᵀ / Σ w          L·Lᵀ = 3·C (Cholesky)
  *     ellipsoid = { c + L·u : |u| ≤ 1 }
  *
- * The factor 3 is that of a shell: points all over the surface of an ellipsoid have a variance of a²/3 along a half axis
- * a. Weights count, so that the few vertices that a joint shares with its neighbours don't widen it.
+ * The factor 3 is that of a shell: points all over the surface of an ellipsoid have a variance of a²/3 along a half
+ * axis a. Weights count, so that the few vertices that a joint shares with its neighbours don't widen it.
  */
 import { perObject } from '../../model/per-object.ts';
 import { type Skin, vertexCount } from '../../model/skin.ts';

@@ -43,8 +43,8 @@ function grown<T extends Float64Array | Uint32Array | Uint8Array>(old: T, wide: 
 }
 
 /**
- * Adds where a segment passes through a triangle, by Möller and Trumbore's test. The segment starts at (ox, oy, oz), and
- * (dx, dy, dz) leads to its end.
+ * Adds where a segment passes through a triangle, by Möller and Trumbore's test. The segment starts at (ox, oy, oz),
+ * and (dx, dy, dz) leads to its end.
  *
  * @param t index of the triangle
  * @param vertex triangles at it are passed over; -1: none

@@ -21,8 +21,8 @@ type GuessedUnit = (typeof GUESSED_UNITS)[number];
 /** Units that most files are in. */
 export const COMMON_UNITS: ReadonlySet<GuessedUnit> = new Set(['centimetres', 'metres', 'millimetres']);
 /**
- * How far from a person's height a unit may leave a character, as a factor: people are children, too, but few are in inches,
- * and characters that aren't recognised as people are animals of any size.
+ * How far from a person's height a unit may leave a character, as a factor: people are children, too, but few are in
+ * inches, and characters that aren't recognised as people are animals of any size.
  */
 const COMMON_DEVIATION = { person: 2, other: 5 } as const;
 const RARE_DEVIATION = { person: 1.3, other: 2 } as const;
@@ -35,8 +35,8 @@ const BELIEVED = 0.006;
  * Guesses up axis, unit and lift of a character.
  *
  * - Up: see `upOf`.
- * - Unit: the one that brings the character closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or the
- *   height of its frames if its parts are not recognised; of those too, a common unit that is near before a rare one that
+ * - Unit: the one that brings the character closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or
+ *   the height of its frames if its parts are not recognised; of those too, a common unit that is near before a rare one that
  *   is nearer. If none is near (`COMMON_DEVIATION`), the character is made 1.7 m tall (`own`): its true size is unknown, but it
  *   can be seen beside others.
  * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
@@ -231,18 +231,18 @@ const CLEARLY = 0.05;
 /**
  * The up axis.
  *
- * - Along which axis does the character stand: legs stretched, trunk in line with them, head up? In its file pose, and in
- *   each frame of the take.
+ * - Along which axis does the character stand: legs stretched, trunk in line with them, head up? In its file pose, and
+ *   in each frame of the take.
  * - Along which axis is there a ground: the character's lowest point is always at one level, near 0?
  *
  * The axis along which the file pose stands is believed, unless the take stands along the other one, and on a better
  * ground: one who lies does so too, but on a worse ground. Without a standing file pose (in LAFAN1 its bones lie along
- * x) the ground decides between axes along which the take stands, or between both. Most files are y up. Animals stand on
- * their legs in their file pose, whatever their trunk does.
+ * x) the ground decides between axes along which the take stands, or between both. Most files are y up. Animals stand
+ * on their legs in their file pose, whatever their trunk does.
  *
- * Of characters whose parts are not recognised, up is the axis along which nearly all is above the feet: along the others
- * there is a tail behind them, and a head in front. Without two feet up is from the one or the hips to the head, by their names, and
- * without names the axis along which the character extends most, frame by frame.
+ * Of characters whose parts are not recognised, up is the axis along which nearly all is above the feet: along the
+ * others there is a tail behind them, and a head in front. Without two feet up is from the one or the hips to the head,
+ * by their names, and without names the axis along which the character extends most, frame by frame.
  */
 function upOf(skeleton: Skeleton, body: Body | undefined, frames: readonly FrameShape[], moving: boolean) {
   if (!body) return { up: upByNames(skeleton, frames), standing: 0 };

@@ -23,8 +23,8 @@ const PIECES_PER_SECOND = 30;
 const MAX_PIECES = 64;
 
 /**
- * Calls `full` whenever `rows` has that many rows, and at the end; what it has then is a stretch of the take, whose last
- * row is the first one of the next.
+ * Calls `full` whenever `rows` has that many rows, and at the end; what it has then is a stretch of the take, whose
+ * last row is the first one of the next.
  * @param tolerance how far points may be off
  * @param how `swings`: whether what is between two rows on a straight line matters: splines go their own way there
  */

@@ -1,7 +1,8 @@
 /**
  * The lines that two texts have in common, so that what remains is small: Myers (1986), "An O(ND) difference algorithm
  * and its variations", between anchors, which are lines that occur once in both texts (patience diff). A stretch with
- * more than `MAX_EDITS` edits between two anchors counts as replaced, so that rewriting all of a long file costs nothing.
+ * more than `MAX_EDITS` edits between two anchors counts as replaced, so that rewriting all of a long file costs
+ * nothing.
  *
  * Rejected: the npm package diff 8, of 8 kB gzipped, without anchors: 3.5 s where 4,000 rows have changed, and growing
  * by the square, or nothing at all above its limit; this takes 0.4 s for 100,000 rows.

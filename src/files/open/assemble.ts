@@ -154,8 +154,8 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
 }
 
 /**
- * Uses a character of a file: its skeleton with all that comes with it. Its first skin is shown, and its first take that
- * moves.
+ * Uses a character of a file: its skeleton with all that comes with it. Its first skin is shown, and its first take
+ * that moves.
  */
 export function withWhole(
   character: Character,

@@ -4,7 +4,8 @@
  * 1. a `.rig` binds the files that it names, looked up by base name (its own folder first);
  * 2. any other skin, morph or anim belongs to the skeleton in the same folder whose stem is the longest prefix of its
  * own (`wasp_walk.anim` → `wasp.skel`), else to the one in the closest folder around it that is called like it
- * (`skins/wasp.skin` → `skeletons/wasp.skel`), or to the only skeleton; an anim to the only character of another kind, too;
+ * (`skins/wasp.skin` → `skeletons/wasp.skel`), or to the only skeleton; an anim to the only character of another kind,
+ * too;
  * 3. the rest has no skeleton here; `open-files.ts` assigns it to characters of the document.
  *
  * Files with errors take part, so that what depends on them is known.

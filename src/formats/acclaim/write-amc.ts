@@ -1,6 +1,6 @@
 /**
- * Writes `.amc`: for each frame its number, and for each bone with DOFs its values, as the `.asf` of the same skeleton has
- * them (`write-asf.ts`). Values of a sampled channel are written as stored. In pieces, as `.bvh` is.
+ * Writes `.amc`: for each frame its number, and for each bone with DOFs its values, as the `.asf` of the same skeleton
+ * has them (`write-asf.ts`). Values of a sampled channel are written as stored. In pieces, as `.bvh` is.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';

@@ -1,7 +1,7 @@
 /**
  * Writes `.asf`. A joint starts at the tip of the bone above: one whose children and End Sites are all at one point has
- * that as its tip, and all others no length. A child away from there gets a bone without DOFs before it, `CHILD_link`; an
- * End Site a bone of its own, `JOINT_end`. A root of another name than `root` is followed by a bone of that name.
+ * that as its tip, and all others no length. A child away from there gets a bone without DOFs before it, `CHILD_link`;
+ * an End Site a bone of its own, `JOINT_end`. A root of another name than `root` is followed by a bone of that name.
  *
  * What a file said of its bones is written as it was, as long as it still makes the same skeleton.
  */

@@ -4,7 +4,8 @@
  *     root     = ROOT [NAME] "{" { token } "}"
  *     token    = OFFSET x y z | CHANNELS n { CHANNEL } | JOINT [NAME] "{" { token } "}" | End Site "{" [OFFSET x y z] "}"
  *
- * OFFSET takes six numbers, too, as SOMA writes it: the last three are angles of a rest orientation, which turns nothing.
+ * OFFSET takes six numbers, too, as SOMA writes it: the last three are angles of a rest orientation, which turns
+ * nothing.
  *
  * A NAME is the rest of its line up to a `{`, including blanks, colons and `#`. So is anything after `End`: there are
  * files with `End Site20`. Joints are kept on an explicit stack, since they may be nested to any depth.

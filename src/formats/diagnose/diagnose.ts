@@ -1,10 +1,10 @@
 /**
  * Where the error of a file really is.
  *
- * A reader that takes no notice of line ends and indentation tells of an error where it can't continue, which may be far
- * from it: without one number of line 51, the last row of the block is short. So once a file has problems, its lines are
- * looked at, as a person would: which row is shorter than its neighbours, which line is unlike all similar ones, where
- * braces contradict the indentation, which token at the problem could be missing or too many.
+ * A reader that takes no notice of line ends and indentation tells of an error where it can't continue, which may be
+ * far from it: without one number of line 51, the last row of the block is short. So once a file has problems, its
+ * lines are looked at, as a person would: which row is shorter than its neighbours, which line is unlike all similar
+ * ones, where braces contradict the indentation, which token at the problem could be missing or too many.
  *
  * Each guess is an edit that might fix the file, and is put to the test: the edited file is read again. The guess
  * after which the fewest problems are left is taken. These don't follow from the error; all others do, and are left

@@ -3,7 +3,8 @@
  *
  * A row is a line that starts with a number, or lies between such lines. Its block is named by the first word of the
  * last other line above it that is no lone brace. In a block the usual length is that of most rows, over all blocks of
- * the same name; in a block with too few rows to tell, what the format says. A row of `skinweights` says its own length.
+ * the same name; in a block with too few rows to tell, what the format says. A row of `skinweights` says its own
+ * length.
  */
 import { type Edit, quoted } from './edit.ts';
 import type { TextLayout } from './layouts.ts';

@@ -1,7 +1,7 @@
 /**
- * The lines and tokens of a whole file in memory, for the search for the place of an error. Only lines with tokens count
- * as neighbours; line numbers are those of `places.ts`: a run of CRs followed by LF is one line end, any other CR is one
- * each.
+ * The lines and tokens of a whole file in memory, for the search for the place of an error. Only lines with tokens
+ * count as neighbours; line numbers are those of `places.ts`: a run of CRs followed by LF is one line end, any other CR
+ * is one each.
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { parseDecimal } from '../decimal.ts';

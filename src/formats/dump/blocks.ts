@@ -87,8 +87,8 @@ export class Blocks {
   }
 
   /**
-   * Ends the current block, and takes out what may be headings and has another number of numbers than most: few of them,
-   * or whole ones, beside words.
+   * Ends the current block, and takes out what may be headings and has another number of numbers than most: few of
+   * them, or whole ones, beside words.
    *
    * @returns how many rows are left
    */

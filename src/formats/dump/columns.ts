@@ -27,8 +27,8 @@ export function headerOf(text: string): Header {
 }
 
 /**
- * Whether a line is a header whatever else is in it, blanks and digits, too: between commas, each cell has a word and no
- * fraction, and one is the name of a column.
+ * Whether a line is a header whatever else is in it, blanks and digits, too: between commas, each cell has a word and
+ * no fraction, and one is the name of a column.
  */
 export function hasNamesInCells(text: string): boolean {
   if (text.length > MAX_HEADER_LENGTH || !DELIMITED.test(text)) return false;

@@ -5,8 +5,8 @@ const SAMPLE = 1 << 16;
 const NUMBER = /^[-+]?\d+,\d+(?:[eE][-+]?\d+)?,?$/;
 
 /**
- * The text with decimal points, if its commas are in numbers: no point is, each comma is between digits, and other signs
- * stand between the numbers of a line. Else the same text.
+ * The text with decimal points, if its commas are in numbers: no point is, each comma is between digits, and other
+ * signs stand between the numbers of a line. Else the same text.
  */
 export function withDecimalPoints(text: string): string {
   return hasDecimalCommas(text.slice(0, SAMPLE)) ? text.replace(/(\d),(?=\d)/g, '$1.') : text;

@@ -1,7 +1,7 @@
 /**
  * Dumps as JSON: what `marrow pose --json` and `marrow channels --json` print, or any object with `time`, `world`,
- * `local`, `positions`, `vertices`, `normals`, `channels`, however deep; or lists of numbers alone. One text, or one per
- * line. Python's dicts are read too.
+ * `local`, `positions`, `vertices`, `normals`, `channels`, however deep; or lists of numbers alone. One text, or one
+ * per line. Python's dicts are read too.
  *
  *     matrices    16 numbers, or rows of numbers, or { elements }; in a list, by name, or of the items of a list
  *     points      [x, y, z], { x, y, z }, or all numbers in one list

@@ -47,8 +47,8 @@ export function tokensOf(text: string): LineTokens {
 }
 
 /**
- * A date or the time of a day, which is a word; a number, with a float's f or a unit; what is not finite; a word such as `mixamorig:Hips` or `Spine.001`; any other
- * character. Arrows and other signs are no letters.
+ * A date or the time of a day, which is a word; a number, with a float's f or a unit; what is not finite; a word such
+ * as `mixamorig:Hips` or `Spine.001`; any other character. Arrows and other signs are no letters.
  */
 const TOKEN =
   /(\d{4}-\d\d-\d\dT\d\d:\d\d(?::\d\d(?:[.,]\d{1,9})?)?(?:Z|[-+]\d\d:?\d\d)?(?![\w.:])|\d{1,4}-\d\d?-\d\d?(?![\w.-])|\d\d?:\d\d:\d\d(?:[.,]\d{1,6})?(?![\w.:])|\d{1,4}\/\d\d?\/\d{1,4}(?![\w./]))|([-+\u2212]?(?:\d{1,40}\.?\d{0,40}|\.\d{1,40})(?:[eEdD][-+]?\d{1,4})?[fFdDlL]?)(s|sec|secs|ms|deg|rad|mm|cm|m|fps|hz)?(?![\w.])|([-+]?(?:nan(?:\([a-z]*\))?|inf|infinity)(?!\w)|[-+]?\d\.#\w+)|([\w\u00aa-\u1fff\u2c00-\uffff][\w.\-\u00aa-\u1fff\u2c00-\uffff]*(?::[A-Za-z_][\w.-]*)*)|(\S)/gi;

@@ -4,9 +4,9 @@
  *     [COUNT]
  *     [INDEX] x y z PARENT          the offset from the parent, and its index; -1: a root
  *
- * Indices count from 0 in the order of the file, unless each line begins with its own. Numbers may be separated by commas,
- * and a line may have the name of its joint first or last. Comments begin with # or //. In the model these are ball
- * joints; the file is written in the hierarchy form.
+ * Indices count from 0 in the order of the file, unless each line begins with its own. Numbers may be separated by
+ * commas, and a line may have the name of its joint first or last. Comments begin with # or //. In the model these are
+ * ball joints; the file is written in the hierarchy form.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import {
@@ -58,9 +58,9 @@ interface Row {
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
 
 /**
- * Whether a file that begins like this has rows of a parent's index: four or five numbers on every line, the last of them
- * a whole number, and -1 for a root, which may come last. The axis-angle form has six numbers a joint, wherever its lines
- * end.
+ * Whether a file that begins like this has rows of a parent's index: four or five numbers on every line, the last of
+ * them a whole number, and -1 for a root, which may come last. The axis-angle form has six numbers a joint, wherever
+ * its lines end.
  *
  * @param head its first bytes; those after `PARENTS_HEAD_BYTES` are ignored
  */

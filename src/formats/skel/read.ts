@@ -1,6 +1,6 @@
 /**
- * `.skel`, hierarchy form; a file that starts with a number is in the axis-angle form (`read-axis-angle.ts`), or has rows
- * with the index of a parent (`read-parents.ts`).
+ * `.skel`, hierarchy form; a file that starts with a number is in the axis-angle form (`read-axis-angle.ts`), or has
+ * rows with the index of a parent (`read-parents.ts`).
  *
  *     skel   = { joint }                                   several roots: each its own skeleton
  *     joint  = JOINTTYPE [NAME] "{" { token } "}"

@@ -1,6 +1,6 @@
 /**
- * The rows of a `.skel` without braces: six numbers a joint, wherever lines end, or the numbers of the first line, if the
- * last of these is -1, the index of no parent.
+ * The rows of a `.skel` without braces: six numbers a joint, wherever lines end, or the numbers of the first line, if
+ * the last of these is -1, the index of no parent.
  */
 import type { Located } from './locator.ts';
 import { RowsBuilder } from './row-lines.ts';

@@ -1,6 +1,6 @@
 /**
- * One light pass over the bytes of a text file, in pieces: an index of its lines, and its tokens for a locator. It checks
- * nothing, and doesn't convert numbers that no one asks for.
+ * One light pass over the bytes of a text file, in pieces: an index of its lines, and its tokens for a locator. It
+ * checks nothing, and doesn't convert numbers that no one asks for.
  *
  * Lines are those of `places.ts`: a run of CRs followed by LF is one line end, any other CR is one each.
  */

@@ -1,6 +1,6 @@
 /**
- * `.skel`: the lines of each joint and of each DOF's limits and pose. A file that begins with a number has a row for each
- * joint: see `joint-rows.ts`.
+ * `.skel`: the lines of each joint and of each DOF's limits and pose. A file that begins with a number has a row for
+ * each joint: see `joint-rows.ts`.
  */
 import { LIMIT_TOKENS, SKEL_TYPES } from '../skel/joint-types.ts';
 import { JointLines } from './joint-lines.ts';

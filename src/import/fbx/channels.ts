@@ -1,6 +1,6 @@
 /**
- * Curves of FBX as channels: keys and slopes as they are. Holds become two keys at one time; handles that are not a third
- * of their span long become more keys, within a tolerance; a limited number of repetitions becomes keys.
+ * Curves of FBX as channels: keys and slopes as they are. Holds become two keys at one time; handles that are not a
+ * third of their span long become more keys, within a tolerance; a limited number of repetitions becomes keys.
  */
 import type { Extrapolation, KeyedChannel } from '../../model/takes/take.ts';
 import { type Beyond, CUBIC, evaluateCurve, type FbxCurve, HOLD, LINE } from './curve.ts';

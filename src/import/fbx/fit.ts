@@ -1,6 +1,6 @@
 /**
- * Keys for functions of time that are no curves: each span between two given times is a cubic by its values and slopes at
- * both ends, cut in two where that is off by more than a tolerance.
+ * Keys for functions of time that are no curves: each span between two given times is a cubic by its values and slopes
+ * at both ends, cut in two where that is off by more than a tolerance.
  */
 import { hermiteCubic } from '../../math/hermite.ts';
 import { KeyList } from './key-list.ts';

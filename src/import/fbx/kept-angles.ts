@@ -3,9 +3,9 @@
  *
  *     rotation = before · R(angles) · after        of constant rotations before and after
  *
- * They are, but for a constant, where `before` turns about the axis that is turned last and `after` about the one that is
- * turned first. Elbows, knees and fingers turn about one axis only: what is before it is constant then, and so are the
- * two other angles in an order that turns about that axis first.
+ * They are, but for a constant, where `before` turns about the axis that is turned last and `after` about the one that
+ * is turned first. Elbows, knees and fingers turn about one axis only: what is before it is constant then, and so are
+ * the two other angles in an order that turns about that axis first.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Vec3 } from '../../math/vec3.ts';

@@ -1,6 +1,6 @@
 /**
- * The takes of an FBX file as curves of the scene's nodes. Where one layer drives a property and no pivot comes between,
- * its curves are the channels, with their keys and slopes; elsewhere keys are fitted to where the node is.
+ * The takes of an FBX file as curves of the scene's nodes. Where one layer drives a property and no pivot comes
+ * between, its curves are the channels, with their keys and slopes; elsewhere keys are fitted to where the node is.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -338,8 +338,8 @@ function asCurves(of: (k: number) => Channel | undefined): AxisCurves {
 const MAX_REPEATED = 20000;
 
 /**
- * Where curves may bend: their keys; within the range also those repeated, and its ends, where something continues beyond
- * keys. At least one.
+ * Where curves may bend: their keys; within the range also those repeated, and its ends, where something continues
+ * beyond keys. At least one.
  * @param spare how many may be repeated ones
  */
 export function stopsOf(

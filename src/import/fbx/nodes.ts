@@ -3,8 +3,8 @@
  *
  *     local = T · Roff · Rp · Rpre · R · Rpost⁻¹ · Rp⁻¹ · Soff · Sp · S · Sp⁻¹
  *
- * with pivots Rp and Sp, offsets Roff and Soff, constant rotations Rpre and Rpost, and T, R, S that move. What that comes
- * to is a translation, a rotation and a scale, too: see `writeLocal`.
+ * with pivots Rp and Sp, offsets Roff and Soff, constant rotations Rpre and Rpost, and T, R, S that move. What that
+ * comes to is a translation, a rotation and a scale, too: see `writeLocal`.
  */
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
@@ -27,8 +27,8 @@ export interface FbxNode {
 }
 
 /**
- * Whether a node is scaled by its parent like everything else (RSrs), axis by axis before it turns (RrSs), or not by its
- * own parent (Rrs).
+ * Whether a node is scaled by its parent like everything else (RSrs), axis by axis before it turns (RrSs), or not by
+ * its own parent (Rrs).
  */
 export type Inheritance = 'normal' | 'by axis' | 'not of parent';
 
@@ -141,8 +141,8 @@ export function writeNodeRotation({ order, pivots }: FbxNode, angles: ArrayLike<
 }
 
 /**
- * Where a node with this rotation, its own translation and scale is: T + Roff + Rp + Rotation·(Soff + Sp − S·Sp − Rp), at
- * `out[0]`.
+ * Where a node with this rotation, its own translation and scale is: T + Roff + Rp + Rotation·(Soff + Sp − S·Sp − Rp),
+ * at `out[0]`.
  */
 export function writeNodeTranslation(
   { pivots }: FbxNode,

@@ -1,8 +1,8 @@
 /**
  * Which joints have boxes. Skeleton formats give every joint one, whose default suits the course's units. Other files
- * have none: joints of glTF and FBX carry a box without size, those of BVH and of the axis-angle form a default one that
- * doesn't count. They are drawn as bones, sized by the skeleton, and the box is not used to measure size. A joint with a
- * bone of its own has a box only if someone set one.
+ * have none: joints of glTF and FBX carry a box without size, those of BVH and of the axis-angle form a default one
+ * that doesn't count. They are drawn as bones, sized by the skeleton, and the box is not used to measure size. A joint
+ * with a bone of its own has a box only if someone set one.
  */
 
 import { perObject } from '../per-object.ts';

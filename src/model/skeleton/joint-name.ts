@@ -15,8 +15,8 @@ export function shortJointName(skeleton: Skeleton | undefined, index: number): s
 }
 
 /**
- * The beginning, up to a colon, of at least two names, and of all that have a colon; names without one may be among them,
- * as of joints that were added later. Cached; empty if there is none.
+ * The beginning, up to a colon, of at least two names, and of all that have a colon; names without one may be among
+ * them, as of joints that were added later. Cached; empty if there is none.
  */
 const namespaceOf = perObject(({ joints }: Skeleton): string => {
   const spaces = joints.flatMap(({ name }) => {

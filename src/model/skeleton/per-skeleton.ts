@@ -1,6 +1,6 @@
 /**
- * Caches what is computed from the joints of a skeleton, whatever it is called: takes of one session have the same joints
- * in skeletons named after their files (`shared-joints.ts`).
+ * Caches what is computed from the joints of a skeleton, whatever it is called: takes of one session have the same
+ * joints in skeletons named after their files (`shared-joints.ts`).
  */
 import { perObject } from '../per-object.ts';
 import type { Joint, Skeleton } from './skeleton.ts';

@@ -1,6 +1,6 @@
 /**
- * Joints of files that are read one after the other: equal ones become the same array, so that thousands of takes of one
- * session share what is computed from their skeleton (`per-skeleton.ts`).
+ * Joints of files that are read one after the other: equal ones become the same array, so that thousands of takes of
+ * one session share what is computed from their skeleton (`per-skeleton.ts`).
  */
 import type { Joint } from './skeleton.ts';
 

@@ -58,8 +58,8 @@ export function skelSkeleton(skeleton: Skeleton): Skeleton {
 }
 
 /**
- * A take of a skeleton with the channels of its `skelSkeleton`: the DOFs of joints may come in another order, and behind
- * a root translation that a root of motion capture did without. The same object if nothing changes.
+ * A take of a skeleton with the channels of its `skelSkeleton`: the DOFs of joints may come in another order, and
+ * behind a root translation that a root of motion capture did without. The same object if nothing changes.
  * @param pose values of the DOFs that the take has no channels for
  */
 export function skelChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {

@@ -28,8 +28,8 @@ export interface Joint {
   /** In DOF order, at most one per DOF. Absent rather than empty. */
   readonly couples?: readonly Couple[];
   /**
-   * The part of the body that it is, where a file says so, as VRM calls it: `leftUpperArm`. Retargeting goes by it before
-   * names.
+   * The part of the body that it is, where a file says so, as VRM calls it: `leftUpperArm`. Retargeting goes by it
+   * before names.
    */
   readonly role?: string;
   /** What an Acclaim skeleton says of its bone, which is kept for writing. */
@@ -144,9 +144,9 @@ export interface BvhMotion {
 }
 
 /**
- * A bone of an Acclaim skeleton, with C the rotation of its axes: C·T(t)·R·C⁻¹, and T(t)·C·R for the root. The translation
- * comes before the rotations, wherever it is listed; of these the first listed is applied first. `l` lengthens the bone,
- * which moves its children and its end, but not the joint itself.
+ * A bone of an Acclaim skeleton, with C the rotation of its axes: C·T(t)·R·C⁻¹, and T(t)·C·R for the root. The
+ * translation comes before the rotations, wherever it is listed; of these the first listed is applied first. `l`
+ * lengthens the bone, which moves its children and its end, but not the joint itself.
  */
 export interface AcclaimMotion {
   readonly kind: 'acclaim';

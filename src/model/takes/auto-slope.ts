@@ -1,6 +1,7 @@
 /**
  * The slope of an `auto` tangent: the same on either side of a key, and never so steep that the curve leaves the values
- * of the two keys around it (a monotone cubic after Fritsch and Carlson, 1980, limited to three times the lesser secant).
+ * of the two keys around it (a monotone cubic after Fritsch and Carlson, 1980, limited to three times the lesser
+ * secant).
  *
  *     d₀, d₁     secants to the key before and after
  *     s          (vᵢ₊₁ − vᵢ₋₁) / (tᵢ₊₁ − tᵢ₋₁)

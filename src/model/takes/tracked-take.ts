@@ -1,13 +1,13 @@
 /**
  * Takes whose rotations are still the quaternions of their file. Files of other programs hold dozens of takes, of which
- * few are ever shown, and fitting Euler angles to quaternions takes ten times as long as reading them. So the channels of
- * such a take are made when something first asks for them, whatever it is: playing, an editor, a command, a file.
+ * few are ever shown, and fitting Euler angles to quaternions takes ten times as long as reading them. So the channels
+ * of such a take are made when something first asks for them, whatever it is: playing, an editor, a command, a file.
  *
  * A take is the smallest part that this pays for. Its pose, its keys and its files need all channels of it, and whether
  * one is at rest is only known once it is fitted; were each joint, or each channel, made alone, everything that reads a
  * channel would have to expect one that isn't there yet. So `channels` is a property that is computed once. Only what
- * passes on all that an object holds, without looking at it, has to know (`trackedOf`): messages between worker and page,
- * autosave, and the memory of undo steps.
+ * passes on all that an object holds, without looking at it, has to know (`trackedOf`): messages between worker and
+ * page, autosave, and the memory of undo steps.
  */
 import type { EulerOrder } from '../skeleton/skeleton.ts';
 import type { Channel, Take } from './take.ts';
@@ -22,8 +22,8 @@ export interface QuaternionTrack {
   /** x y z w per key, of any length; of `cubic` three times as many: slopes in per second, x y z w, slopes out. */
   readonly values: TrackNumbers;
   /**
-   * Up to the next key: `step` holds, `linear` turns along the shortest arc (slerp), `cubic` interpolates components by a
-   * Hermite cubic and normalises.
+   * Up to the next key: `step` holds, `linear` turns along the shortest arc (slerp), `cubic` interpolates components by
+   * a Hermite cubic and normalises.
    */
   readonly interpolation: 'step' | 'linear' | 'cubic';
 }

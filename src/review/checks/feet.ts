@@ -1,9 +1,9 @@
 /**
  * Foot sliding. A foot is flat on the ground while its tip (the ball, or the end of the toes) and its ankle are at most
- * 3 % of a leg's length above where they usually are on it, with the hips above it by half a leg's length; it swings with
- * its heel higher, and comes down with its toes higher. It slides if tip and ankle both move 15 cm over the ground
- * meanwhile: turning on its heel or its ball, a foot moves one of them. Creeping by 10 cm a second is no slide. A foot of
- * which only the ankle is known is not judged: that moves as far when it turns on its ball.
+ * 3 % of a leg's length above where they usually are on it, with the hips above it by half a leg's length; it swings
+ * with its heel higher, and comes down with its toes higher. It slides if tip and ankle both move 15 cm over the ground
+ * meanwhile: turning on its heel or its ball, a foot moves one of them. Creeping by 10 cm a second is no slide. A foot
+ * of which only the ankle is known is not judged: that moves as far when it turns on its ball.
  */
 import type { Flag } from '../flags.ts';
 import type { TakeFrames } from '../frames.ts';

@@ -1,6 +1,6 @@
 /**
- * Joints beyond what they can do: a DOF more than 1° or 1 mm beyond the limits that its skeleton states; and an elbow or
- * a knee folded by more than 165°, so that its bones pass through each other.
+ * Joints beyond what they can do: a DOF more than 1° or 1 mm beyond the limits that its skeleton states; and an elbow
+ * or a knee folded by more than 165°, so that its bones pass through each other.
  */
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';

@@ -26,8 +26,8 @@ export function explainedNoun({ about }: Cause, compared: Compared): 'joint' | '
 }
 
 /**
- * Where points of a solver are, what no mistake explains, and how the numbers differ, in sentences of which each may be a
- * line; of numbers of a character none where all agrees or is explained.
+ * Where points of a solver are, what no mistake explains, and how the numbers differ, in sentences of which each may be
+ * a line; of numbers of a character none where all agrees or is explained.
  */
 export function unexplainedSentences(
   {

@@ -2,8 +2,8 @@
 import type { FrameComparison } from './compare.ts';
 
 /**
- * `own`: its own local matrix is wrong. `inherited`: wrong only because a parent is. `differs`: wrong, and which of both
- * isn't known, as of positions.
+ * `own`: its own local matrix is wrong. `inherited`: wrong only because a parent is. `differs`: wrong, and which of
+ * both isn't known, as of positions.
  */
 export type JointMark = 'agrees' | 'own' | 'inherited' | 'differs';
 

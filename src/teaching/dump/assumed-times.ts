@@ -1,7 +1,7 @@
 /**
- * The times of dumps that state none: programs begin with the file pose and say nothing of a time, whatever is asked for
- * or stated by others. The numbers decide: a dump is of the time at which it agrees, else of that at which the fewest mistakes
- * explain it. A right file pose would be `pose-ignored` at any other time.
+ * The times of dumps that state none: programs begin with the file pose and say nothing of a time, whatever is asked
+ * for or stated by others. The numbers decide: a dump is of the time at which it agrees, else of that at which the
+ * fewest mistakes explain it. A right file pose would be `pose-ignored` at any other time.
  */
 import type { Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';

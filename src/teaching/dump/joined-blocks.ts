@@ -1,6 +1,6 @@
 /**
- * Blocks of a dump as they are to be fitted. Programs that walk the skeleton print the local and the world matrix of each
- * joint in turn, so that each is a block of its own; all that are of one kind and time belong together.
+ * Blocks of a dump as they are to be fitted. Programs that walk the skeleton print the local and the world matrix of
+ * each joint in turn, so that each is a block of its own; all that are of one kind and time belong together.
  */
 import type { DumpBlock, DumpLabel } from '../../model/dump.ts';
 

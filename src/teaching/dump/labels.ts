@@ -125,7 +125,8 @@ function rowsOf(block: DumpBlock, rows: readonly number[], labelOf: (row: number
 }
 
 /**
- * Rows `T: value …` of all channels, or of the one that the block is of, as rows of a time and values; the same block if they are none.
+ * Rows `T: value …` of all channels, or of the one that the block is of, as rows of a time and values; the same block
+ * if they are none.
  *
  * @param isOther whether as many numbers may be of joints or vertices, whose indices are whole
  */

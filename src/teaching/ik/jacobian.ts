@@ -1,6 +1,6 @@
 /**
- * Points of joints at a pose, and how they move with the DOFs. Of each point only the joints on its path to the root are
- * looked at, so that many points of a long skeleton take little more than one.
+ * Points of joints at a pose, and how they move with the DOFs. Of each point only the joints on its path to the root
+ * are looked at, so that many points of a long skeleton take little more than one.
  */
 import { type CompiledSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { add, subtract, transformPoint, transformVector, type Vec3, ZERO } from '../../math/vec3.ts';

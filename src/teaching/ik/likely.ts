@@ -1,6 +1,6 @@
 /**
- * Which end effectors may be those that a program moves in one step, told without evaluating all joints for each: joints
- * that turned are on the path to the point, and a few of these joints turned as a right step turns them.
+ * Which end effectors may be those that a program moves in one step, told without evaluating all joints for each:
+ * joints that turned are on the path to the point, and a few of these joints turned as a right step turns them.
  */
 import { writeLocal } from '../../evaluate/kinematics.ts';
 import { length3, subtract, transformPoint, type Vec3 } from '../../math/vec3.ts';

@@ -1,8 +1,8 @@
 /**
  * The files of the test kit: as small as they can be while a program that makes a known mistake gets other numbers.
  * What ordinary files let through is what they are made of: angles about all three axes at once, poses beyond their
- * limits, branches, bindings that are turned and scaled, more than four attachments, weights that don't add up to 1, keys at
- * uneven times, a range that isn't that of the keys.
+ * limits, branches, bindings that are turned and scaled, more than four attachments, weights that don't add up to 1,
+ * keys at uneven times, a range that isn't that of the keys.
  */
 
 /** Files that belong together, and what to evaluate of them. */

@@ -1,6 +1,6 @@
 /**
- * How numbers differ that no known mistake explains, in words: where they do, and what makes ours theirs there. Only what
- * holds for all of them is said, never why.
+ * How numbers differ that no known mistake explains, in words: where they do, and what makes ours theirs there. Only
+ * what holds for all of them is said, never why.
  */
 import { type Character, shownTake } from '../../model/document.ts';
 import { nameOfChannel } from '../compare/channel-name.ts';

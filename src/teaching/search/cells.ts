@@ -1,6 +1,6 @@
 /**
- * The compared numbers, cut into the smallest parts that a mistake may explain alone: those of one dump that one step of
- * a program makes. Several dumps may be of several programs, and a program may make one mistake in its joints and
+ * The compared numbers, cut into the smallest parts that a mistake may explain alone: those of one dump that one step
+ * of a program makes. Several dumps may be of several programs, and a program may make one mistake in its joints and
  * another in its skin.
  */
 import type { Character } from '../../model/document.ts';

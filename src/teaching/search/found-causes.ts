@@ -39,7 +39,8 @@ export interface Cause {
 }
 
 /**
- * Numbers that a part or a pair must change: of the thousands of pairs some would come near to a single point by chance.
+ * Numbers that a part or a pair must change: of the thousands of pairs some would come near to a single point by
+ * chance.
  */
 const MIN_EVIDENCE = 6;
 /** Residuals that differ by less, of the tolerance, are equal: as digits that were not printed. */

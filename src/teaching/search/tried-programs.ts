@@ -81,8 +81,8 @@ export class Trial {
   }
 
   /**
-   * Per cell. Stops early if no wrong cell can be explained; then `agrees` and `isPartial`, or one of them, are false for
-   * it, or for a right one of its dump, which a cause must leave right.
+   * Per cell. Stops early if no wrong cell can be explained; then `agrees` and `isPartial`, or one of them, are false
+   * for it, or for a right one of its dump, which a cause must leave right.
    *
    * @param forPart whether cells may be explained in part
    */

@@ -5,8 +5,8 @@
  *     attachments   v′ = Σ w · (W·B⁻¹ · v)                        a row each: B⁻¹·v, W·B⁻¹·v, w·(…), the sum so far
  *                   n′ = normalised Σ w · ((W·B⁻¹)⁻ᵀ · n)
  *
- * Each number is the double that `blendMorphs` and `deform` have on the way; B⁻¹·v only shows where the vertex is in the
- * joint's space, since W·B⁻¹ is multiplied first.
+ * Each number is the double that `blendMorphs` and `deform` have on the way; B⁻¹·v only shows where the vertex is in
+ * the joint's space, since W·B⁻¹ is multiplied first.
  */
 import { type CompiledSkin, compileSkin } from '../../evaluate/skin/deform.ts';
 import { inverseTranspose3, multiplyAffine, setIdentity } from '../../math/mat4.ts';

@@ -1,6 +1,6 @@
 /**
- * Offers *Same unit* and *Same height* when the visible characters are of very different sizes; until dismissed or another
- * is opened.
+ * Offers *Same unit* and *Same height* when the visible characters are of very different sizes; until dismissed or
+ * another is opened.
  */
 import { spreadOfHeights, tensBetween } from '../../edit/same-height.ts';
 import type { Character } from '../../model/document.ts';

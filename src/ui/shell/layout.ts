@@ -6,8 +6,8 @@
  *     transport                              neither without a take, while the timeline is collapsed
  *     timeline: the ruler, and below it curves, dope sheet and lists, which collapse and are collapsed at first
  *
- * On phones and upright tablets the ruler is above the transport, the panels are sheets above both, and the bar of sheets
- * is at the foot (`sheet-bar.ts`).
+ * On phones and upright tablets the ruler is above the transport, the panels are sheets above both, and the bar of
+ * sheets is at the foot (`sheet-bar.ts`).
  */
 
 import { isBarShown, isPanelOpen, NARROW, openPanel, SHEETS } from '../state/panels/panels.ts';

@@ -1,7 +1,7 @@
 /**
  * The viewport's tool in each mode. Each is a script of its own, loaded when its mode is first entered; Pose, the
- * initial one, when the page is idle. If loading fails, the mode switches to Pose, and loading is retried when the mode is
- * chosen again.
+ * initial one, when the page is idle. If loading fails, the mode switches to Pose, and loading is retried when the mode
+ * is chosen again.
  */
 import type { CanvasTool } from '../editors/viewport/canvas-tools.ts';
 import type { ModeTool } from '../editors/viewport/mode-tool.ts';

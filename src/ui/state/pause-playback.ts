@@ -1,8 +1,8 @@
 /**
- * Pausing and keying during playback. A key press falls between two frames: a pause there would show a pose that no frame
- * has, from which the next step is no whole frame, and a key there would be at a time that no frame shows. So playback
- * stops on the nearest frame, as in Maya and Blender. What is shown then is what is keyed. (Continuing playback and
- * keying the nearest frame would key another pose than the one on screen.)
+ * Pausing and keying during playback. A key press falls between two frames: a pause there would show a pose that no
+ * frame has, from which the next step is no whole frame, and a key there would be at a time that no frame shows. So
+ * playback stops on the nearest frame, as in Maya and Blender. What is shown then is what is keyed. (Continuing
+ * playback and keying the nearest frame would key another pose than the one on screen.)
  */
 import { playsFrames } from '../../edit/frame-rate.ts';
 import { pause } from '../../edit/playback.ts';

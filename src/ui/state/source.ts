@@ -64,8 +64,8 @@ export interface SourceFiles {
   /** Loads what compares and edits texts. */
   edits(): Promise<TextEdits>;
   /**
-   * Reads a file. Rejects with an `Error`, whose message is a sentence, if it can't be read, and with the signal's reason
-   * if it is aborted.
+   * Reads a file. Rejects with an `Error`, whose message is a sentence, if it can't be read, and with the signal's
+   * reason if it is aborted.
    *
    * @param onText called as soon as the bytes are known, before their lines are
    * @param onProgress how much is read, from 0 to 1

@@ -56,8 +56,8 @@ function bounded(name: string, value: string): string {
 }
 
 /**
- * Writes a property, such as `hidden`, if it differs: browsers take an equal one for a change too, and compute styles and
- * layout for it. So all that follows time, drags or the document writes by this, or by the functions around it.
+ * Writes a property, such as `hidden`, if it differs: browsers take an equal one for a change too, and compute styles
+ * and layout for it. So all that follows time, drags or the document writes by this, or by the functions around it.
  */
 export function write<T extends object, K extends keyof T>(target: T, property: K, value: T[K]): void {
   if (target[property] !== value) target[property] = value;

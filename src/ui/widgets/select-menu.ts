@@ -1,6 +1,6 @@
 /**
- * Native selects open the page's own menu instead of the browser's list: one look, one behaviour. To labels, scripts and
- * screen readers a select stays what it is; arrows and letters choose in it without a menu, as always.
+ * Native selects open the page's own menu instead of the browser's list: one look, one behaviour. To labels, scripts
+ * and screen readers a select stays what it is; arrows and letters choose in it without a menu, as always.
  */
 import { isTextField, leaveField } from './focus/focus.ts';
 import { type Menu, openMenu } from './menu.ts';

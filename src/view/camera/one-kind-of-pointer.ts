@@ -1,7 +1,8 @@
 /**
  * While a mouse button is down on an element, touches of it go nowhere, and the reverse: a screen with both sends both.
- * OrbitControls takes what is down for fingers, whose places it knows, and fails on a mouse among them. It also waits for
- * the release of a mouse, which may happen where no page hears of it: under a system's dialog, or on another desktop.
+ * OrbitControls takes what is down for fingers, whose places it knows, and fails on a mouse among them. It also waits
+ * for the release of a mouse, which may happen where no page hears of it: under a system's dialog, or on another
+ * desktop.
  */
 export function keepToOneKindOfPointer(element: HTMLElement, signal: AbortSignal): void {
   /** Types of what is down, by id. */

@@ -20,8 +20,8 @@ const MIDDLE = 16;
 export interface HandleHit {
   readonly id: HandleId;
   /**
-   * Other joints under the pointer come first: it is a handle of free rotation, the margin of a line, or a part of a ring
-   * beyond the DOF's limits, which is drawn faintly.
+   * Other joints under the pointer come first: it is a handle of free rotation, the margin of a line, or a part of a
+   * ring beyond the DOF's limits, which is drawn faintly.
    */
   readonly yields: boolean;
   /** Near the pivot, where a ring passes that is seen from its edge. */

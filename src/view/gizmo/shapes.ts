@@ -10,8 +10,8 @@ import type { Handle, HandleId, HandleRange, JointHandles, PlaneHandle } from '.
 import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
 
 /**
- * Radius of the rings, in CSS pixels: the outer ring is a fifth larger. Smaller ones can't be hit, larger ones cover the
- * joints around.
+ * Radius of the rings, in CSS pixels: the outer ring is a fifth larger. Smaller ones can't be hit, larger ones cover
+ * the joints around.
  */
 const MIN_RADIUS = 44;
 const MAX_RADIUS = 110;

@@ -1,9 +1,9 @@
 /**
  * Names of joints and characters, on a 2D canvas over the scene: crisp at any scale, in any script, without an element
  * per name. A name that would overlap one already drawn is left out. The names of characters come first, the selected
- * one's before the others in a fixed order, so that dancers who pass each other don't make names flicker, and none gives
- * way to the pointer on its way to it; then the hovered joint's and the selected one's; then joints: those in front,
- * nearest first, then, dimmed, those behind a skin or a box (`label-cover.ts`).
+ * one's before the others in a fixed order, so that dancers who pass each other don't make names flicker, and none
+ * gives way to the pointer on its way to it; then the hovered joint's and the selected one's; then joints: those in
+ * front, nearest first, then, dimmed, those behind a skin or a box (`label-cover.ts`).
  */
 import { type Camera, Matrix4 } from 'three';
 import type { Display, Selection } from '../../model/session.ts';

@@ -16,8 +16,8 @@ const ray = new Ray();
 const way = new Vector3();
 
 /**
- * World position in the middle of the limb under a point of the page, of the skin of a character's edited instance as it is
- * drawn; undefined off the skin, where that is open, or if it isn't drawn.
+ * World position in the middle of the limb under a point of the page, of the skin of a character's edited instance as
+ * it is drawn; undefined off the skin, where that is open, or if it isn't drawn.
  */
 export function insideSkin(
   viewport: Pick<Viewport, 'withDrawnSkin' | 'pickedCopy'> & { readonly eye: Pick<Eye, 'rayAt'> },

@@ -1,6 +1,6 @@
 /**
- * Lights up the part of a skin that follows the hovered joint, by the joint's weights: computed from the attributes that
- * skin it, so that hovering changes one uniform and no buffer.
+ * Lights up the part of a skin that follows the hovered joint, by the joint's weights: computed from the attributes
+ * that skin it, so that hovering changes one uniform and no buffer.
  */
 import { Color, type Material } from 'three';
 import { MATRIX_TEXELS } from './float-blocks.ts';

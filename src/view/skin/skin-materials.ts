@@ -1,7 +1,7 @@
 /**
  * Materials of skins. Each skins exactly, draws both sides, and is lit by the file's normals turned toward the viewer;
- * see `skinning.ts`. Equal skins share them, in each colour; so do all that have neither morphs nor attachments past the
- * fourth. Compiled programs are shared anyway.
+ * see `skinning.ts`. Equal skins share them, in each colour; so do all that have neither morphs nor attachments past
+ * the fourth. Compiled programs are shared anyway.
  */
 import {
   Color,

@@ -80,8 +80,8 @@ export const longDay: Attack = {
 const CAPTURE = captureOf(300);
 
 /**
- * In turns a capture of ten seconds, and a skeleton with its take. Each is opened, shown and removed. Returns the number
- * of steps that this made.
+ * In turns a capture of ten seconds, and a skeleton with its take. Each is opened, shown and removed. Returns the
+ * number of steps that this made.
  */
 function openAndRemove(page: Page, count: number): Promise<number> {
   return page.evaluate(

@@ -6,8 +6,8 @@
  *     peak     the most that was alive behind any collection while it was read, less what was before
  *
  * Garbage does not count: it is collected before memory becomes scarce. New objects have a megabyte in the attack's
- * thread (`NEW_SPACE_MB`), so a collection follows each megabyte, and finds the peak within one. The resident size of the
- * process, which other tests quote, counts garbage, and what an engine keeps for later.
+ * thread (`NEW_SPACE_MB`), so a collection follows each megabyte, and finds the peak within one. The resident size of
+ * the process, which other tests quote, counts garbage, and what an engine keeps for later.
  */
 import { GCProfiler, getHeapStatistics, setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';

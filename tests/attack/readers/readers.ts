@@ -1,6 +1,6 @@
 /**
- * Mutated files of all kinds, for all readers. They are read in a thread, which is watched: one that hangs, or takes all
- * memory, is ended, and the next begins behind the input that did it.
+ * Mutated files of all kinds, for all readers. They are read in a thread, which is watched: one that hangs, or takes
+ * all memory, is ended, and the next begins behind the input that did it.
  */
 import { once } from 'node:events';
 import type { Attack, Attempt } from '../attack.ts';

@@ -1,8 +1,8 @@
 /**
- * Humanoids of kinds that no file here has: names, rest poses, local axes, units, up axes, toes, fingers and proportions
- * drawn at random, with takes of what people do. The body, its poses and what is measured are written here once more, in
- * metres with y up and the front +z. Of retargeting, only `fitJoint` is trusted: it finds the DOFs of these poses, while
- * what is measured comes from the DOFs alone.
+ * Humanoids of kinds that no file here has: names, rest poses, local axes, units, up axes, toes, fingers and
+ * proportions drawn at random, with takes of what people do. The body, its poses and what is measured are written here
+ * once more, in metres with y up and the front +z. Of retargeting, only `fitJoint` is trusted: it finds the DOFs of
+ * these poses, while what is measured comes from the DOFs alone.
  */
 import { compileSkeleton } from '../../../src/evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../../src/evaluate/retarget/fit.ts';

@@ -7,8 +7,8 @@ import { describeShared } from '../../helpers/shared.ts';
 import { captured, HUMANOIDS, pairFit, retargeted } from './captures.ts';
 
 /**
- * Degrees, medians over the take: each segment of arms and legs, 5° there and 5° back; feet, whose soles are found twice; and hands, one of the
- * others having no fingers.
+ * Degrees, medians over the take: each segment of arms and legs, 5° there and 5° back; feet, whose soles are found
+ * twice; and hands, one of the others having no fingers.
  */
 const LIMBS = 10;
 const FEET = 25;

@@ -14,8 +14,8 @@ import { handStiffness, IS_THERE } from './hand-problem.ts';
 import type { Hindrance } from './hindrance.ts';
 
 /**
- * Sets DOFs of a joint while pins hold, by slider, number field or gizmo: they take their values, and the others adapt to
- * keep the pins, as in a drag, close to the pose at the start of the change. Pins that can't be kept slip, and hold
+ * Sets DOFs of a joint while pins hold, by slider, number field or gizmo: they take their values, and the others adapt
+ * to keep the pins, as in a drag, close to the pose at the start of the change. Pins that can't be kept slip, and hold
  * again as soon as they can.
  */
 export class BesidePins {

@@ -1,8 +1,8 @@
 /**
- * The pose for a position of the hand. It depends on that position and on the pose at the start of the drag only, not on
- * the hand's path: the point is led from the start along a straight line in steps, and where it can be reached, the pose
- * that satisfies hand and pins and is nearest to the start is taken (`Homing`). So the hand's way back restores the
- * pose, and a hand that is still has nothing left to wait for.
+ * The pose for a position of the hand. It depends on that position and on the pose at the start of the drag only, not
+ * on the hand's path: the point is led from the start along a straight line in steps, and where it can be reached, the
+ * pose that satisfies hand and pins and is nearest to the start is taken (`Homing`). So the hand's way back restores
+ * the pose, and a hand that is still has nothing left to wait for.
  */
 import { type HandProblem, IS_THERE, TURN_WAY } from './hand-problem.ts';
 import { Homing } from './homing.ts';

@@ -1,6 +1,6 @@
 /**
- * Finds vertices that no watched point stands for: those that a fit moves too far from where they should be. Most follow
- * several joints, whose errors add up at one vertex and cancel each other at the next.
+ * Finds vertices that no watched point stands for: those that a fit moves too far from where they should be. Most
+ * follow several joints, whose errors add up at one vertex and cancel each other at the next.
  */
 import { multiplyAffine } from '../../../math/mat4.ts';
 import type { AttachmentSets } from '../attachments.ts';

@@ -113,8 +113,8 @@ function around(keys: readonly number[], row: number): readonly [number, number]
 }
 
 /**
- * Adds a key at the worst row of each run of rows that are off by too much, to the track that is off most there. Returns
- * the rows of each track that are keys to be computed.
+ * Adds a key at the worst row of each run of rows that are off by too much, to the track that is off most there.
+ * Returns the rows of each track that are keys to be computed.
  * @param longest rows of a run
  */
 function addKeys(measured: Measured, keys: number[][], limit: number, longest: number): Map<number, number[]> {

@@ -157,8 +157,8 @@ export class Measured {
   }
 
   /**
-   * The largest squared distance of a point or an axis that a track moves, from one row to another; `least` if all are less;
-   * or one that is more than `enough`.
+   * The largest squared distance of a point or an axis that a track moves, from one row to another; `least` if all are
+   * less; or one that is more than `enough`.
    * @param worst the row at which it is likely to be large
    */
   farthest(t: number, from: number, worst: number, to: number, least: number, enough: number): number {
@@ -192,8 +192,8 @@ export class Measured {
   }
 
   /**
-   * Writes what is missing of a point at a row, and where it is from a node, by the weight by which it follows the node,
-   * which is returned.
+   * Writes what is missing of a point at a row, and where it is from a node, by the weight by which it follows the
+   * node, which is returned.
    */
   writeMiss(point: number, node: number, m: number, miss: Float64Array, lever: Float64Array): number {
     this.place(m);

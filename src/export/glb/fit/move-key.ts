@@ -5,9 +5,9 @@
  *
  *     Σ w |e − u · J δ|² → min        J δ = (R δ) × r  for turns,  s · L δ  for shifts
  *
- * with e what is missing at a point, or at the end of an axis of the node, u the part of the key in a row (1 at it, 0 at
- * its neighbours), r from the node to the point, R and L the rotation and the matrix of the node above, s the weight by
- * which the point follows.
+ * with e what is missing at a point, or at the end of an axis of the node, u the part of the key in a row (1 at it, 0
+ * at its neighbours), r from the node to the point, R and L the rotation and the matrix of the node above, s the weight
+ * by which the point follows.
  */
 import { normalise } from './fit-linear.ts';
 import type { Measured } from './measured.ts';

@@ -1,6 +1,7 @@
 /**
- * The points that are watched: joints, End Sites, tips of bones, and of the vertices that follow each joint those that are
- * farthest out in many directions. The displacement of a rigid part by a wrong matrix is largest at a corner of its hull.
+ * The points that are watched: joints, End Sites, tips of bones, and of the vertices that follow each joint those that
+ * are farthest out in many directions. The displacement of a rigid part by a wrong matrix is largest at a corner of its
+ * hull.
  */
 import type { CompiledSkin } from '../../../evaluate/skin/deform.ts';
 import type { Morph } from '../../../model/morph.ts';

@@ -6,8 +6,8 @@
  *              { record }, an empty record if there were any
  *     value  = type: C Z B Y I F D L of 1 to 8 bytes; S R with u32 length; f d l i b c: arrays of n, packed by zlib or not
  *
- * Lengths are checked before anything is allocated: arrays take no more memory than the file says, deflate can hold, and
- * the budget of the file allows.
+ * Lengths are checked before anything is allocated: arrays take no more memory than the file says, deflate can hold,
+ * and the budget of the file allows.
  */
 import type { FbxReport } from '../failure.ts';
 import { canUnpackTo, inflateExactly } from './inflate.ts';

@@ -4,8 +4,8 @@ const BUFFER_BYTES = 1 << 16;
 const MAX_SHARED = 1 << 12;
 
 /**
- * Short lists of numbers in shared buffers, since a buffer takes as long to allocate as a hundred numbers to write, and a
- * file has thousands of lists. For numbers that are gone once the file is read: a list keeps its whole buffer.
+ * Short lists of numbers in shared buffers, since a buffer takes as long to allocate as a hundred numbers to write, and
+ * a file has thousands of lists. For numbers that are gone once the file is read: a list keeps its whole buffer.
  */
 export class NumberPool {
   private buffer = new ArrayBuffer(0);

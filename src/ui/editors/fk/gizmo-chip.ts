@@ -1,6 +1,7 @@
 /**
- * What is written beside the gizmo: the joint's name, and a DOF with its limits; that of the handle under the pointer or in
- * the hand, else the active one. To the right of the rings, or to the left where there is no room, never over them.
+ * What is written beside the gizmo: the joint's name, and a DOF with its limits; that of the handle under the pointer
+ * or in the hand, else the active one. To the right of the rings, or to the left where there is no room, never over
+ * them.
  */
 import type { Layout } from '../../../view/gizmo/shapes.ts';
 import type { ScreenBox } from '../../../view/overlay.ts';

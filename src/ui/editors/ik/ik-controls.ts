@@ -1,6 +1,6 @@
 /**
- * IK controls beside the mode switch: the reach of a drag, whether the root may move, removing all pins, and a hint. Pose
- * mode has the reach, and the others once they matter.
+ * IK controls beside the mode switch: the reach of a drag, whether the root may move, removing all pins, and a hint.
+ * Pose mode has the reach, and the others once they matter.
  */
 
 import { PIN_AXES, type PinAxes } from '../../../evaluate/handles/pin-handles.ts';

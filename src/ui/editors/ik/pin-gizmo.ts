@@ -1,6 +1,6 @@
 /**
- * The handles of the selected pin: arrows move it along an axis, squares in a plane, and rings turn what it holds. While
- * they are there, the selected joint has none of its own.
+ * The handles of the selected pin: arrows move it along an axis, squares in a plane, and rings turn what it holds.
+ * While they are there, the selected joint has none of its own.
  */
 import { axisOf, type HandleId, type JointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import { type PinAxes, pinAxes, pinHandles } from '../../../evaluate/handles/pin-handles.ts';

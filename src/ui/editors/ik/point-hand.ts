@@ -1,6 +1,6 @@
 /**
- * The hand that drags points of characters, in IK and in Pose mode: what is under the pointer, the drag, and all that is
- * drawn and written about both. What a press or a click means belongs to the mode's tool.
+ * The hand that drags points of characters, in IK and in Pose mode: what is under the pointer, the drag, and all that
+ * is drawn and written about both. What a press or a click means belongs to the mode's tool.
  */
 import { findCharacter } from '../../../model/document.ts';
 import { PinOverlay } from '../../../view/pins/pin-overlay.ts';

@@ -1,7 +1,7 @@
 /**
  * What bends when a joint is dragged: as chosen in the bar, or what is usual for the skeleton. Skeletons in the
- * axis-angle form bend in IK mode as in the program that form comes from, from the root on; others, and in Pose mode all,
- * by limbs.
+ * axis-angle form bend in IK mode as in the program that form comes from, from the root on; others, and in Pose mode
+ * all, by limbs.
  */
 import { type DragReach, dragReach, WHOLE } from '../../../evaluate/ik/drag/drag-reach.ts';
 import type { IkReach } from '../../../evaluate/ik/limb.ts';

@@ -100,7 +100,8 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     if (target instanceof Element && target.closest('.lil-controller')) handleKey(wb, event);
   };
   panel.addEventListener('keydown', handOn, { capture: true });
-  // What is typed is compared with the number, and counts from it: one of an earlier frame would make it another change.
+  // What is typed is compared with the number, and counts from it: one of an earlier frame would make it another
+  // change.
   panel.addEventListener('focus', () => live.update(), { capture: true });
 }
 

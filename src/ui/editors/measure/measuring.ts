@@ -1,6 +1,6 @@
 /**
- * Keeps the tracks of the shown characters up to date, a few milliseconds at a time. A change during a measurement waits
- * for it, so that a drag always has a recent result.
+ * Keeps the tracks of the shown characters up to date, a few milliseconds at a time. A change during a measurement
+ * waits for it, so that a drag always has a recent result.
  */
 import { trackJoints } from '../../../evaluate/measure/tracks.ts';
 import { runInSlices } from '../../../view/slices.ts';

@@ -1,6 +1,6 @@
 /**
- * Blends the displayed pose towards the focused pose of the library while it is dragged, or moved by keys until Enter or
- * until the focus leaves. One undo step; Escape restores the pose. Then it is at 0 again, as nothing is blended.
+ * Blends the displayed pose towards the focused pose of the library while it is dragged, or moved by keys until Enter
+ * or until the focus leaves. One undo step; Escape restores the pose. Then it is at 0 again, as nothing is blended.
  */
 
 import type { Uses } from '../../state/workbench.ts';

@@ -120,8 +120,8 @@ export function mirror(
 }
 
 /**
- * Those of the joints that must be mirrored, so that none is twice: not within the hierarchy of another one, and to swap
- * sides only one of two counterparts.
+ * Those of the joints that must be mirrored, so that none is twice: not within the hierarchy of another one, and to
+ * swap sides only one of two counterparts.
  */
 function apartFrom(skeleton: Skeleton, joints: readonly number[], way: 'swap' | 'toOther'): readonly number[] {
   const outermost = outermostJoints(skeleton, joints);

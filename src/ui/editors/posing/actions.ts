@@ -46,8 +46,8 @@ export const POSING_ACTIONS: readonly Action[] = [
     group: 'Pose',
     shortcuts: ['Escape'],
     quiet: true,
-    // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise, and one press too many to cancel a drag
-    // must not end IK.
+    // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise, and one press too many to cancel a
+    // drag must not end IK.
     run(wb) {
       if (wb.posing.mode.get() === 'rig') wb.posing.mode.set('pose');
       else if (wb.posing.mode.get() === 'select') switchSelect(wb);

@@ -1,7 +1,7 @@
 /**
  * Keying what was captured. Sampled curves have a value at every frame and take no single keys, so those of the joints
- * become keys first, which changes them by up to a tolerance; or the frames are offset for a moment. Both are offered, not
- * done; offer taken, it is one step.
+ * become keys first, which changes them by up to a tolerance; or the frames are offset for a moment. Both are offered,
+ * not done; offer taken, it is one step.
  */
 
 import { documentIn, type Edit } from '../../../edit/change.ts';
@@ -34,8 +34,8 @@ interface Wanted {
 }
 
 /**
- * Says that some of these DOFs are sampled, with a button that converts their joints' curves to keys and keys the DOFs as
- * displayed at the current time.
+ * Says that some of these DOFs are sampled, with a button that converts their joints' curves to keys and keys the DOFs
+ * as displayed at the current time.
  */
 export function offerToConvert(wb: Parts, characterId: string, dofs: readonly number[], options: KeyOptions): void {
   const { timeSeconds } = wb.transport.get();

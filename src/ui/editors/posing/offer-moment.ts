@@ -1,6 +1,6 @@
 /**
- * Keys of a pose over motion that goes on are abrupt: between keys of every frame they are a jump, and within a cycle every
- * repetition shows them. Both are said, with a way to key the pose for a moment instead.
+ * Keys of a pose over motion that goes on are abrupt: between keys of every frame they are a jump, and within a cycle
+ * every repetition shows them. Both are said, with a way to key the pose for a moment instead.
  */
 import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Abrupt, abruptKey, keyedPose } from '../../../edit/keys/keyed-pose.ts';

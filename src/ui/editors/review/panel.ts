@@ -1,6 +1,6 @@
 /**
- * *Review*: takes by the hundred, of which the one with the focus plays in the viewport. What is said about them is part
- * of the document; their files are not.
+ * *Review*: takes by the hundred, of which the one with the focus plays in the viewport. What is said about them is
+ * part of the document; their files are not.
  */
 
 import { sectionsOf } from '../../state/actions/menu-entries.ts';

@@ -1,6 +1,6 @@
 /**
- * Dragging a face of a joint's box, which snaps to multiples of the grid's spacing. Shift: fine, without the grid; Ctrl:
- * snaps to round numbers; Alt: moves the opposite face symmetrically. One undo step.
+ * Dragging a face of a joint's box, which snaps to multiples of the grid's spacing. Shift: fine, without the grid;
+ * Ctrl: snaps to round numbers; Alt: moves the opposite face symmetrically. One undo step.
  */
 import { setBox } from '../../../edit/commands/rig-joint.ts';
 import { alongLine, type BoxSide, boxWithFace, parentToScene, withoutDust } from '../../../edit/rig/dragged-places.ts';

@@ -1,6 +1,6 @@
 /**
- * Where a click in rig mode places a joint: on a skin of the character in the middle of the limb under the pointer, as it
- * is drawn; elsewhere in the camera-facing plane through the parent, snapped to the grid.
+ * Where a click in rig mode places a joint: on a skin of the character in the middle of the limb under the pointer, as
+ * it is drawn; elsewhere in the camera-facing plane through the parent, snapped to the grid.
  *
  *     Shift   off the grid
  *     Ctrl    with round numbers

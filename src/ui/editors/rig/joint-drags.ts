@@ -89,8 +89,8 @@ function dragJoint(
 }
 
 /**
- * The offsets that move all selected joints as far as the dragged one. Of joints whose children follow, only the outermost
- * are moved; if children stay, the last joints come first, so that moving their parents leaves them there.
+ * The offsets that move all selected joints as far as the dragged one. Of joints whose children follow, only the
+ * outermost are moved; if children stay, the last joints come first, so that moving their parents leaves them there.
  *
  * @param joints selected ones
  * @param offset of the dragged one

@@ -1,7 +1,7 @@
 /**
  * The section of the selected joints in rig mode: name, parent, type with its parameters, offset, bone, limits, box,
- * links, and file pose. Of several joints, type, limits and file pose are set for all, the rest for the active one. Every
- * change is one undo step, and every number can be typed. Rows are rebuilt if their set
+ * links, and file pose. Of several joints, type, limits and file pose are set for all, the rest for the active one.
+ * Every change is one undo step, and every number can be typed. Rows are rebuilt if their set
  * changes; numbers are only updated, also while dragging.
  */
 import type { GUI } from 'lil-gui';

@@ -193,8 +193,8 @@ class RigTool implements ModeTool {
   }
 
   /**
-   * Preview of the joint that a click would add; none over a joint, which it would select, and of a skin too large to be
-   * looked through as the pointer moves.
+   * Preview of the joint that a click would add; none over a joint, which it would select, and of a skin too large to
+   * be looked through as the pointer moves.
    */
   private showGhost(): void {
     const { wb, pointer } = this;

@@ -1,7 +1,7 @@
 /**
- * What is in the page beside what its files gave. Lines are those of the model as it was opened, so a selection is first
- * translated to that model, and what a line holds is translated back. What was added since has no lines; the lines of
- * what was removed select nothing.
+ * What is in the page beside what its files gave. Lines are those of the model as it was opened, so a selection is
+ * first translated to that model, and what a line holds is translated back. What was added since has no lines; the
+ * lines of what was removed select nothing.
  *
  * Joints correspond by their name and their parent's, DOFs by their joint and name, keys by time and value, vertices by
  * index as long as the mesh has the same size.

@@ -1,7 +1,7 @@
 /**
- * The field that a text is edited in: CodeMirror, with search and replace, its own undo, matching braces, and the colours
- * of the lines outside the editor. It lives in a shadow root, whose adopted sheets take its styles: a `<style>` in the
- * page would break the page's policy.
+ * The field that a text is edited in: CodeMirror, with search and replace, its own undo, matching braces, and the
+ * colours of the lines outside the editor. It lives in a shadow root, whose adopted sheets take its styles: a `<style>`
+ * in the page would break the page's policy.
  */
 import {
   copyLineDown,
@@ -76,8 +76,8 @@ class WordColours {
 }
 
 /**
- * What is typed over a selection. Chromium would keep the colour of a word that it deletes by an inline style, which the
- * page's policy refuses.
+ * What is typed over a selection. Chromium would keep the colour of a word that it deletes by an inline style, which
+ * the page's policy refuses.
  */
 const TYPED_OVER = EditorView.domEventHandlers({
   beforeinput({ inputType, data, isComposing }, view) {

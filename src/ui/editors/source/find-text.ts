@@ -5,8 +5,8 @@ import type { Bytes } from './line-text.ts';
 const PIECE_BYTES = 1 << 21;
 
 /**
- * The line of the next occurrence of a text after a line, continuing at the start of the file; undefined if there is none.
- * Upper and lower case of ASCII are the same.
+ * The line of the next occurrence of a text after a line, continuing at the start of the file; undefined if there is
+ * none. Upper and lower case of ASCII are the same.
  *
  * @param after a line, from 1; 0 to begin with the first one
  */

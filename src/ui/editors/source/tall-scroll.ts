@@ -1,7 +1,7 @@
 /**
  * Scrolling through more lines than an element can be high: browsers stop at some 33 million pixels. Up to `MAX_HEIGHT`
- * a pixel scrolled is a pixel; above, the scroll bar stands for the whole file in proportion, and wheel and keys move by
- * lines.
+ * a pixel scrolled is a pixel; above, the scroll bar stands for the whole file in proportion, and wheel and keys move
+ * by lines.
  */
 export const MAX_HEIGHT = 10_000_000;
 

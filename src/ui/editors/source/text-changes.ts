@@ -1,6 +1,6 @@
 /**
- * What the page changed in the file that is shown. It is asked for once nothing has changed for a moment, one time after
- * another: of what has changed meanwhile only the last state is compared.
+ * What the page changed in the file that is shown. It is asked for once nothing has changed for a moment, one time
+ * after another: of what has changed meanwhile only the last state is compared.
  */
 
 import type { Character } from '../../../model/document.ts';

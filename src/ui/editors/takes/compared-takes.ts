@@ -1,7 +1,8 @@
 /**
- * Comparing two takes: one laid over the other, all others hidden (`start-comparison.ts`). This is a step of the document, and the comparison
- * lasts as long as the step: undo ends it, redo restores it. Ending it restores everything: by undoing the step if it
- * is the last one, else by a step of its own (*Stop comparing*), which keeps later changes.
+ * Comparing two takes: one laid over the other, all others hidden (`start-comparison.ts`). This is a step of the
+ * document, and the comparison lasts as long as the step: undo ends it, redo restores it. Ending it restores
+ * everything: by undoing the step if it is the last one, else by a step of its own (*Stop comparing*), which keeps
+ * later changes.
  */
 import { endOverlay } from '../../../edit/commands/takes.ts';
 import { type Document, findCharacter, rangeOfTakes } from '../../../model/document.ts';

@@ -10,8 +10,8 @@ import { type TakeRow, takeRows } from './rows.ts';
 import { takesToCompare } from './which-takes.ts';
 
 /**
- * The selected takes if there are several or the list of takes is in view, else the current character's; none while that
- * is retargeted.
+ * The selected takes if there are several or the list of takes is in view, else the current character's; none while
+ * that is retargeted.
  */
 export function takesToEdit(wb: Uses<'store' | 'timeline'>): readonly TakeRef[] {
   const chosen = chosenTakes(wb).filter(({ take }) => take >= 0);

@@ -1,6 +1,6 @@
 /**
- * The dialog about a pose that is keyed over motion that goes on, and about keys outside a channel’s cycle, shown beside the
- * pose to be keyed.
+ * The dialog about a pose that is keyed over motion that goes on, and about keys outside a channel’s cycle, shown
+ * beside the pose to be keyed.
  */
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import { attempt } from '../../state/actions/attempt.ts';

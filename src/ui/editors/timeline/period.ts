@@ -1,6 +1,6 @@
 /**
- * A new key beyond the ends lengthens a cycle, and one at an end of a closed cycle changes its other end too. That may be
- * intended, but shouldn't go unnoticed: any step that does so is reported once, at its end.
+ * A new key beyond the ends lengthens a cycle, and one at an end of a closed cycle changes its other end too. That may
+ * be intended, but shouldn't go unnoticed: any step that does so is reported once, at its end.
  */
 import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';

@@ -5,8 +5,8 @@ import type { Uses } from '../../state/workbench.ts';
 import { currentTake, selectedKeysInView } from './current-take.ts';
 
 /**
- * Whether all selected keys have that kind on one or both sides, a step after them; `mixed` if only some do, or only one
- * side.
+ * Whether all selected keys have that kind on one or both sides, a step after them; `mixed` if only some do, or only
+ * one side.
  */
 export function hasTangents(wb: Uses<'store' | 'timeline'>, kind: TangentChoice, side: TangentSide): boolean | 'mixed' {
   const take = currentTake(wb)?.take;

@@ -1,6 +1,6 @@
 /**
- * Draws time behind and over a plot: grid, range and playhead, below the ruler (`transport/scrubber.ts`), with which all
- * plots share the time window. Everything is in CSS pixels: the context is scaled by the caller.
+ * Draws time behind and over a plot: grid, range and playhead, below the ruler (`transport/scrubber.ts`), with which
+ * all plots share the time window. Everything is in CSS pixels: the context is scaled by the caller.
  */
 
 import { drawPlayheadLine } from '../../widgets/time/playhead.ts';

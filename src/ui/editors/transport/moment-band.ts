@@ -1,7 +1,7 @@
 /**
- * The moment that the last step has keyed, as a band on the ruler: it rises where the pose is eased in and falls where it
- * is eased out. Dragging an end, or arrow keys on it, key the moment anew with that easing, in place of the last step.
- * A click on an end is one on the ruler.
+ * The moment that the last step has keyed, as a band on the ruler: it rises where the pose is eased in and falls where
+ * it is eased out. Dragging an end, or arrow keys on it, key the moment anew with that easing, in place of the last
+ * step. A click on an end is one on the ruler.
  */
 import { keyForMoment } from '../../../edit/commands/moment.ts';
 import type { Gesture } from '../../../edit/store.ts';

@@ -1,6 +1,6 @@
 /**
- * Draws the ruler: numbers and ticks, playback range, keys as diamonds, playhead. On a canvas, since a take may have any
- * number of keys.
+ * Draws the ruler: numbers and ticks, playback range, keys as diamonds, playhead. On a canvas, since a take may have
+ * any number of keys.
  *
  *     y = 0                ┌── numbers, the playhead's flag ──┐   all of it is the time's
  *     RULER_HEIGHT         ├── markers, if the take has any ──┤

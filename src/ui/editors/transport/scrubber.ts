@@ -1,7 +1,8 @@
 /**
- * The scrubber: the ruler of all plots of the timeline, whose time window it shares. Drag to change the time, drag the handles at the ends of the shaded range to change it
- * (`scrubber-handles.ts`), both in whole frames as `scrub-frames.ts` says; the wheel zooms and pans (`wheel.ts`), the
- * middle button pans, a double click fits. As a slider it takes arrow keys.
+ * The scrubber: the ruler of all plots of the timeline, whose time window it shares. Drag to change the time, drag the
+ * handles at the ends of the shaded range to change it (`scrubber-handles.ts`), both in whole frames as
+ * `scrub-frames.ts` says; the wheel zooms and pans (`wheel.ts`), the middle button pans, a double click fits. As a
+ * slider it takes arrow keys.
  */
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';

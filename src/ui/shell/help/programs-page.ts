@@ -1,6 +1,6 @@
 /**
- * *Other programs*: which program opens what is saved here and which files of others are opened, as far as it was tried.
- * docs/guide/other-programs.md has the same rows; a test compares them.
+ * *Other programs*: which program opens what is saved here and which files of others are opened, as far as it was
+ * tried. docs/guide/other-programs.md has the same rows; a test compares them.
  */
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';

@@ -1,5 +1,6 @@
 /**
- * Lines of the `?` page: an action with its keys. Single keys can be remapped; changed ones are marked and can be reset.
+ * Lines of the `?` page: an action with its keys. Single keys can be remapped; changed ones are marked and can be
+ * reset.
  */
 
 import { actionLabel, actionsOf } from '../../state/actions/action.ts';

@@ -1,6 +1,6 @@
 /**
- * The `?` page: the essential shortcuts first, then all by group, found by name or by pressing a key. All single keys can
- * be switched off.
+ * The `?` page: the essential shortcuts first, then all by group, found by name or by pressing a key. All single keys
+ * can be switched off.
  */
 
 import { actionsOf } from '../../state/actions/action.ts';

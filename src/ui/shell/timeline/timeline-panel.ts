@@ -1,7 +1,7 @@
 /**
- * The timeline: the ruler with the current take beside it, and below it what is seen of curve editor, dope sheet and the
- * other tabs, with their tools above the ruler and a splitter for the height. Collapsed, only the ruler remains. The
- * tabs are scripts of their own, so that the page shows its character first.
+ * The timeline: the ruler with the current take beside it, and below it what is seen of curve editor, dope sheet and
+ * the other tabs, with their tools above the ruler and a splitter for the height. Collapsed, only the ruler remains.
+ * The tabs are scripts of their own, so that the page shows its character first.
  */
 import { movedNotice } from '../../editors/retarget/moved.ts';
 import { onDemand, whenIdle } from '../../state/on-demand.ts';

@@ -1,9 +1,9 @@
 /**
- * The panel that the keyboard acts in: the one with the focus, unless the mouse has moved into another since. Whoever has
- * edited a curve and points at the viewport means the viewport; Delete would delete keys there that nobody looks at.
- * Moving the focus by keyboard overrides where the mouse rests. With the focus nowhere it is the panel under the mouse,
- * as in Maya and Blender. The panel is marked with `data-active`; the mark is drawn once a key has moved the focus, until
- * the next press, while the root has `data-by-key`: whoever works by mouse sees no frames.
+ * The panel that the keyboard acts in: the one with the focus, unless the mouse has moved into another since. Whoever
+ * has edited a curve and points at the viewport means the viewport; Delete would delete keys there that nobody looks
+ * at. Moving the focus by keyboard overrides where the mouse rests. With the focus nowhere it is the panel under the
+ * mouse, as in Maya and Blender. The panel is marked with `data-active`; the mark is drawn once a key has moved the
+ * focus, until the next press, while the root has `data-by-key`: whoever works by mouse sees no frames.
  */
 
 import { setAttribute } from '../../widgets/dom.ts';

@@ -1,7 +1,7 @@
 /**
- * The panels: around the viewport if there is room, and remembered so. On a narrow page, side panels are drawers over it,
- * at most one open, and the timeline a drawer below it; initially all are closed. On phones and upright tablets all three
- * are sheets below the viewport, at most one open.
+ * The panels: around the viewport if there is room, and remembered so. On a narrow page, side panels are drawers over
+ * it, at most one open, and the timeline a drawer below it; initially all are closed. On phones and upright tablets all
+ * three are sheets below the viewport, at most one open.
  */
 import type { Settings } from '../settings.ts';
 import type { Uses } from '../workbench.ts';

@@ -65,8 +65,8 @@ function canHaveFocus(element: Element): boolean {
 
 /**
  * Until aborted, the focus of an element that vanishes, by whatever removes, hides or disables it, goes to the rest of
- * its panel, or of its part of the page; if that is hidden too, back to where it was entered from, else to the viewport.
- * Keys would otherwise be for whatever the mouse rests on.
+ * its panel, or of its part of the page; if that is hidden too, back to where it was entered from, else to the
+ * viewport. Keys would otherwise be for whatever the mouse rests on.
  */
 export function rescueFocus(signal: AbortSignal): void {
   const options = { capture: true, signal };

@@ -38,8 +38,8 @@ export function noteTyped({ timeStamp }: Pick<Event, 'timeStamp'>): void {
 }
 
 /**
- * Whether a key types on what was begun in a field or a list. While that has the focus it uses the key itself; if it has
- * vanished meanwhile, the rest of a word would run commands.
+ * Whether a key types on what was begun in a field or a list. While that has the focus it uses the key itself; if it
+ * has vanished meanwhile, the rest of a word would run commands.
  */
 export function continuesTyping(event: TypedKey): boolean {
   const continues = isCharacter(event) && event.timeStamp - typedAt <= TYPING_MS;

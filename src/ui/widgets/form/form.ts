@@ -1,6 +1,6 @@
 /**
- * The form of a dialog: what it is about, fields that are declared, a summary of the result, and the buttons. Applying is
- * the dialog's; while its answers are refused, the summary says why.
+ * The form of a dialog: what it is about, fields that are declared, a summary of the result, and the buttons. Applying
+ * is the dialog's; while its answers are refused, the summary says why.
  */
 import { UserError } from '../../../model/user-error.ts';
 import { element, setText, write } from '../dom.ts';

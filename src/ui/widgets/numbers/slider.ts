@@ -246,8 +246,8 @@ function endMissedDrag(): void {
 }
 
 /**
- * The number of a text; `from` itself if the text is what is shown of it, to its last digit: typing what is there already
- * changes nothing. With more digits it is exact. Undefined if invalid.
+ * The number of a text; `from` itself if the text is what is shown of it, to its last digit: typing what is there
+ * already changes nothing. With more digits it is exact. Undefined if invalid.
  *
  * @param from the value that is shown, and that `+=5` changes
  */

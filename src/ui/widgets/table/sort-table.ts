@@ -1,6 +1,6 @@
 /**
- * A table of rows that can be selected: a windowed grid with a header that sorts. What is selected, and the order, are the
- * owner's. The focus is on the table, except for fields and buttons in a row.
+ * A table of rows that can be selected: a windowed grid with a header that sorts. What is selected, and the order, are
+ * the owner's. The focus is on the table, except for fields and buttons in a row.
  *
  *     ↑ ↓ Home End     to a row, which is selected; Shift extends the selection, Ctrl keeps it
  *     Ctrl+Space       toggles a row in it           Ctrl+A   all

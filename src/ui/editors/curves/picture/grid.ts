@@ -44,8 +44,8 @@ export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, 
 }
 
 /**
- * Labels of the axis of the first selected curve in the left gutter; of lengths and angles, the other's in the right one.
- * Outlined in the plot's colour so that they are readable over curves.
+ * Labels of the axis of the first selected curve in the left gutter; of lengths and angles, the other's in the right
+ * one. Outlined in the plot's colour so that they are readable over curves.
  */
 export function drawValueLabels(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
   const { width, height } = scene.space;

@@ -1,7 +1,7 @@
 /**
- * Another program's channels over ours: a dot at each value that it printed, and a thin line from one to the next. Wrong
- * ones are red, with a line to ours: between values nothing is known of theirs. Values closer than pixels are drawn as
- * the range of each column of pixels.
+ * Another program's channels over ours: a dot at each value that it printed, and a thin line from one to the next.
+ * Wrong ones are red, with a line to ours: between values nothing is known of theirs. Values closer than pixels are
+ * drawn as the range of each column of pixels.
  */
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';

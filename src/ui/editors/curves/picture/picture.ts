@@ -7,8 +7,8 @@
  *     curves
  *     ground     range, grid, limits
  *
- * While a curve is hovered, all others and their keys are faint: two layers change their opacity, and nothing is traced.
- * A layer is redrawn when an object that it draws has been replaced; lines are traced again one by one
+ * While a curve is hovered, all others and their keys are faint: two layers change their opacity, and nothing is
+ * traced. A layer is redrawn when an object that it draws has been replaced; lines are traced again one by one
  * (`picture-curves.ts`).
  */
 

@@ -1,8 +1,9 @@
 /**
  * Colours of the curves. Channels with an axis (`model/dof-axis.ts`) have its colour, one for turning and another for
- * moving along it; others (morph weights) have mixtures of these and the accent. Several joints at once are distinguished by mixing in some of the text's
- * colour, and further ones by dashes: mixing towards the text never reduces contrast, and unlike turning the hue it
- * never comes near the orange of the selection. Only linked DOFs are fainter, as their keys have no effect.
+ * moving along it; others (morph weights) have mixtures of these and the accent. Several joints at once are
+ * distinguished by mixing in some of the text's colour, and further ones by dashes: mixing towards the text never
+ * reduces contrast, and unlike turning the hue it never comes near the orange of the selection. Only linked DOFs are
+ * fainter, as their keys have no effect.
  *
  * A colour is a recipe until it is drawn, so that the theme can change under it: `color-mix(in oklab, …)` in CSS, the
  * same arithmetic here for canvases, which can't read custom properties.

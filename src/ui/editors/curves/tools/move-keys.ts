@@ -96,8 +96,8 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
 }
 
 /**
- * Of a step of which one half is grabbed, and nothing else, only that half moves in value: the jump changes. In time both
- * do, by the command.
+ * Of a step of which one half is grabbed, and nothing else, only that half moves in value: the jump changes. In time
+ * both do, by the command.
  */
 function withOneHalf(keys: readonly ChannelKeys[], { channel, index }: KeyHit, curve: KeyedChannel) {
   const step = wholeSteps(curve, [index]);

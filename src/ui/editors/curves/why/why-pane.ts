@@ -1,6 +1,6 @@
 /**
- * *Why this curve*, beside the plot: of the curve under the pointer, or of the selected key, where its slopes come from,
- * and how they make the value. Updated with the plot, while visible.
+ * *Why this curve*, beside the plot: of the curve under the pointer, or of the selected key, where its slopes come
+ * from, and how they make the value. Updated with the plot, while visible.
  */
 
 import { keysOf } from '../../../../model/takes/take.ts';

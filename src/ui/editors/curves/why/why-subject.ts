@@ -27,8 +27,8 @@ export interface WhyPlace {
 }
 
 /**
- * The curve under the pointer, there; else the channel of the last selected key, else the first that is drawn, under the
- * pointer or at the playhead. Undefined if no curve is drawn.
+ * The curve under the pointer, there; else the channel of the last selected key, else the first that is drawn, under
+ * the pointer or at the playhead. Undefined if no curve is drawn.
  */
 export function whySubject(place: WhyPlace): WhySubject | undefined {
   const { hover, pointerTime, playhead, selected, drawn, timesOf } = place;
