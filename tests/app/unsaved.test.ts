@@ -11,6 +11,8 @@ import { partsOf } from '../../src/model/character-parts.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
 import { keysOf, type Take } from '../../src/model/takes/take.ts';
+import { parse } from '../../src/worker/parse.ts';
+import { ODD_AMC, ODD_ASF } from '../helpers/acclaim.ts';
 import {
   animFile,
   file,
@@ -58,6 +60,17 @@ const moved = (own: Take, by = 1): Take => ({
 const withTake = (edit: (take: Take) => Take) => (c: Character) => ({ ...c, takes: c.takes.map(edit) });
 
 describe('what is unsaved', () => {
+  it.each([
+    ['skeleton first', ['odd.asf', 'odd.amc']],
+    ['motion first', ['odd.amc', 'odd.asf']],
+  ])('a skeleton of Acclaim and its motion are saved as they are opened: %s', async (_, names) => {
+    const given = names.map((path) => ({ path, blob: new Blob([path.endsWith('asf') ? ODD_ASF : ODD_AMC]) }));
+    const { files } = await parse({ files: given }, () => undefined);
+    const page = opened(...files);
+    expect(page.store.document.characters.map(({ takes }) => takes.length)).toEqual([1]);
+    expect(page.names()).toEqual([]);
+  });
+
   it('nothing that was just opened is unsaved', () => {
     expect(opened(...hero(), animFile('hero_walk.anim', takeOfValues('hero_walk', [1]))).names()).toEqual([]);
   });

@@ -55,7 +55,7 @@ export class SavedParts {
   /** Marks the content of files that were just read as saved. */
   opened(document: Document, files: readonly ParsedFile[]): void {
     const given = [...files, ...this.waiting];
-    const sources = new Set<SourceFile | undefined>(given.map(({ source }) => source));
+    const sources = new Set<SourceFile | undefined>(given.flatMap(sourcesOf));
     for (const character of document.characters) {
       for (const part of partsOf(character)) {
         const isRead =
@@ -184,4 +184,9 @@ function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolea
 /** One value per DOF of the joints. */
 function filePoseOfJoints({ skeleton }: Character): readonly number[] {
   return filePose(skeleton, 0).slice(rootDofCount(skeleton));
+}
+
+/** A motion of Acclaim may come before the file of its skeleton, which it was read with. */
+function sourcesOf(file: ParsedFile): readonly (SourceFile | undefined)[] {
+  return file.kind === 'amc' ? [file.source, file.of] : [file.source];
 }
