@@ -3,6 +3,8 @@ import fc from 'fast-check';
 import type { Edit } from '../../../src/edit/change.ts';
 import type { Command } from '../../../src/edit/command.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
+import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
+import { retargetedPose } from '../../../src/evaluate/retarget/driving.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
@@ -28,6 +30,9 @@ import { type Channel, followingSamples, restChannel, type Take } from '../../..
 import { character, documentOf, morph } from '../../helpers/builders.ts';
 import { Dice } from '../dice.ts';
 import { channelOf } from '../keys/channels.ts';
+
+// Some characters are driven by another's take.
+provideDrivenPose(retargetedPose);
 
 /** Numbers from 0 up to 1, as many as are asked for, that follow from one (a linear congruential generator). */
 export function diceOf(seed: number): Dice {
