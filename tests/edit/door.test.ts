@@ -37,6 +37,11 @@ describe('arguments from scripts', () => {
     expect(() => run('take.rename', { clip: 0, take: 0, name: 'x' })).toThrow('clip');
   });
 
+  it('a list that says it is endless is refused before any of it is looked at', () => {
+    const takes = Object.assign([], { length: 2 ** 32 - 1 });
+    expect(() => run('takes.setSpeed', { takes, factor: 2 })).toThrow('a list of at most 16,777,216 items');
+  });
+
   it.each(['length', 2 ** 32 - 1, 'map', '__proto__', -1, 0.5, null])('a DOF with the index %j is refused', (index) => {
     const { skeleton } = ARM;
     const document = documentOf(character({ ...(skeleton && { skeleton }) }));

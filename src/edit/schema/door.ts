@@ -6,7 +6,6 @@ import type { Document } from '../../model/document.ts';
 import { documentIn, type Edit } from '../change.ts';
 import type { AnyCommand, Command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
-import { renameOldArguments } from './old-names.ts';
 import { misfit } from './shape.ts';
 
 /** A command that changes the document as asked by a script. */
@@ -38,7 +37,6 @@ export function argumentsFrom(
     const args = ownFields(given);
     const meant = refIn(args);
     args.delete('character');
-    renameOldArguments(args);
     for (const [name, value] of Object.entries(defaults)) {
       if (Object.hasOwn(fields, name) && !fields[name].hasNoDefault && !args.has(name)) args.set(name, value);
     }

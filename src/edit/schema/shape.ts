@@ -11,6 +11,7 @@
  */
 import { described } from '../arguments.ts';
 import { CommandError } from '../command-error.ts';
+import { givenName } from './old-names.ts';
 
 /** The shape of a value: checks it, copies it, and says what it must be. */
 export interface Shape<T> {
@@ -220,14 +221,17 @@ export function record<const F extends Fields>(fields: F): Shape<Shapes<F>> {
     read(value, path, strange = 'refused') {
       if (typeof value !== 'object' || value === null || Array.isArray(value)) throw misfit(path, what, value);
       const under = (name: string) => (path === '' ? name : `${path}.${name}`);
-      const unknown = strange === 'refused' && Object.keys(value).find((name) => !Object.hasOwn(fields, name));
+      const isKnown = (given: string) =>
+        Object.hasOwn(fields, given) || names.some((name) => givenName(value, name) === given);
+      const unknown = strange === 'refused' && Object.keys(value).find((name) => !isKnown(name));
       if (unknown) {
         throw new CommandError(`"${under(unknown)}" is not known here; expected ${names.join(', ') || 'nothing'}.`);
       }
       const found: Record<string, unknown> = {};
       for (const name of names) {
+        const given = givenName(value, name);
         // Only fields of its own: a prototype may bring any.
-        const field: unknown = Object.hasOwn(value, name) ? Reflect.get(value, name) : undefined;
+        const field: unknown = Object.hasOwn(value, given) ? Reflect.get(value, given) : undefined;
         const of = fields[name];
         if (field === undefined && of.isOptional) continue;
         found[name] = of.read(field, under(name), strange);
