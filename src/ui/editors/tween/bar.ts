@@ -38,9 +38,7 @@ const STEP = 0.01;
 
 /** Stays for as long as the page, hidden while no way is chosen. @param row the ruler's, after which it is put */
 export function tweenBar(wb: Parts, row: HTMLElement): HTMLElement {
-  const { element: bar } = new TweenBar(wb);
-  row.after(bar);
-  return bar;
+  return new TweenBar(wb, row).element;
 }
 
 class TweenBar {
@@ -60,7 +58,10 @@ class TweenBar {
   /** The gesture under way. */
   private edit: HandEdit | undefined;
 
-  constructor(private readonly wb: Parts) {
+  constructor(
+    private readonly wb: Parts,
+    row: HTMLElement,
+  ) {
     const { timeline, messages } = wb;
     for (const each of SCALE_ABOUT) this.about.append(element('option', { value: each }, ABOUT_LABELS[each]));
     this.field = new NumberField({
@@ -89,6 +90,8 @@ class TweenBar {
       if (way) setText(what, targetText(wb, way));
     });
     this.listen();
+    // The bar is in the page before a way is chosen: an element that isn't can't take the focus.
+    row.after(this.element);
     timeline.tween.subscribe((kind) => this.choose(kind));
     for (const each of [timeline.view, wb.transport, wb.store]) each.subscribe(this.show);
     this.choose(timeline.tween.get());
