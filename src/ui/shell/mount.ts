@@ -100,7 +100,7 @@ export function mountWorkbench(
   const stage = viewportPane(wb, signal);
   const inspector = inspectorPanel(wb, signal);
   const timeline = timelinePanel(wb, [takeCell(wb), scrubber.element], loadTab, signal);
-  const tabSwitches = timelineSwitches(wb, timeline.goTo, signal);
+  const tabSwitches = timelineSwitches(wb, () => timeline.goTo(), signal);
   layout(
     wb,
     root,
