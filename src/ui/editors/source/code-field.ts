@@ -206,10 +206,13 @@ export class CodeField {
   }
 }
 
-/** From where the problem is to the end of its word. */
-function markOf(doc: Text, { line: number, column, severity, message }: Diagnostic): Mark {
+/** From where the problem is to the end of its word. A column counts characters, the editor units of UTF-16. */
+export function markOf(doc: Text, { line: number, column, severity, message }: Diagnostic): Mark {
   const line = doc.line(number);
-  const from = Math.min(line.to, line.from + Math.max(0, column - 1));
+  let at = 0;
+  for (let left = column - 1; left > 0 && at < line.length; left--)
+    at += (line.text.codePointAt(at) ?? 0) > 0xffff ? 2 : 1;
+  const from = line.from + at;
   const length = /^[^\s{}]+/.exec(line.text.slice(from - line.from))?.[0].length ?? 1;
   return { from, to: Math.min(line.to, from + length), severity, message };
 }
