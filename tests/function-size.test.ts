@@ -41,7 +41,7 @@ const KERNELS: readonly string[] = [
   'evaluate/samples/',
   'evaluate/skin/',
   'export/glb/fit/',
-  'export/glb/joint-nodes.ts',
+  'export/shared/joint-nodes.ts',
   'import/fit-rotation.ts',
   'import/gltf/accessors.ts',
   'teaching/program/skin-run.ts',

@@ -5,12 +5,13 @@
  * within the tolerance, else Hermite cubics with the slopes that the curve has at its ends, which is off by the fourth
  * power of the rotation in between; where that is still too far, a key is added halfway, and so on.
  */
+
+import { writeAnglesNear, writeQuaternion } from '../evaluate/rotations/euler-orders.ts';
 import type { EulerOrder } from '../model/skeleton/skeleton.ts';
 import { type Channel, NO_EXTRAPOLATION, restChannel } from '../model/takes/take.ts';
 import { FIXED_TANGENT, LINEAR } from '../model/takes/tangent-kinds.ts';
 import type { RotationForm, TrackedRotation } from '../model/takes/tracked-take.ts';
 import { curveOf, hermite, normalize, type QuaternionCurve, rotationAt, rotationWithin } from './quaternion-curve.ts';
-import { writeAnglesNear, writeQuaternion } from './rotations.ts';
 
 /**
  * Radians. A fiftieth of a 2000th: along a chain of as many joints the sum stays within a 2000th of the size.

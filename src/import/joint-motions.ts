@@ -9,6 +9,8 @@
  *
  * A part of the body that the file states turns at any rate, and the hips move: a character without takes can be posed.
  */
+
+import { lockedness } from '../evaluate/rotations/euler-orders.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type CompoundDof, EULER_ORDERS, type EulerOrder, type Motion } from '../model/skeleton/skeleton.ts';
 import { type Channel, keysOf, restChannel } from '../model/takes/take.ts';
@@ -16,7 +18,6 @@ import type { RotationForm, TrackedDof } from '../model/takes/tracked-take.ts';
 import { type RotationDofs, rotationDofs } from './fit-rotation.ts';
 import { NOISE } from './noise.ts';
 import { curveOf, visited } from './quaternion-curve.ts';
-import { lockedness } from './rotations.ts';
 import type { AxisCurves, SceneMove, SceneNode } from './scene.ts';
 
 /** The type of joint of a node, at rest, with how its takes become channels. */

@@ -4,7 +4,7 @@
  */
 import type { SkinFacts } from '../evaluate/skin/bounds.ts';
 import type { GlbOptions } from '../export/glb/options.ts';
-import type { GlbReport } from '../export/glb/report.ts';
+import type { GlbReport } from '../export/shared/report.ts';
 import type { Owned } from '../files/save/owned.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';

@@ -11,8 +11,8 @@ import { validateBytes } from 'gltf-validator';
 import { AnimationMixer, LoopOnce, type Object3D, Texture } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { DEFAULT_GLB, type GlbOptions } from '../../src/export/glb/options.ts';
-import type { GlbReport } from '../../src/export/glb/report.ts';
 import { writeGlb } from '../../src/export/glb/write.ts';
+import type { GlbReport } from '../../src/export/shared/report.ts';
 import type { Character } from '../../src/model/document.ts';
 
 export interface Glb {

@@ -3,7 +3,7 @@ import { withEditedTakes } from '../../dataset/edited-take.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
 import { CommandError } from '../../edit/command-error.ts';
 import { DEFAULT_GLB } from '../../export/glb/options.ts';
-import { TakeError } from '../../export/glb/take-motion.ts';
+import { TakeError } from '../../export/shared/take-motion.ts';
 import { outputsOf, TARGETS } from '../../files/save/conversion.ts';
 import type { Character } from '../../model/document.ts';
 import type { ExportedFile } from './formats.ts';

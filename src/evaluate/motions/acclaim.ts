@@ -23,7 +23,14 @@ export function acclaimMotion(motion: AcclaimMotion): JointMotion {
   const length = dofs.indexOf('l');
   if (axes.every((angle) => angle === 0)) return unmovedBy(length, productOf([...slides, ...turns]));
   const c = axesOf(motion);
-  if (frame === 'root') return unmovedBy(length, rootMotion(c, productOf(turns), dofs));
+  const along = (axis: number): Vec3 => [c[3 * axis], c[3 * axis + 1], c[3 * axis + 2]];
+  if (frame === 'root') {
+    const screws = [
+      ...slides.map(({ axis, dof }) => slideAlong(axis, dof)),
+      ...turns.map(({ axis, dof }): Screw => ({ ...turnScrew(axis, dof), axis: along(axis) })),
+    ];
+    return unmovedBy(length, { ...rootMotion(c, productOf(turns), dofs), turned: { screws, by: c } });
+  }
   const inner = productOf([...slides, ...turns]);
   return unmovedBy(length, {
     write(values, first, out, o) {
@@ -34,10 +41,12 @@ export function acclaimMotion(motion: AcclaimMotion): JointMotion {
       inner.writeDerivative(values, first, dof, out, o);
       conjugate(c, out, o);
     },
-    screws: [...slides, ...turns].map(({ kind, axis, dof }): Screw => {
-      const along: Vec3 = [c[3 * axis], c[3 * axis + 1], c[3 * axis + 2]];
-      return { ...(kind === 'rotation' ? turnScrew(axis, dof) : slideAlong(axis, dof)), axis: along };
-    }),
+    screws: [...slides, ...turns].map(
+      ({ kind, axis, dof }): Screw => ({
+        ...(kind === 'rotation' ? turnScrew(axis, dof) : slideAlong(axis, dof)),
+        axis: along(axis),
+      }),
+    ),
   });
 }
 

@@ -21,6 +21,8 @@ export interface JointMotion {
    * kinematics is fast with them; without them it uses `writeDerivative`.
    */
   readonly screws?: readonly Screw[];
+  /** J as a product of screws and, after them, a constant rotation of 9 numbers, column-major. */
+  readonly turned?: { readonly screws: readonly Screw[]; readonly by: Float64Array };
   /**
    * J as a product of translations, rotations and scales, from left to right, for motions that stretch: each changes
    * smoothly with the DOFs. Programs without general matrices show it by a chain of nodes.
@@ -31,6 +33,11 @@ export interface JointMotion {
 /** One factor of J: a translation or a scale (x y z), or a rotation (unit quaternion x y z w). */
 export interface MotionPart {
   readonly kind: 'translation' | 'rotation' | 'scale';
+  /**
+   * The DOF that it is along or about one of x, y, z (0, 1, 2), or that scales along several; absent: what a DOF does to
+   * it is no such thing, or it is constant.
+   */
+  readonly by?: { readonly dof: number; readonly axes: readonly number[] };
   /** Writes the 3 or 4 numbers; φ starts at `dofs[first]`. */
   write(dofs: Float64Array, first: number, out: Float64Array): void;
 }

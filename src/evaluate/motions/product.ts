@@ -54,6 +54,7 @@ export function productOf(factors: readonly Factor[]): JointMotion {
 function partOf({ kind, axis, dof }: Factor): MotionPart {
   return {
     kind,
+    by: { dof, axes: [axis] },
     write(dofs, first, out) {
       const value = dofs[first + dof];
       out.fill(kind === 'scale' ? 1 : 0);

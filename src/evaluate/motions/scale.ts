@@ -26,7 +26,7 @@ export function scaleMotion(mode: ScaleMode, axis: Vec3): JointMotion {
 
 const UNIFORM: JointMotion = {
   stretches: true,
-  parts: [{ kind: 'scale', write: (dofs, first, out) => void out.fill(dofs[first]) }],
+  parts: [{ kind: 'scale', by: { dof: 0, axes: [0, 1, 2] }, write: (dofs, first, out) => void out.fill(dofs[first]) }],
   write(dofs, first, out, o) {
     diagonal(out, o, dofs[first]);
     out[o + 15] = 1;
@@ -58,10 +58,14 @@ function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
   if (mode === 'axis') {
     return {
       stretches: true,
-      parts: partsAlong([x, y, z], (s, out) => {
-        out.fill(1);
-        out[0] = s;
-      }),
+      parts: partsAlong(
+        [x, y, z],
+        (s, out) => {
+          out.fill(1);
+          out[0] = s;
+        },
+        { dof: 0, axes: [0] },
+      ),
       write(dofs, first, out, o) {
         write(out, o, dofs[first], 1);
         out[o + 15] = 1;
@@ -90,7 +94,11 @@ function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
 }
 
 /** A scale across an axis that is none of x, y, z: Q · diag · Qᵀ, where Q takes x to the axis. */
-function partsAlong([x, y, z]: Vec3, scale: (value: number, out: Float64Array) => void): readonly MotionPart[] {
+function partsAlong(
+  [x, y, z]: Vec3,
+  scale: (value: number, out: Float64Array) => void,
+  by?: MotionPart['by'],
+): readonly MotionPart[] {
   // Half-way between x and the axis: (x × a, 1 + x·a), normalised; opposite directions scale alike.
   const sign = x < 0 ? -1 : 1;
   const w = Math.sqrt((1 + sign * x) / 2);
@@ -104,7 +112,11 @@ function partsAlong([x, y, z]: Vec3, scale: (value: number, out: Float64Array) =
       out[3] = w;
     },
   });
-  const stretched: MotionPart = { kind: 'scale', write: (dofs, first, out) => scale(dofs[first], out) };
+  const stretched: MotionPart = {
+    kind: 'scale',
+    ...(by && { by }),
+    write: (dofs, first, out) => scale(dofs[first], out),
+  };
   return w === 1 ? [stretched] : [turn(1), stretched, turn(-1)];
 }
 

@@ -2,8 +2,8 @@
 import type { Character } from '../../model/document.ts';
 import { baseName, sameName } from '../../model/files.ts';
 import type { Skin } from '../../model/skin.ts';
+import { imageOf } from '../shared/images/images.ts';
 import type { BinaryChunk, Json } from './container.ts';
-import { imageOf } from './images/images.ts';
 
 /** The materials of a skin as JSON, with what is missing. */
 export interface GlbMaterials {

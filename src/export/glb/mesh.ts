@@ -3,7 +3,7 @@ import { normalsOf } from '../../evaluate/skin/normals.ts';
 import { length3, normalizeAt } from '../../math/vec3.ts';
 import type { Morph, MorphRows } from '../../model/morph.ts';
 import { type Skin, vertexCount } from '../../model/skin.ts';
-import type { AttachmentSets } from './attachments.ts';
+import type { AttachmentSets } from '../shared/attachments.ts';
 import { type BinaryChunk, INDICES, type Json, VERTICES } from './container.ts';
 
 /** The parts that a mesh is made of. */

@@ -2,7 +2,7 @@
  * A stretch of a take as rows: the numbers of all nodes and the morph weights at times close enough that a straight
  * line between two of them is as good as the motion itself.
  */
-import { keepNear } from './joint-nodes.ts';
+import { keepNear } from '../shared/joint-nodes.ts';
 
 /** The rows of one stretch; grows, and is reused. */
 export class Rows {

@@ -1,7 +1,8 @@
 /** Turns a take into rows, stretch by stretch: dense where it turns, sparse where it rests. */
+
+import { SAME_TIME, type TakeMotion } from '../shared/take-motion.ts';
 import { normalise } from './fit/fit-linear.ts';
 import type { Rows } from './rows.ts';
-import { SAME_TIME, type TakeMotion } from './take-motion.ts';
 import type { Track } from './tracks.ts';
 
 /** Seconds between the two keys of a step, where floats are as fine. */

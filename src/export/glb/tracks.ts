@@ -1,7 +1,7 @@
 /** Properties of a character that move in a take, and how far an error of it is seen. */
 
+import { type JointNode, NODE_WIDTH, ROTATION, SCALE } from '../shared/joint-nodes.ts';
 import { pointOfPair, type Watch } from './fit/watch.ts';
-import { type JointNode, NODE_WIDTH, ROTATION, SCALE } from './joint-nodes.ts';
 
 /** One property of one node, or all morph weights: a channel of an animation. */
 export interface Track {

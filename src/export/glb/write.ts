@@ -12,19 +12,20 @@ import { invertAffine } from '../../math/mat4.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
-import type { AttachmentSets } from './attachments.ts';
-import { stubPoints } from './body.ts';
+import type { AttachmentSets } from '../shared/attachments.ts';
+import { stubPoints } from '../shared/body.ts';
+import { type FileJoints, type FilePose, filePoseOf } from '../shared/file-pose.ts';
+import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from '../shared/joint-nodes.ts';
+import { lossesOf } from '../shared/losses.ts';
+import { TOLERANCE_OF_SIZE } from '../shared/options.ts';
+import type { GlbReport, Loss, TakeReport } from '../shared/report.ts';
+import { playedTakes, type TakeMotion, takeMotion } from '../shared/take-motion.ts';
 import { BinaryChunk, type Json } from './container.ts';
-import { type FileJoints, type FilePose, filePoseOf } from './file-pose.ts';
 import { type FitOptions, fitTake, type TrackKeys } from './fit/fit-take.ts';
 import { type RigidPoint, WatchPoints } from './fit/watch-points.ts';
-import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from './joint-nodes.ts';
-import { lossesOf } from './losses.ts';
 import { addMaterials } from './materials.ts';
 import { addMesh } from './mesh.ts';
-import { type GlbOptions, TOLERANCE_OF_SIZE } from './options.ts';
-import type { GlbReport, TakeReport } from './report.ts';
-import { TakeError, type TakeMotion, takeMotion } from './take-motion.ts';
+import type { GlbOptions } from './options.ts';
 import { type Moment, rowWidth, type Track, tracksOf } from './tracks.ts';
 
 /** A GLB file in pieces, to be written one after the other, and what is in it. */
@@ -115,14 +116,19 @@ export function writeGlb(
     size,
     tolerance,
   };
-  const losses = lossesOf({
-    character,
-    options,
-    filePose,
-    motions: takes.map(({ motion }) => motion),
-    missing: materials?.missing ?? [],
-  });
+  const motions = takes.map(({ motion }) => motion);
+  const losses = [
+    ...lossesOf({ character, options, format: 'glTF', filePose, motions, missing: materials?.missing ?? [] }),
+    ...splines(options, motions),
+  ];
   return { pieces, report: { ...report, losses } };
+}
+
+function splines({ keys, framesPerSecond }: GlbOptions, motions: readonly TakeMotion[]): readonly Loss[] {
+  if (keys !== 'cubic' || framesPerSecond !== undefined || motions.length === 0) return [];
+  const message =
+    'Blender ignores the tangents of cubic keys, so poses between keys are off there. Use linear keys for Blender.';
+  return [{ code: 'splines-in-blender', severity: 'info', message }];
 }
 
 /** Index of the first joint's node. */
@@ -141,14 +147,7 @@ function takesOf(
 ): readonly WrittenTake[] {
   const { joints, skin, sets, size, tolerance } = filePose;
   if (!joints) return [];
-  const { driver, takes } = character;
-  const every = driver ? [character] : takes.map((_, shown) => ({ ...character, shownTake: shown }));
-  const names = driver ? [driver.source.take.name] : takes.map(({ name }) => name);
-  const played = every.filter((_, i) => options.take === undefined || names[i] === options.take);
-  if (options.take !== undefined && played.length === 0) {
-    const known = names.length ? `its takes are ${names.join(', ')}` : 'it has none';
-    throw new TakeError(`${character.name} has no take ${options.take}; ${known}.`);
-  }
+  const played = playedTakes(character, options.take);
   const compiled = compileSkeleton(joints.skeleton);
   const { nodes } = joints.nodes;
   const weightsAt = NODE_WIDTH * nodes.length;

@@ -2,10 +2,11 @@
  * Curves of FBX as channels: keys and slopes as they are. Holds become two keys at one time; handles that are not a
  * third of their span long become more keys, within a tolerance; a limited number of repetitions becomes keys.
  */
+
+import { fitKeys } from '../../evaluate/fitting/fit-keys.ts';
+import { KeyList, LINE_SLOPE } from '../../evaluate/fitting/key-list.ts';
 import type { Extrapolation, KeyedChannel } from '../../model/takes/take.ts';
 import { type Beyond, CUBIC, evaluateCurve, type FbxCurve, HOLD, LINE } from './curve.ts';
-import { fitKeys } from './fit.ts';
-import { KeyList, LINE_SLOPE } from './key-list.ts';
 
 /** Weights that differ less from a third are one. */
 const SAME_WEIGHT = 2e-4;

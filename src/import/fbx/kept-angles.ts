@@ -7,9 +7,7 @@
  * is turned first. Elbows, knees and fingers turn about one axis only: what is before it is constant then, and so are
  * the two other angles in an order that turns about that axis first.
  */
-import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
-import type { Vec3 } from '../../math/vec3.ts';
-import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
+
 import {
   axesOfOrder,
   lockedness,
@@ -17,7 +15,10 @@ import {
   ordersFrom,
   writeAnglesNear,
   writeQuaternion,
-} from '../rotations.ts';
+} from '../../evaluate/rotations/euler-orders.ts';
+import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
 import type { Driven, FbxTake } from './animation.ts';
 import { staysAt } from './curve.ts';
 import { driversOf } from './motion.ts';

@@ -2,10 +2,11 @@
  * Where the nodes of an FBX scene are at a time of a take: the reference for what takes become as curves of joints, and
  * what they are computed from where pivots or layers stand between the two.
  */
+
+import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../../evaluate/rotations/euler-orders.ts';
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { writeRotation } from '../../math/quaternion.ts';
 import { slerp } from '../../math/slerp.ts';
-import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../rotations.ts';
 import { type Driven, drivenKey, type FbxLayer, type FbxTake, layerWeight } from './animation.ts';
 import { evaluateCurve } from './curve.ts';
 import { type FbxNode, writeNodeRotation, writeNodeTranslation } from './nodes.ts';

@@ -2,6 +2,10 @@
  * The takes of an FBX file as curves of the scene's nodes. Where one layer drives a property and no pivot comes
  * between, its curves are the channels, with their keys and slopes; elsewhere keys are fitted to where the node is.
  */
+
+import { fitKeys } from '../../evaluate/fitting/fit-keys.ts';
+import { KeyList } from '../../evaluate/fitting/key-list.ts';
+import { axesOfOrder, writeAnglesNear } from '../../evaluate/rotations/euler-orders.ts';
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
@@ -9,14 +13,11 @@ import { EULER_ORDERS } from '../../model/skeleton/skeleton.ts';
 import type { Channel } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import { NOISE } from '../noise.ts';
-import { axesOfOrder, writeAnglesNear } from '../rotations.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
 import { ascending, channelKeys, channelOf } from './channels.ts';
 import type { Beyond, FbxCurve } from './curve.ts';
-import { fitKeys } from './fit.ts';
 import { type FbxJoint, Stretches } from './joints.ts';
-import { KeyList } from './key-list.ts';
 import { driversOf, NodeMotion } from './motion.ts';
 import { hasPivots, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
 

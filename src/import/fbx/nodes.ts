@@ -6,10 +6,12 @@
  * with pivots Rp and Sp, offsets Roff and Soff, constant rotations Rpre and Rpost, and T, R, S that move. What that
  * comes to is a translation, a rotation and a scale, too: see `writeLocal`.
  */
+
+import { multiplyQuaternions, writeQuaternion } from '../../evaluate/rotations/euler-orders.ts';
+import { ROTATION_ORDERS } from '../../formats/fbx/constants.ts';
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
-import { multiplyQuaternions, writeQuaternion } from '../rotations.ts';
 import { type FbxDocument, type FbxObject, type Properties, SCENE_ID } from './document.ts';
 
 /** A node at rest, in the file's units of length. */
@@ -42,9 +44,6 @@ export interface Pivots {
   /** Inverted already. */
   readonly after: Float64Array;
 }
-
-/** By the number in the file. Spheric angles, which no exporter is known to write, are read as the first. */
-const ORDERS: readonly EulerOrder[] = ['xyz', 'xzy', 'yzx', 'yxz', 'zxy', 'zyx', 'xyz'];
 
 const ONE: Vec3 = [1, 1, 1];
 
@@ -87,7 +86,7 @@ function nodeOf(object: FbxObject, parent: number): FbxNode {
     translation: properties.vector('Lcl Translation', ZERO),
     angles: inRadians(properties.vector('Lcl Rotation', ZERO)),
     scale: properties.vector('Lcl Scaling', ONE),
-    order: (hasSpace && ORDERS[properties.number('RotationOrder') ?? 0]) || 'xyz',
+    order: (hasSpace && ROTATION_ORDERS[properties.number('RotationOrder') ?? 0]) || 'xyz',
     inherits:
       parent < 0 || inherit === undefined
         ? 'normal'

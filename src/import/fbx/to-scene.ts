@@ -1,16 +1,17 @@
 /** An FBX document as a scene: right-handed, y up, in the file's own unit and times. */
+
+import { fitKeys } from '../../evaluate/fitting/fit-keys.ts';
+import { writeQuaternion } from '../../evaluate/rotations/euler-orders.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { ZERO } from '../../math/vec3.ts';
 import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
 import type { Budget } from '../budget.ts';
-import { writeQuaternion } from '../rotations.ts';
 import type { Scene, SceneNode, SceneTake, SceneWeight } from '../scene.ts';
 import { type FbxTake, takesOf } from './animation.ts';
 import { axesOf, type FbxAxes, metresOf } from './axes.ts';
 import { channelOf } from './channels.ts';
 import { documentOf } from './document.ts';
 import type { FbxReport } from './failure.ts';
-import { fitKeys } from './fit.ts';
 import { type FbxJoint, jointsOf, Stretches } from './joints.ts';
 import { lostOf } from './lost.ts';
 import { Materials } from './materials.ts';

@@ -5,7 +5,7 @@
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { GlbOptions } from '../../export/glb/options.ts';
-import type { GlbReport } from '../../export/glb/report.ts';
+import type { GlbReport } from '../../export/shared/report.ts';
 import type { SavedKind } from '../../files/kinds.ts';
 import type { UnsavedPart } from '../../files/save/saved-parts.ts';
 import type { Character } from '../../model/document.ts';

@@ -1,8 +1,8 @@
 import { unzlibSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { readBmp } from '../../../src/export/glb/images/bmp.ts';
-import { imageOf } from '../../../src/export/glb/images/images.ts';
-import { writePng } from '../../../src/export/glb/images/png.ts';
+import { readBmp } from '../../../src/export/shared/images/bmp.ts';
+import { imageOf } from '../../../src/export/shared/images/images.ts';
+import { writePng } from '../../../src/export/shared/images/png.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 
 /** A bitmap of a header of 40 bytes, a palette and rows. */

@@ -1,6 +1,6 @@
 /** What FBX files say of animation, read from ones written here. */
 import { describe, expect, it } from 'vitest';
-import { multiplyQuaternions, writeQuaternion } from '../../../src/import/rotations.ts';
+import { multiplyQuaternions, writeQuaternion } from '../../../src/evaluate/rotations/euler-orders.ts';
 import { writeRotation } from '../../../src/math/quaternion.ts';
 import { FIXED_TANGENT, FLAT, LINEAR } from '../../../src/model/takes/tangent-kinds.ts';
 import { worldsAt } from '../scene-at.ts';

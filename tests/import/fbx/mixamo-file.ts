@@ -1,7 +1,7 @@
 /** Writes characters as FBX files like those of Mixamo, for tests. */
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
-import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../../../src/import/rotations.ts';
+import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../../../src/evaluate/rotations/euler-orders.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import { invertAffine } from '../../../src/math/mat4.ts';
 import { quaternionOfRotation } from '../../../src/math/quaternion.ts';

@@ -3,8 +3,8 @@
  * follow several joints, whose errors add up at one vertex and cancel each other at the next.
  */
 import { multiplyAffine } from '../../../math/mat4.ts';
-import type { AttachmentSets } from '../attachments.ts';
-import { nodeWorlds } from '../joint-nodes.ts';
+import type { AttachmentSets } from '../../shared/attachments.ts';
+import { nodeWorlds } from '../../shared/joint-nodes.ts';
 import type { Measured } from './measured.ts';
 import type { WatchedSkin, WatchPoints } from './watch-points.ts';
 

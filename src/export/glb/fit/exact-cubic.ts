@@ -3,8 +3,9 @@
  * values alone. Between two breaks four values give the cubic, and others check it. If they don't fit, a limit is
  * reached in between: the place is found by halving. Then neighbours that one cubic covers are joined.
  */
+
+import type { TakeMotion } from '../../shared/take-motion.ts';
 import { stepSeconds } from '../sample-take.ts';
-import type { TakeMotion } from '../take-motion.ts';
 import type { Track } from '../tracks.ts';
 
 /** A cubic of each number of a track, over a time: `a + b·t + c·t² + d·t³`, t since the start of the piece. */

@@ -5,7 +5,7 @@
  * are added where the tolerance is exceeded, and those that turn out not to be needed are removed.
  */
 
-import type { JointNode } from '../joint-nodes.ts';
+import type { JointNode } from '../../shared/joint-nodes.ts';
 import type { Rows } from '../rows.ts';
 import type { Track } from '../tracks.ts';
 import { verticesBeyond } from './check-vertices.ts';

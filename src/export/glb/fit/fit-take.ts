@@ -1,9 +1,9 @@
 /** The keys of a take: the channels of a glTF animation. */
 
-import type { JointNode } from '../joint-nodes.ts';
+import type { JointNode } from '../../shared/joint-nodes.ts';
+import type { TakeMotion } from '../../shared/take-motion.ts';
 import { Rows } from '../rows.ts';
 import { sampleTake } from '../sample-take.ts';
-import type { TakeMotion } from '../take-motion.ts';
 import type { Track } from '../tracks.ts';
 import { exactKeys } from './exact-cubic.ts';
 import { fitCubic } from './fit-cubic.ts';

@@ -2,7 +2,7 @@
  * Poses that programs make of the keys of a stretch, compared with its rows at all points and axes that are watched.
  */
 
-import { type JointNode, type NodeRange, nodeWorlds, subtrees } from '../joint-nodes.ts';
+import { type JointNode, type NodeRange, nodeWorlds, subtrees } from '../../shared/joint-nodes.ts';
 import type { Rows } from '../rows.ts';
 import type { Track } from '../tracks.ts';
 import { expandCubic } from './fit-cubic.ts';

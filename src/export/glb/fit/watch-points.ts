@@ -6,8 +6,8 @@
 import type { CompiledSkin } from '../../../evaluate/skin/deform.ts';
 import type { Morph } from '../../../model/morph.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
-import type { AttachmentSets } from '../attachments.ts';
-import type { JointNodes } from '../joint-nodes.ts';
+import type { AttachmentSets } from '../../shared/attachments.ts';
+import type { JointNodes } from '../../shared/joint-nodes.ts';
 import type { Watch } from './watch.ts';
 
 /** Morphs, and how far they go. */

@@ -1,5 +1,5 @@
 /** Where the motion that is written is compared with the true one: at points that nodes move, and at axes of nodes. */
-import type { JointNode } from '../joint-nodes.ts';
+import type { JointNode } from '../../shared/joint-nodes.ts';
 
 /** Point p is moved by the pairs `start[p]` up to (excluding) `start[p + 1]`. */
 export interface Watch {

@@ -1,5 +1,5 @@
 /** What the dialog for GLB says about a file before it is saved. */
-import type { GlbReport } from '../../../export/glb/report.ts';
+import type { GlbReport } from '../../../export/shared/report.ts';
 import { bytes, plural, shown } from '../../widgets/numbers/number-text.ts';
 
 /** `walker_walk: 7,646 keys in 31 channels, 6.4 s`; one line per take, further ones summed up. */

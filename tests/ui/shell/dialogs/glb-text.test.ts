@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { GlbReport } from '../../../../src/export/glb/report.ts';
+import type { GlbReport } from '../../../../src/export/shared/report.ts';
 import { fileText, takesText } from '../../../../src/ui/shell/dialogs/glb-text.ts';
 
 const take = (name: string, keys = 7646) => ({ name, seconds: 6.4, channels: 31, keys });

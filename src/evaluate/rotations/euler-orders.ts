@@ -1,6 +1,6 @@
 /** Rotations as Euler angles of any order and as quaternions x y z w. */
-import { eulerNear, quaternionOfEuler } from '../math/euler.ts';
-import type { EulerOrder } from '../model/skeleton/skeleton.ts';
+import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
+import type { EulerOrder } from '../../model/skeleton/skeleton.ts';
 
 /** Indices of the axes of an order, first applied first, and 1 or −1: whether they are a cycle of x y z. */
 interface Axes {

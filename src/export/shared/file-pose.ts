@@ -1,4 +1,4 @@
-/** A character in the pose of the file: all of a GLB file but its motion. */
+/** A character in the pose of the file: all that is written of it but its motion. */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Character, shownSkin } from '../../model/document.ts';
@@ -6,7 +6,7 @@ import type { Skin } from '../../model/skin.ts';
 import { type AttachmentSets, attachmentSets } from './attachments.ts';
 import { bodyOf } from './body.ts';
 import { type JointNodes, jointNodes, NODE_WIDTH, nodeWorlds, nodeWriter } from './joint-nodes.ts';
-import { type GlbOptions, TOLERANCE_OF_SIZE } from './options.ts';
+import { type ExchangeOptions, TOLERANCE_OF_SIZE } from './options.ts';
 import { sizeOf } from './size.ts';
 
 /** The parts of a character that are written, apart from its motion. */
@@ -33,7 +33,7 @@ export interface FileJoints {
 }
 
 /** A character in its file pose, with its skin, or a body of bones if it has none and options ask for it. */
-export function filePoseOf(character: Character, { body, influences, tolerance }: GlbOptions): FilePose {
+export function filePoseOf(character: Character, { body, influences, tolerance }: ExchangeOptions): FilePose {
   const { skeleton } = character;
   const { unkeyed: _unkeyed, driver: _driver, ...plain } = character;
   const rest = new Float64Array(dofCountOf(character));

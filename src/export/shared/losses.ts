@@ -1,4 +1,4 @@
-/** Losses on the way to GLB, with how far it is off where that can be measured. */
+/** Losses on the way to another program's format, with how far it is off where that can be measured. */
 import { compileSkin, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { setIdentity } from '../../math/mat4.ts';
 import type { Character } from '../../model/document.ts';
@@ -8,14 +8,15 @@ import { attachmentSets } from './attachments.ts';
 import { type Bound, boundAsGiven, boundAsWritten, largestDisplacement } from './displacement.ts';
 import type { FilePose } from './file-pose.ts';
 import { NODE_WIDTH, nodeWorlds } from './joint-nodes.ts';
-import type { GlbOptions } from './options.ts';
+import type { ExchangeOptions } from './options.ts';
 import { displacementText, type Loss } from './report.ts';
 import type { TakeMotion } from './take-motion.ts';
 
 /** The written file, as far as losses depend on it. */
 export interface Written {
   readonly character: Character;
-  readonly options: GlbOptions;
+  readonly options: ExchangeOptions;
+  readonly format: 'glTF' | 'FBX';
   readonly filePose: FilePose;
   readonly motions: readonly TakeMotion[];
   /** Names of textures that are not in the file. */
@@ -29,7 +30,6 @@ export function lossesOf(written: Written): readonly Loss[] {
     ...attachmentLosses(written),
     ...bindings(written),
     ...chains(written),
-    ...splines(written),
     ...missing.map(
       (name): Loss => ({
         code: 'texture-left-out',
@@ -46,7 +46,7 @@ const POSES = 400;
 /** Vertices times poses, at most. */
 const MOST = 40_000_000;
 
-function attachmentLosses({ character, options, filePose, motions }: Written): readonly Loss[] {
+function attachmentLosses({ character, options, format, filePose, motions }: Written): readonly Loss[] {
   const { sets, skin, joints, size } = filePose;
   if (!sets || !skin?.attachments || !joints || !character.skins.length) return [];
   const resting = joints.skeleton.joints.length;
@@ -105,7 +105,7 @@ function attachmentLosses({ character, options, filePose, motions }: Written): r
       code: 'weights-normalised',
       severity: 'warning',
       displacement,
-      message: `The weights of ${off.length} of ${vertexCount(skin)} vertices don't sum to 1. glTF requires it, so they were normalised, which moves a vertex by up to ${displacementText(displacement, size)}.`,
+      message: `The weights of ${off.length} of ${vertexCount(skin)} vertices don't sum to 1. ${format} requires it, so they were normalised, which moves a vertex by up to ${displacementText(displacement, size)}.`,
     });
   }
   return losses;
@@ -185,7 +185,7 @@ function isRigid(matrices: Float64Array, at: number): boolean {
   return true;
 }
 
-function chains({ filePose: { joints } }: Written): readonly Loss[] {
+function chains({ format, filePose: { joints } }: Written): readonly Loss[] {
   if (!joints) return [];
   const { nodes, lastOf } = joints.nodes;
   const split = nodes.filter(({ place }, n) => place > 0 && lastOf[nodes[n].joint] === n);
@@ -196,24 +196,12 @@ function chains({ filePose: { joints } }: Written): readonly Loss[] {
     {
       code: 'joints-split',
       severity: 'info',
-      message: `glTF nodes can't shear: ${listed(names)} ${names.length === 1 ? 'is' : 'are'} written as chains of nodes, ${more} more than joints. The shape is the same.`,
+      message: `${format} nodes can't shear: ${listed(names)} ${names.length === 1 ? 'is' : 'are'} written as chains of nodes, ${more} more than joints. The shape is the same.`,
     },
   ];
 }
 
-function splines({ options, motions }: Written): readonly Loss[] {
-  if (options.keys !== 'cubic' || options.framesPerSecond !== undefined || motions.length === 0) return [];
-  return [
-    {
-      code: 'splines-in-blender',
-      severity: 'info',
-      message:
-        'Blender ignores the tangents of cubic keys, so poses between keys are off there. Use linear keys for Blender.',
-    },
-  ];
-}
-
-/** Losses of what glTF has no place for. */
+/** Losses of what the format has no place for. */
 function leftOut({ character, options, motions, filePose }: Written): readonly Loss[] {
   const { skeleton, skins, poses, placements, driver, takes, unkeyed, morphs } = character;
   const joints = skeleton?.joints ?? [];

@@ -39,6 +39,24 @@ export class TakeError extends UserError {
   override readonly name = 'TakeError';
 }
 
+/**
+ * The character with each of its takes shown, or with the one of a name; with what is retargeted to it in place of
+ * them.
+ * @param only the name of the one that is written; undefined: all
+ * @throws TakeError if there is none of that name
+ */
+export function playedTakes(character: Character, only: string | undefined): readonly Character[] {
+  const { driver, takes } = character;
+  const every = driver ? [character] : takes.map((_, shown) => ({ ...character, shownTake: shown }));
+  const names = driver ? [driver.source.take.name] : takes.map(({ name }) => name);
+  const played = every.filter((_, i) => only === undefined || names[i] === only);
+  if (only !== undefined && played.length === 0) {
+    const known = names.length ? `its takes are ${names.join(', ')}` : 'it has none';
+    throw new TakeError(`${character.name} has no take ${only}; ${known}.`);
+  }
+  return played;
+}
+
 /** More breaks than this are a mistake: a cycle of a microsecond over an hour. */
 const MAX_BREAKS = 4_000_000;
 
