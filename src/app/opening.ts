@@ -7,6 +7,7 @@ import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
 import type { Steps } from '../evaluate/steps.ts';
+import { skeletonKindFor } from '../files/kinds.ts';
 import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
@@ -125,7 +126,7 @@ export class Opener {
             });
       for (const file of files) if (output.keeps.includes(file.path)) this.before.set(file.path, file);
       // A take that waited for its skeleton is not read again with the next one.
-      for (const { kind, source } of output.files) if (kind === 'amc') this.before.delete(source.path);
+      for (const { source } of output.files) if (skeletonKindFor(source.path)) this.before.delete(source.path);
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
       // The user has opened something meanwhile, which takes precedence over the example.

@@ -7,7 +7,15 @@
  */
 
 import { type Character, type Document, findCharacter, isBvh } from '../model/document.ts';
-import { mapMarks, NO_MARKS, ownRevision, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
+import {
+  isCaptureKind,
+  mapMarks,
+  NO_MARKS,
+  ownRevision,
+  type PartMark,
+  type PartMarks,
+  UNMARKED,
+} from '../model/part.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
 import type { Take } from '../model/takes/take.ts';
 import { sameValue } from './delta.ts';
@@ -92,8 +100,7 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
       if (place === undefined) return UNMARKED;
       left.delete(place);
       const { withoutMarkers: _own, ...mark } = marks[place] ?? UNMARKED;
-      const isCaptured = mark.file?.kind === 'bvh' || mark.file?.kind === 'amc';
-      if (isCaptured ? !holdsTheSame(a[place], content) : !areTheSame(a[place], content))
+      if (isCaptureKind(mark.file?.kind) ? !holdsTheSame(a[place], content) : !areTheSame(a[place], content))
         return { ...mark, revision: 0 };
       if (haveSameMarkers(a[place], content)) return marks[place] ?? UNMARKED;
       return mark.id === 0 ? mark : { ...mark, revision: 0, withoutMarkers: ownRevision(marks[place]) };

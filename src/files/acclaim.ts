@@ -59,8 +59,8 @@ async function takeFile({ fileName, bytes, beside, near }: Import): Promise<Impo
   return { value, diagnostics, beside: [] };
 }
 
-/** The take of an `.amc`; undefined, with errors in the report, if it is none. @param name of the take */
-export function amcTake(bytes: Uint8Array, report: Report, name: string, skeleton: Skeleton): Take | undefined {
+/** Undefined, with errors in the report, if it is none. @param name of the take */
+function amcTake(bytes: Uint8Array, report: Report, name: string, skeleton: Skeleton): Take | undefined {
   try {
     return readAmc(bytes, report, name, skeleton);
   } catch (error) {

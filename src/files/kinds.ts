@@ -36,8 +36,8 @@ export interface Kind {
    * hundred.
    */
   readonly reviewed?: readonly string[];
-  /** Takes are read with such files beside them. */
-  readonly isBeside?: true;
+  /** The kind of file with the skeleton that it is read with: which one, the names of both say. */
+  readonly readWith?: string;
   /** Absent if it is only read. */
   readonly save?: Saving;
 }
@@ -144,7 +144,6 @@ export const KINDS = {
     extensions: ['asf'],
     label: 'Acclaim skeleton',
     content: 'asf',
-    isBeside: true,
     save: {
       label: 'Acclaim skeleton (.asf)',
       has: hasSkeleton,
@@ -156,6 +155,7 @@ export const KINDS = {
     extensions: ['amc'],
     label: 'Acclaim motion',
     content: 'amc',
+    readWith: 'asf',
     reviewed: ['amc'],
     save: {
       label: 'Acclaim motion (.amc)',
@@ -257,11 +257,16 @@ export function isReviewable(path: string): boolean {
   return REVIEWED_EXTENSIONS.some((extension) => path.toLowerCase().endsWith(`.${extension}`));
 }
 
+/** The kind of file with the skeleton that a file is read with, by its name or path; undefined if it needs none. */
+export function skeletonKindFor(path: string): FormatKind | undefined {
+  const { readWith }: Partial<Kind> = KINDS[formatKindOf(path) ?? 'dump'];
+  return FORMAT_KINDS.find((kind) => kind === readWith);
+}
+
 /** Whether takes are read with such a file beside them, by its name or path. */
 export function isBesideTakes(path: string): boolean {
-  const kind = formatKindOf(path);
-  const { isBeside }: Partial<Kind> = kind ? KINDS[kind] : {};
-  return isBeside ?? false;
+  const own = formatKindOf(path);
+  return own !== undefined && FORMAT_KINDS.some((kind) => (KINDS[kind] as Kind).readWith === own);
 }
 
 /** Whether a file is a buffer of glTF files, by its name or path. */

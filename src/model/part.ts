@@ -85,14 +85,29 @@ interface PartOf<K extends PartKind> extends Omit<PartMark, 'file'> {
 /** One of a character's parts. */
 export type Part = { [K in PartKind]: PartOf<K> }[PartKind];
 
+/** A capture is a take with the skeleton that it was recorded on. */
+const HOLDS: { readonly [K in PartKind]?: 'skeleton' | 'take' | 'capture' } = {
+  skel: 'skeleton',
+  asf: 'skeleton',
+  anim: 'take',
+  bvh: 'capture',
+  amc: 'capture',
+};
+
 /** Whether parts of a kind are skeletons alone. */
 export function isSkeletonKind(kind: PartKind): boolean {
-  return kind === 'skel' || kind === 'asf';
+  return HOLDS[kind] === 'skeleton';
 }
 
 /** Whether parts of a kind are takes, with or without their skeleton. */
 export function isTakeKind(kind: PartKind): boolean {
-  return kind === 'bvh' || kind === 'amc' || kind === 'anim';
+  return HOLDS[kind] === 'take' || HOLDS[kind] === 'capture';
+}
+
+/** Whether a file of a kind is a take with its skeleton, in the file or beside it. */
+export function isCaptureKind(kind: FileKind | undefined): boolean {
+  const holds: { readonly [K in FileKind]?: string } = HOLDS;
+  return kind !== undefined && holds[kind] === 'capture';
 }
 
 /** The take of a part; undefined if it has none. */

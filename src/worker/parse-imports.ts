@@ -3,7 +3,7 @@
  * and textures, which may have been given earlier, or come later.
  */
 
-import { isBuffer } from '../files/kinds.ts';
+import { isBesideTakes, isBuffer, skeletonKindFor } from '../files/kinds.ts';
 import { type Format, formatOf } from '../files/readers.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, baseName, folderOf, type ParsedFile, type SourceFile } from '../model/files.ts';
@@ -55,11 +55,11 @@ export async function importedFrom(
     imported.set(file.path, read);
     if (format.format === 'gltf') for (const { path } of [file, ...read.parts]) keeps.add(path);
     // Motions of a skeleton may come later, and a skeleton after its motions.
-    if (format.format === 'asf' || read.isWaiting) keeps.add(file.path);
+    if (isBesideTakes(file.path) || read.isWaiting) keeps.add(file.path);
   }
-  for (const file of given.some(({ path }) => isSkeletonOfTakes(path)) ? before : []) {
+  for (const file of given.some(({ path }) => isBesideTakes(path)) ? before : []) {
     const format = formatOf(baseName(file.path));
-    if (format?.format !== 'amc') continue;
+    if (!format || !skeletonKindFor(file.path)) continue;
     const read = await importOne(file, format, [given, before]);
     if (read.isWaiting) continue;
     diagnostics.push(...read.diagnostics);
@@ -80,10 +80,6 @@ export async function importedFrom(
     imported.set(file.path, read);
   }
   return { imported, keeps: [...keeps] };
-}
-
-function isSkeletonOfTakes(path: string): boolean {
-  return formatOf(baseName(path))?.format === 'asf';
 }
 
 const NOTHING: ImportedBlob = { files: [], broken: [] };

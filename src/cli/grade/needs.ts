@@ -1,18 +1,25 @@
 /** `--needs`: which parts a submission must have. */
 
-import { formatOf } from '../../files/readers.ts';
+import { formatKindOf, KINDS, openingOf, SAVED_KINDS, type SavedKind } from '../../files/kinds.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { baseName } from '../../model/files.ts';
 import type { Kind } from '../options/kinds.ts';
 import type { PartGrade } from './grade.ts';
 
 const NUMBERS = ['world', 'local', 'positions', 'vertices', 'normals', 'channels'] as const;
-const FILES = ['skel', 'skin', 'morph', 'anim', 'bvh', 'asf', 'amc'] as const;
+/** The parts of characters, each by the first of its kinds. */
+const FILES = SAVED_KINDS.filter((kind, i) => {
+  const { content } = KINDS[kind];
+  const { as } = openingOf(content);
+  return (
+    (as === 'characters' || as === 'part') && SAVED_KINDS.findIndex((other) => KINDS[other].content === content) === i
+  );
+});
 
 /** Something that has to be there, and that has to have been compared. */
 export type Need =
   | { readonly numbers: (typeof NUMBERS)[number] }
-  | { readonly files: (typeof FILES)[number] }
+  | { readonly files: SavedKind }
   /** A file of this name, without its folders. */
   | { readonly name: string };
 
@@ -35,7 +42,7 @@ function needOf(term: string): Need | undefined {
   if (numbers) return { numbers };
   const files = FILES.find((name) => name === lower.replace(/^\./, ''));
   if (files) return { files };
-  return term.includes('.') && formatOf(term) ? { name: baseName(term) } : undefined;
+  return term.includes('.') && formatKindOf(term) ? { name: baseName(term) } : undefined;
 }
 
 /** What is needed and was not compared. @param path of the submission, for messages */
@@ -48,9 +55,11 @@ export function missingOf(needs: readonly Need[], parts: readonly PartGrade[], p
 
 function isMet(need: Need, { files, compared }: PartGrade): boolean {
   if ('numbers' in need) return compared[need.numbers] > 0;
-  const isMeant = (file: string) =>
-    'name' in need ? baseName(file).toLowerCase() === need.name.toLowerCase() : formatOf(file)?.kind === need.files;
-  return files.some(isMeant);
+  return files.some((file) => {
+    if ('name' in need) return baseName(file).toLowerCase() === need.name.toLowerCase();
+    const kind = SAVED_KINDS.find((saved) => saved === formatKindOf(file));
+    return kind !== undefined && KINDS[kind].content === KINDS[need.files].content;
+  });
 }
 
 function textOf(need: Need): string {

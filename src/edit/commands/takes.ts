@@ -6,7 +6,7 @@
 import { isSameSize, matchJoints } from '../../evaluate/compare/joint-match.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownTake } from '../../model/document.ts';
-import { NO_MARKS, type PartFile, type PartMark } from '../../model/part.ts';
+import { isCaptureKind, NO_MARKS, type PartMark } from '../../model/part.ts';
 import type { Space } from '../../model/space.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
@@ -255,15 +255,10 @@ export const removeTakes = command({
 /** Whether a character is only a skeleton that came with its motion, and not worth keeping without it. */
 function isOnlyTakes({ skins, morphs, skeleton, parts = NO_MARKS }: Character): boolean {
   if (!skeleton) return true;
-  const isOther = (mark: PartMark | undefined) => mark?.file !== undefined && !isCaptured(mark.file);
+  const isOther = (mark: PartMark | undefined) => mark?.file !== undefined && !isCaptureKind(mark.file.kind);
   const { file } = parts.skeleton ?? {};
-  const isOfCapture = file !== undefined && isCaptured(file) && ![...parts.takes, parts.poses].some(isOther);
+  const isOfCapture = isCaptureKind(file?.kind) && ![...parts.takes, parts.poses].some(isOther);
   return skins.length === 0 && morphs.length === 0 && isOfCapture;
-}
-
-/** Whether a file is motion capture with its skeleton. */
-function isCaptured({ kind }: PartFile): boolean {
-  return kind === 'bvh' || kind === 'amc';
 }
 
 /** If the take was shown, the next one is shown instead, or the previous one if it was the last. */

@@ -4,14 +4,12 @@
  */
 import { newCharacter } from '../../edit/new-character.ts';
 import { addPoses } from '../../edit/pose/library.ts';
-import { asfReader } from '../../formats/acclaim/read-asf.ts';
-import { stemOfName } from '../../formats/grammar.ts';
 import { readWhole } from '../../formats/reader.ts';
-import { Report } from '../../formats/report.ts';
+import { partsOf } from '../../model/character-parts.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import type { FileContent, SourceFile } from '../../model/files.ts';
+import { fileNameOf, isSkeletonKind } from '../../model/part.ts';
 import type { LineHunk } from '../../model/text-changes.ts';
-import { amcTake } from '../acclaim.ts';
 import { openFiles } from '../open/open-files.ts';
 import { formatOf } from '../readers.ts';
 import { outputOf, savedFileOf } from '../save/output.ts';
@@ -29,15 +27,15 @@ import { LineIds, lineMeaning, splitLines } from './text-lines.ts';
  * @param owned the parts that are saved in it
  * @throws Error with a sentence, if the parts can't be saved in one file, or the text can't be read
  */
-export function changedText(source: SourceFile, original: string, owned: readonly Owned[]): MergedText {
+export async function changedText(source: SourceFile, original: string, owned: readonly Owned[]): Promise<MergedText> {
   const after = savedFileOf(writeParts(source.name, owned)).text;
-  const before = rewritten(source, original, owned);
+  const before = await rewritten(source, original, owned);
   if (before === undefined) throw new Error(`${source.name} has errors, so it can’t be compared with what is open.`);
   if (before === after) return { text: original, hunks: [] };
   // Defaults may not suit a joint of another type.
   for (const keepsDefaults of [true, false]) {
     const merged = mergeChanges(original, before, after, keepsDefaults);
-    if (rewritten(source, merged.text, owned) === after) return merged;
+    if ((await rewritten(source, merged.text, owned)) === after) return merged;
   }
   return byValue(original, after);
 }
@@ -48,8 +46,12 @@ export function changedText(source: SourceFile, original: string, owned: readonl
  *
  * @param owned the parts that are saved in such a file
  */
-export function rewritten(source: SourceFile, text: string, owned: readonly Owned[]): string | undefined {
-  const value = contentOf(source, text, owned);
+export async function rewritten(
+  source: SourceFile,
+  text: string,
+  owned: readonly Owned[],
+): Promise<string | undefined> {
+  const value = await contentOf(source, text, owned);
   if (!value) return undefined;
   if (value.kind === 'bvh') {
     const { document } = openFiles(EMPTY_DOCUMENT, [{ ...value, source }]);
@@ -65,17 +67,36 @@ export function rewritten(source: SourceFile, text: string, owned: readonly Owne
   return isWritten ? savedFileOf(outputOf({ name: source.name, content: () => content })).text : undefined;
 }
 
-/** Undefined if it has errors. A motion of Acclaim is read with the skeleton of the character that has it. */
-function contentOf({ name }: SourceFile, text: string, owned: readonly Owned[]): FileContent | undefined {
+/** Undefined if it has errors. */
+async function contentOf(
+  { name }: SourceFile,
+  text: string,
+  owned: readonly Owned[],
+): Promise<FileContent | undefined> {
   const format = formatOf(name);
-  if (format?.format === 'asf') {
-    const { value: skeleton } = readWhole(asfReader(name), text);
-    return skeleton && { kind: 'asf', skeleton };
-  }
-  if (format?.format !== 'amc') return readWhole<FileContent>(format?.reader(name) ?? NOTHING, text).value;
-  const skeleton = owned[0]?.character.skeleton;
-  const take = skeleton && amcTake(new TextEncoder().encode(text), new Report(name), stemOfName(name), skeleton);
-  return take && { kind: 'amc', skeleton, take };
+  if (!format?.imports) return readWhole<FileContent>(format?.reader(name) ?? NOTHING, text).value;
+  const skeleton = skeletonBeside(owned);
+  const bytes = new TextEncoder().encode(text);
+  const { value } = await format.imports({
+    fileName: name,
+    bytes,
+    beside: async () => skeleton && { source: skeleton.source, bytes: new TextEncoder().encode(skeleton.text) },
+    near: () => (skeleton ? [skeleton.source.name] : []),
+  });
+  return value;
+}
+
+/** The file of the skeleton of a take's character, as it is now; undefined if it has none of its own. */
+export function skeletonBeside([first]: readonly Owned[]):
+  | { readonly source: SourceFile; readonly text: string }
+  | undefined {
+  if (!first) return undefined;
+  const { character, pose } = first;
+  const part = partsOf(character).find(({ kind }) => isSkeletonKind(kind));
+  if (!part) return undefined;
+  const name = fileNameOf(part);
+  const { text } = savedFileOf(writeParts(name, [{ character, part, pose }]));
+  return { source: part.file ?? { name, path: name, bytes: text.length }, text };
 }
 
 const NOTHING = { feed: () => undefined, end: () => ({ diagnostics: [] }) };

@@ -23,7 +23,7 @@ import {
   stemOf,
 } from '../../model/files.ts';
 import { skeletonNameFor } from '../acclaim-names.ts';
-import { type FormatKind, KINDS, openingOf, type Role } from '../kinds.ts';
+import { type FormatKind, formatKindOf, KINDS, openingOf, type Role, skeletonKindFor } from '../kinds.ts';
 import { partOpening } from './contents.ts';
 
 /** A given file, read or broken. */
@@ -234,9 +234,9 @@ function skeletonsFor<G extends FileGroup>(groups: readonly G[]): (part: ReadFil
 function skeletonFileOf(part: ReadFile, groups: readonly FileGroup[]): SourceFile | undefined {
   if (isRead(part)) return partOpening(part)?.skeletonFile?.(part);
   const near = groups.flatMap(({ skeleton }) =>
-    skeleton && takesParts(skeleton) && folderOf(skeleton.source) === folderOf(part.source) ? [skeleton] : [],
+    skeleton && folderOf(skeleton.source) === folderOf(part.source) ? [skeleton.source] : [],
   );
-  const given = near.filter(({ kind }) => kind === 'asf').map(({ source }) => source);
+  const given = near.filter(({ name }) => formatKindOf(name) === skeletonKindFor(part.source.name));
   const name = skeletonNameFor(
     part.source.name,
     given.map((source) => source.name),

@@ -11,6 +11,7 @@ import type { ParsedFile, PartKind, SourceFile } from '../../model/files.ts';
 import { fileNameOf, isTakeKind, ownRevision, type Part, type PartFile } from '../../model/part.ts';
 import { filePose, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { MARKERS_EXTENSION } from '../../model/takes/markers.ts';
+import { partOpening } from '../open/contents.ts';
 import { poseToSave } from './saved-poses.ts';
 
 /** A part of a character that changed since it was opened or saved. */
@@ -186,7 +187,7 @@ function filePoseOfJoints({ skeleton }: Character): readonly number[] {
   return filePose(skeleton, 0).slice(rootDofCount(skeleton));
 }
 
-/** A motion of Acclaim may come before the file of its skeleton, which it was read with. */
+/** A take may come before the file of its skeleton, which it was read with. */
 function sourcesOf(file: ParsedFile): readonly (SourceFile | undefined)[] {
-  return file.kind === 'amc' ? [file.source, file.of] : [file.source];
+  return [file.source, partOpening(file)?.skeletonFile?.(file)];
 }

@@ -18,8 +18,8 @@ it('a skeleton and a motion have no changes as opened, and an edited motion is r
     { ...amc, source: MOTION, of: SKELETON },
   ]);
   const ownedOf = (path: string) => ownedIn(document, path, () => []);
-  expect(changedText(SKELETON, ODD_ASF, ownedOf(SKELETON.path))).toEqual({ text: ODD_ASF, hunks: [] });
-  expect(changedText(MOTION, ODD_AMC, ownedOf(MOTION.path))).toEqual({ text: ODD_AMC, hunks: [] });
+  await expect(changedText(SKELETON, ODD_ASF, ownedOf(SKELETON.path))).resolves.toEqual({ text: ODD_ASF, hunks: [] });
+  await expect(changedText(MOTION, ODD_AMC, ownedOf(MOTION.path))).resolves.toEqual({ text: ODD_AMC, hunks: [] });
 
   const check = (edited: string) =>
     checkText({ source: MOTION, edited, base: ODD_AMC, owned: ownedOf(MOTION.path) }, () => undefined);

@@ -57,9 +57,9 @@ describe('what any edits changed in files', () => {
   /** Often of the rig, which changes more than single numbers. */
   const command = fc.oneof(fc.constantFrom(...COMMANDS_HERE.filter((id) => id.startsWith('rig.'))), anyCommand);
   const steps = fc.array(fc.tuple(command, thrown), { minLength: 1, maxLength: 4 });
-  it('is a text that reads as what saving writes, and the hunks lead to it', () => {
-    fc.assert(
-      fc.property(fc.nat(sets.length - 1), steps, (set, commands) => {
+  it('is a text that reads as what saving writes, and the hunks lead to it', async () => {
+    await fc.assert(
+      fc.asyncProperty(fc.nat(sets.length - 1), steps, async (set, commands) => {
         const files = sets[set];
         const store = new Store(
           openFiles(
@@ -85,10 +85,11 @@ describe('what any edits changed in files', () => {
           const owned = ownedIn(store.document, source.path, jointPose);
           if (owned.length === 0) continue;
           const after = savedFileOf(writeParts(source.name, owned)).text;
-          const changed = changedText(source, text, owned);
+          const changed = await changedText(source, text, owned);
           // What can't be merged is the written text.
           if (changed.text !== after) expect(applyHunks(text, changed)).toBe(changed.text);
-          expect(rewritten(source, changed.text, owned)).toBe(after);
+          const again = await rewritten(source, changed.text, owned);
+          expect(again).toBe(after);
         }
       }),
       { numRuns: 40 },
