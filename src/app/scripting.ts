@@ -159,7 +159,8 @@ export function scriptingApi(
     },
     endSites(character) {
       const { skeleton } = resolveCharacter(store, character);
-      return skeleton ? endSitePositions(skeleton, facts(character).worldMatrices()) : [];
+      const { worlds, dofs } = facts(character);
+      return skeleton ? endSitePositions(skeleton, worlds, dofs) : [];
     },
     pins(character) {
       const world = facts(character).worldMatrices();

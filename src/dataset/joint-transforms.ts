@@ -12,6 +12,7 @@
  * local rotations and the offsets compose to the world ones. Without a space all is as in the file.
  */
 
+import { endSitesOf, endsAt, hasStretches } from '../evaluate/end-sites.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { appliedDofs, eulerDofs, renamedAxes } from '../evaluate/rotations/euler-dofs.ts';
 import { metresPerUnit } from '../evaluate/space/metres.ts';
@@ -76,9 +77,11 @@ export class JointTransforms {
   /** Joints of the End Sites, and x y z in their spaces. */
   private readonly endJoints: Int32Array;
   private readonly ends: Float64Array;
+  /** Those of one frame, where DOFs lengthen bones. */
+  private readonly lengthened: Float64Array | undefined;
 
   constructor(
-    skeleton: Skeleton,
+    private readonly skeleton: Skeleton,
     private readonly space: Space | undefined,
   ) {
     const { joints } = skeleton;
@@ -88,8 +91,10 @@ export class JointTransforms {
     this.metres = space ? metresPerUnit(space) : 1;
     this.isTurned = space?.up === 'z';
     const count = joints.length;
-    this.endJoints = Int32Array.from(joints.flatMap(({ endSites = [] }, j) => endSites.map(() => j)));
-    this.ends = Float64Array.from(joints.flatMap(({ endSites = [] }) => endSites.flat()));
+    const { owners, ends } = endSitesOf(skeleton);
+    this.endJoints = owners;
+    this.ends = ends;
+    this.lengthened = hasStretches(skeleton) ? ends.slice() : undefined;
     this.width = 3 * (count + this.endJoints.length);
     this.allPoints = new Float64Array(BLOCK * this.width);
     this.points = Array.from({ length: BLOCK }, (_, b) =>
@@ -138,7 +143,8 @@ export class JointTransforms {
       }
       if (rows) this.writer.write(rows, row, count, j);
     }
-    this.placeEnds(count);
+    if (this.lengthened && this.isRigid) this.placeMovingEnds(dofs, stride, count, this.lengthened);
+    else this.placeEnds(0, count, this.ends);
   }
 
   /** Writes `ways` of a joint that moves. */
@@ -325,16 +331,24 @@ export class JointTransforms {
     this.writer.end(rows, count);
   }
 
-  /** By the rotations of rigid joints; the others have placed them. */
-  private placeEnds(count: number): void {
-    const { endJoints, ends, world, allPoints, width, metres, compiled } = this;
+  private placeMovingEnds(dofs: Float64Array, stride: number, count: number, lengthened: Float64Array): void {
+    const { skeleton, endJoints, ends } = this;
+    for (let b = 0; b < count; b++) {
+      endsAt(skeleton, endJoints, ends, dofs, b * stride, lengthened);
+      this.placeEnds(b, b + 1, lengthened);
+    }
+  }
+
+  /** By the rotations of rigid joints; the others have placed them. @param ends in some frames of the block */
+  private placeEnds(first: number, end: number, ends: Float64Array): void {
+    const { endJoints, world, allPoints, width, metres, compiled } = this;
     if (!this.isRigid) return;
     for (let e = 0; e < endJoints.length; e++) {
       const j = endJoints[e];
       const x = metres * ends[3 * e];
       const y = metres * ends[3 * e + 1];
       const z = metres * ends[3 * e + 2];
-      for (let b = 0; b < count; b++) {
+      for (let b = first; b < end; b++) {
         const from = b * width + 3 * j;
         const to = b * width + 3 * (compiled.jointCount + e);
         const q = 4 * (BLOCK * j + b);

@@ -24,6 +24,7 @@ import { columnOf } from '../model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../model/takes/take.ts';
 import { eachFrame, type Frames, framesOf, playedTake } from './bake.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
+import { withPlayedEnds } from './moving-ends.ts';
 import { type JointPlan, planJoints } from './samples/bvh-joints.ts';
 import { framesOfTake } from './samples/key-frames.ts';
 
@@ -73,7 +74,7 @@ export function toBvhCapture(character: Character, frames: Frames, file = ''): B
   const take = shownTake(character);
   if (isUntouched(character, take, frames, 'bvh'))
     return { capture: { skeleton, ...(take && { take }) }, diagnostics: [] };
-  return new Figuring(character, skeleton, frames, file).result();
+  return new Figuring(character, withPlayedEnds(character, skeleton, frames), frames, file).result();
 }
 
 /**

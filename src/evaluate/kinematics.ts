@@ -91,7 +91,7 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     lower: Float64Array.from(lower),
     upper: Float64Array.from(upper),
     limited: Int32Array.from([...lower.keys()].filter((d) => lower[d] > UNLIMITED.min || upper[d] < UNLIMITED.max)),
-    motions: joints.map((joint) => motionOf(joint, joints, firstDof)),
+    motions: joints.map((_, j) => motionOf(j, joints, firstDof)),
     turns: dofsOfAll(joints, firstDof, turnsOf),
     slides,
     couples: couplesOf(skeleton).ordered,
@@ -99,10 +99,11 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
 }
 
 /** The rule of a joint; where a DOF lengthens the bone above, from the tip of that. */
-function motionOf({ motion, parent }: Joint, joints: readonly Joint[], firstDof: Int32Array): JointMotion {
+function motionOf(j: number, joints: readonly Joint[], firstDof: Int32Array): JointMotion {
+  const { motion, parent } = joints[j];
   const own = jointMotion(motion);
   const stretch = parent < 0 ? undefined : stretchOf(joints[parent]);
-  return stretch ? atTip(own, firstDof[parent] + stretch.dof, stretch.along) : own;
+  return stretch ? atTip(own, firstDof[parent] + stretch.dof - firstDof[j], stretch.along) : own;
 }
 
 /** Three DOFs of each joint, by what its motion tells of its own; −1 for none. */

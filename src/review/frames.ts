@@ -1,6 +1,7 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
 import { playedTake } from '../evaluate/bake.ts';
 import { bareCharacter } from '../evaluate/bare-character.ts';
+import { endSitesOf, endsAt, hasStretches } from '../evaluate/end-sites.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { PoseRotations } from '../evaluate/rotations/pose-rotations.ts';
@@ -56,14 +57,16 @@ function framesOfBare(character: Character, skeleton: Skeleton, take: Take, offs
   const source = poseSource(character);
   const { startSeconds, frameSeconds, frameCount } = framesOfTake(take, KEYED_RATE);
   const compiled = compileSkeleton(skeleton);
-  const ends = skeleton.joints.flatMap(({ endSites = [] }, joint) => endSites.map((at) => ({ joint, at })));
+  const { owners, ends } = endSitesOf(skeleton);
   const posing: Posing = {
     source,
     compiled,
     rotations: new PoseRotations(skeleton.joints.length),
     world: new Float64Array(16 * skeleton.joints.length),
-    endJoints: Int32Array.from(ends, ({ joint }) => joint),
-    ends: Float64Array.from(ends.flatMap(({ at }) => [...at])),
+    skeleton,
+    endJoints: owners,
+    ends,
+    ...(hasStretches(skeleton) && { lengthened: ends.slice() }),
     metres: metresPerUnit(space),
     isZUp: space.up === 'z',
     lift: space.lift,
@@ -75,8 +78,8 @@ function framesOfBare(character: Character, skeleton: Skeleton, take: Take, offs
     count: take.samples ? frameCount : Math.min(MAX_KEYED_FRAMES, frameCount),
     frameSeconds,
     startSeconds,
-    pointCount: skeleton.joints.length + ends.length,
-    above: Int32Array.from([...skeleton.joints.map(({ parent }) => parent), ...ends.map(({ joint }) => joint)]),
+    pointCount: skeleton.joints.length + owners.length,
+    above: Int32Array.from([...skeleton.joints.map(({ parent }) => parent), ...owners]),
     nameOf: (joint) => skeleton.joints[joint]?.name ?? '',
     secondsOf,
     write: (frame, dofs, points) => writePoints(posing, secondsOf(frame) - offsetSeconds, dofs, points),
@@ -89,17 +92,21 @@ interface Posing {
   readonly compiled: CompiledSkeleton;
   readonly rotations: PoseRotations;
   readonly world: Float64Array;
+  readonly skeleton: Skeleton;
   readonly endJoints: Int32Array;
   /** x y z of each End Site in its joint's space. */
   readonly ends: Float64Array;
+  /** Those of one frame, where DOFs lengthen bones. */
+  readonly lengthened?: Float64Array;
   readonly metres: number;
   readonly isZUp: boolean;
   readonly lift: number;
 }
 
 function writePoints(posing: Posing, seconds: number, dofs: Float64Array, points: Float64Array): void {
-  const { source, compiled, rotations, world, endJoints, ends } = posing;
+  const { source, skeleton, compiled, rotations, world, endJoints, lengthened } = posing;
   poseFrom(source, seconds, dofs, rotations);
+  const ends = (lengthened && endsAt(skeleton, endJoints, posing.ends, dofs, 0, lengthened)) ?? posing.ends;
   worldMatrices(compiled, dofs, world, rotations);
   const joints = compiled.jointCount;
   for (let j = 0; j < joints; j++) {

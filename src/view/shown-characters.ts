@@ -154,6 +154,7 @@ export class ShownCharacters {
         name,
         skeleton,
         world,
+        dofs: view.dofs,
         placements,
         hasSkin,
         ...(hasSkin && { skinShape: view }),

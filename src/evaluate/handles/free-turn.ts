@@ -49,9 +49,12 @@ function frameOfTurn(
   const isTurning = own.map((_, d) => turning.includes(first + d));
   const from = isTurning.indexOf(true);
   // Factors listed before the angles are multiplied before them; those after them don't matter.
-  const before = Float64Array.from(own, (dof, d) => (d < from ? dofs[first + d] : dof.rest));
+  const before = dofs.slice();
+  own.forEach((dof, d) => {
+    if (d >= from) before[first + d] = dof.rest;
+  });
   const J = new Float64Array(16);
-  motions[joint].write(before, 0, J, 0);
+  motions[joint].write(before, first, J, 0);
   const frame = frameOf(skeleton, joint, dofs, world, placement);
   multiplyAffine(frame, 0, J, 0, frame, 0);
   return frame;

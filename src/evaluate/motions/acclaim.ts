@@ -93,7 +93,7 @@ function unmovedBy(length: number, motion: JointMotion): JointMotion {
 
 /**
  * The rule of a joint that starts at the tip of a bone which a DOF lengthens.
- * @param dof of the character
+ * @param dof that DOF, counted from the joint's own first one: negative
  * @param along the direction of the bone, normalised
  */
 export function atTip(own: JointMotion, dof: number, along: Vec3): JointMotion {
@@ -101,7 +101,7 @@ export function atTip(own: JointMotion, dof: number, along: Vec3): JointMotion {
   return {
     write(values, first, out, o) {
       write(values, first, out, o);
-      for (let k = 0; k < 3; k++) out[o + 12 + k] += along[k] * values[dof];
+      for (let k = 0; k < 3; k++) out[o + 12 + k] += along[k] * values[first + dof];
     },
     writeDerivative,
     ...(stretches && { stretches }),

@@ -47,7 +47,7 @@ function diagonal({ skeleton, morphs }: Character, skin: Skin | undefined, dofs:
       see(matrices, 16 * j + 12);
       if (length) see(tipPosition(length, matrices, j), 0);
     });
-    for (const { position } of endSitePositions(skeleton, matrices)) see(position, 0);
+    for (const { position } of endSitePositions(skeleton, matrices, dofs)) see(position, 0);
     world = matrices;
   }
   if (skin) {

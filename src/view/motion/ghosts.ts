@@ -24,7 +24,7 @@ import { type Character, shownTake } from '../../model/document.ts';
 import type { Display } from '../../model/session.ts';
 import { rawColor } from '../scene/thick-lines.ts';
 import { ballGeometry, boneGeometry, type Level, levelFor } from '../skeleton/bone-levels.ts';
-import { nodesFor, sizesFor } from '../skeleton/drawn-skeletons.ts';
+import { nodesFor, posedNodes, sizesFor } from '../skeleton/drawn-skeletons.ts';
 import { fillBones, placementScale, placePoints } from '../skeleton/node-matrices.ts';
 import type { StageTheme } from '../theme.ts';
 
@@ -125,7 +125,7 @@ export class Ghosts {
       const opacity = opacityOf(step, step < 0 ? display.ghostsBefore : display.ghostsAfter);
       for (const place of placements) {
         placementMatrix(place, character.space, display.inPlace ? travel : NO_TRAVEL, placement);
-        placePoints(nodes, placement, 0, world, placed);
+        placePoints(posedNodes(nodes, skeleton, dofs), placement, 0, world, placed);
         const scale = placementScale(placement, 0);
         fillBones(nodes, compiled.parent, sizes, scale, placed, matricesOf(balls), matricesOf(bones), first);
         for (let n = first; n < first + nodes.count; n++) tint.setXYZW(n, color.r, color.g, color.b, opacity);

@@ -7,7 +7,7 @@ import { Group, InstancedBufferAttribute, type OrthographicCamera, type Perspect
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { CameraProjection } from '../camera/camera-projection.ts';
 import type { Overlay } from '../overlay.ts';
-import { haveSameJoints, type Nodes, nodesFor } from '../skeleton/drawn-skeletons.ts';
+import { haveSameJoints, type Nodes, nodesFor, posedNodes } from '../skeleton/drawn-skeletons.ts';
 import { placeNodes } from '../skeleton/node-matrices.ts';
 import type { StageTheme } from '../theme.ts';
 import { BoneShapes } from './bone-shapes.ts';
@@ -22,6 +22,8 @@ export interface RigPicture {
   readonly skeleton: Skeleton;
   /** 16 numbers per joint, in the character's space, as posed now. */
   world(): Float64Array | undefined;
+  /** All DOFs of the character, as posed now. */
+  dofs(): Float64Array | undefined;
   /** From the character's space to the world. */
   placement(): Float64Array | undefined;
   /** The active joint. */
@@ -121,9 +123,9 @@ export class RigOverlay implements Overlay {
     this.heightPx = heightPx;
     const { picture, world, projection } = this;
     const from = picture?.world();
-    const placement = picture?.placement();
-    this.object.visible = picture !== undefined && from !== undefined && placement !== undefined;
-    if (!picture || !from || !placement) return;
+    const [dofs, placement] = [picture?.dofs(), picture?.placement()];
+    this.object.visible = from !== undefined && dofs !== undefined && placement !== undefined;
+    if (!picture || !from || !dofs || !placement) return;
     const nodes = nodesFor(picture.skeleton);
     // Another document may be about to be shown: its matrices come with its frame.
     if (from.length < 16 * nodes.jointCount) {
@@ -132,7 +134,7 @@ export class RigOverlay implements Overlay {
     }
     this.isBehind = false;
     projection.look(camera, heightPx);
-    placeNodes(nodes, placement, 0, from, world);
+    placeNodes(posedNodes(nodes, picture.skeleton, dofs), placement, 0, from, world);
     this.placeBones(nodes);
     this.placeMarks(picture, nodes);
     const { selected, axes, withArrows } = picture;

@@ -8,6 +8,7 @@
  * does.
  */
 import { Bone, type Matrix4 } from 'three';
+import { endsAt, hasStretches } from '../../evaluate/end-sites.ts';
 import { type CompiledSkeleton, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { PoseRotations } from '../../evaluate/rotations/pose-rotations.ts';
 import { setIdentity } from '../../math/mat4.ts';
@@ -26,6 +27,8 @@ interface Reaches {
   readonly centres: Float64Array;
   /** Half of each side, x y z. */
   readonly halves: Float64Array;
+  /** Where DOFs move bone ends: joints and centres of these, in no pose. */
+  readonly ends?: { readonly owners: Int32Array; readonly at: Float64Array };
 }
 
 function reachesOf(skeleton: Skeleton): Reaches {
@@ -41,10 +44,15 @@ function reachesOf(skeleton: Skeleton): Reaches {
   joints.forEach((joint, j) => {
     if (hasBox(joint) && !tooLarge) all.push({ joint: j, ...joint.box });
   });
+  const owners = Int32Array.from(all, ({ joint }) => joint);
+  const centres = Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => (least + max[k]) / 2)));
   return {
-    joints: Int32Array.from(all, ({ joint }) => joint),
+    joints: owners,
     endCount,
-    centres: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => (least + max[k]) / 2))),
+    centres,
+    ...(hasStretches(skeleton) && {
+      ends: { owners: owners.subarray(0, endCount), at: centres.slice(0, 3 * endCount) },
+    }),
     // Boxes with min > max are drawn too.
     halves: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => Math.abs(max[k] - least) / 2))),
   };
@@ -71,7 +79,7 @@ export class Bones {
   /** The pose whose parent-space matrices have not been computed yet. */
   private posed: Float64Array | undefined;
 
-  constructor(skeleton: Skeleton) {
+  constructor(private readonly skeleton: Skeleton) {
     this.reaches = reachesOf(skeleton);
     const compiled = compileSkeleton(skeleton);
     this.compiled = compiled;
@@ -168,6 +176,8 @@ export class Bones {
    */
   pose(dofs: Float64Array, rotations?: PoseRotations): void {
     worldMatrices(this.compiled, dofs, this.world, rotations);
+    const { ends, centres } = this.reaches;
+    if (ends) endsAt(this.skeleton, ends.owners, ends.at, dofs, 0, centres);
     this.posed = dofs;
   }
 

@@ -7,6 +7,7 @@
  *
  * Picking or hovering an End Site means the joint that it ends.
  */
+import { endsAt, hasStretches } from '../../evaluate/end-sites.ts';
 import { type JointSizes, jointSizes } from '../../evaluate/shapes/joint-shapes.ts';
 import { perObject } from '../../model/per-object.ts';
 import { boneEnds } from '../../model/skeleton/bone-ends.ts';
@@ -21,6 +22,8 @@ export interface PosedSkeleton {
   readonly skeleton: Skeleton;
   /** 16 numbers per joint, in the character's space. */
   readonly world: Float64Array;
+  /** All DOFs of the character, as posed. */
+  readonly dofs: Float64Array;
   /** 16 numbers per placement. */
   readonly placements: Float64Array;
   readonly hasSkin: boolean;
@@ -72,18 +75,29 @@ export interface Nodes {
   readonly owners: Int32Array;
   /** x y z of each End Site, in its joint's space. */
   readonly ends: Float64Array;
+  /** The same with ends as posed (`posedNodes`); absent if no DOF moves any. */
+  readonly posed?: Nodes;
+}
+
+/** The nodes with End Sites where the DOFs have them, until the next call for this skeleton. */
+export function posedNodes(nodes: Nodes, skeleton: Skeleton, dofs: Float64Array): Nodes {
+  const { owners, ends, posed } = nodes;
+  if (!posed) return nodes;
+  endsAt(skeleton, owners, ends, dofs, 0, posed.ends);
+  return posed;
 }
 
 function nodesOf(skeleton: Skeleton): Nodes {
   const jointCount = skeleton.joints.length;
   const ends = boneEnds(skeleton);
-  return {
+  const nodes: Nodes = {
     count: jointCount + ends.length,
     jointCount,
     parents: Int32Array.from([...skeleton.joints.map((j) => j.parent), ...ends.map((e) => e.joint)]),
     owners: Int32Array.from(ends, ({ joint }) => joint),
     ends: Float64Array.from(ends.flatMap(({ at }) => at)),
   };
+  return hasStretches(skeleton) ? { ...nodes, posed: { ...nodes, ends: nodes.ends.slice() } } : nodes;
 }
 
 /** `jointSizes`, cached per skeleton. */

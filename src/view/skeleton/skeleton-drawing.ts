@@ -31,6 +31,7 @@ import {
   jointAt,
   ownerOf,
   type PosedSkeleton,
+  posedNodes,
 } from './drawn-skeletons.ts';
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
@@ -192,7 +193,7 @@ export class SkeletonDrawing {
     const { joint } = selection;
     const isMarked = joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId;
     // Balls and bones need positions only, everything else orientations too.
-    placePositions(nodes, placements, 16 * p, drawn.world, positions, first);
+    placePositions(posedNodes(nodes, drawn.skeleton, drawn.dofs), placements, 16 * p, drawn.world, positions, first);
     if (drawsBoxes || isMarked || axes.mesh.visible) placeNodes(nodes, placements, 16 * p, drawn.world, world);
     if (balls.mesh.visible) {
       const { values } = this.nodes;

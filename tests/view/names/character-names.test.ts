@@ -16,6 +16,7 @@ function place(points: readonly (readonly [number, number])[]): number[] | undef
       name: 'dancer',
       skeleton: { name: '', joints },
       world: new Float64Array(16 * joints.length),
+      dofs: new Float64Array(0),
       placements: new Float64Array(16),
       hasSkin: false,
     },

@@ -16,7 +16,7 @@ function picture(of: Skeleton, copy = 0): RigPicture {
   const placement = IDENTITY.slice();
   placement[13] = copy;
   const look = { selected: undefined, others: [], axes: 'parent', withArrows: false } as const;
-  return { skeleton: of, world: () => world, placement: () => placement, ...look };
+  return { skeleton: of, world: () => world, dofs: () => new Float64Array(0), placement: () => placement, ...look };
 }
 
 function camera(): PerspectiveCamera {

@@ -17,6 +17,7 @@ function posed(characterId: string, of = personSkeleton(), placements = 1): Pose
     characterId,
     skeleton: of,
     world: new Float64Array(16 * of.joints.length),
+    dofs: new Float64Array(0),
     placements: new Float64Array(16 * placements),
     hasSkin: false,
   };

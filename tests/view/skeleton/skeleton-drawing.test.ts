@@ -13,11 +13,13 @@ import { personSkeleton } from '../../helpers/mocap.ts';
 
 function posed(characterId: string, of: Skeleton): PosedSkeleton {
   const world = new Float64Array(16 * of.joints.length);
-  worldMatrices(compileSkeleton(of), Float64Array.from(filePose(of, 0)), world);
+  const dofs = Float64Array.from(filePose(of, 0));
+  worldMatrices(compileSkeleton(of), dofs, world);
   return {
     characterId,
     skeleton: of,
     world,
+    dofs,
     placements: Float64Array.from(new Matrix4().elements),
     hasSkin: false,
   };

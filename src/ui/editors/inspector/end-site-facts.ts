@@ -1,13 +1,18 @@
 /** Positions of a joint's End Sites among its details: in the joint's space as in the file, and as posed. */
-import { endSitePosition } from '../../../evaluate/end-sites.ts';
-import type { Joint } from '../../../model/skeleton/skeleton.ts';
+import { endSitePositions } from '../../../evaluate/end-sites.ts';
+import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import type { FactList } from './fact-list.ts';
 
 /**
- * Adds the tables, if there are End Sites. Returns a function that fills in the posed positions from all joints'
- * matrices.
+ * Adds the tables, if a joint has End Sites. Returns a function that fills in the posed positions from all joints'
+ * matrices and DOFs.
  */
-export function endSiteTables({ endSites = [] }: Joint, index: number, list: FactList): (world: Float64Array) => void {
+export function endSiteTables(
+  skeleton: Skeleton,
+  index: number,
+  list: FactList,
+): (world: Float64Array, dofs: Float64Array) => void {
+  const { endSites = [] } = skeleton.joints[index];
   if (endSites.length === 0) return () => {};
   const several = endSites.length > 1;
   const shape = {
@@ -21,9 +26,10 @@ export function endSiteTables({ endSites = [] }: Joint, index: number, list: Fac
   endSites.forEach((end, e) => {
     own.setRow(e, end);
   });
-  return (world) => {
-    endSites.forEach((end, e) => {
-      posed.setRow(e, endSitePosition(end, world, index));
+  return (world, dofs) => {
+    const all = endSitePositions(skeleton, world, dofs).filter(({ joint }) => joint === index);
+    all.forEach(({ position }, e) => {
+      posed.setRow(e, position);
     });
   };
 }

@@ -91,7 +91,7 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
   if (joint.length !== undefined) list.fact('Bone', shown(joint.length), exact(joint.length));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
 
-  const fillEnds = endSiteTables(joint, index, list);
+  const fillEnds = endSiteTables(skeleton, index, list);
   const dofs = dofTable(wb, character, index, list);
   const local = list.grid({ label: 'Local matrix', rows: 4, columns: 4 });
   const world = list.grid({ label: 'World matrix', rows: 4, columns: 4 });
@@ -118,7 +118,7 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
     world.grid.setMatrix(worlds, 16 * index);
     world.note(mirrorText(worlds, 16 * index));
     if (length !== undefined) tip?.grid.setRow(0, tipPosition(length, worlds, index));
-    fillEnds(worlds);
+    fillEnds(worlds, facts.dofs);
   };
   return { element: list.element, fill };
 }

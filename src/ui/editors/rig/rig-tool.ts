@@ -173,6 +173,7 @@ class RigTool implements ModeTool {
         character && {
           skeleton,
           world: () => viewport.character(character.id)?.worlds,
+          dofs: () => viewport.character(character.id)?.dofs,
           placement: () => viewport.placementOf(character.id, viewport.pickedCopy(character)),
           selected: selectedJoint(wb)?.joint,
           others: selectedJoints(wb)?.joints.slice(0, -1) ?? [],
