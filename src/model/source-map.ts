@@ -13,7 +13,9 @@ export type SourceTarget =
   | { readonly kind: 'triangle'; readonly triangle: number }
   | { readonly kind: 'channel'; readonly channel: number }
   | { readonly kind: 'key'; readonly channel: number; readonly key: number }
-  | { readonly kind: 'frame'; readonly frame: number };
+  | { readonly kind: 'frame'; readonly frame: number }
+  /** The values of a joint in a frame, or in all; `name` as `boneKey` has it. */
+  | { readonly kind: 'bone'; readonly name: string; readonly frame?: number };
 
 /** Both included. */
 export interface LineRange {
@@ -57,6 +59,17 @@ export interface SourceRows {
   readonly indices?: Uint32Array;
   /** Default 0. */
   readonly first?: number;
+  /** The bone of each line of a row after its first one, as `boneKey` has it; the same in all rows. */
+  readonly bones?: readonly string[];
+}
+
+/** Longer names are cut. */
+const KEY_BYTES = 64;
+
+/** A name as it is compared with those of lines: bytes of UTF-8, in lower case, cut. */
+export function boneKey(name: string): string {
+  const bytes = new TextEncoder().encode(name).subarray(0, KEY_BYTES);
+  return String.fromCharCode(...bytes).replace(/[A-Z]/g, (letter) => letter.toLowerCase());
 }
 
 /** Lines that hold a part, by themselves or beside others. */
@@ -79,6 +92,7 @@ export function linesOf(map: SourceMap, target: SourceTarget): readonly LineRang
   const { marks, rows } = map;
   const found: LineRange[] = [];
   for (const block of rows) {
+    if (target.kind === 'bone') found.push(...linesOfBone(block, target.name, target.frame));
     const index = indexIn(block, target);
     if (index === undefined) continue;
     const row = block.indices ? block.indices.indexOf(index) : index - (block.first ?? 0);
@@ -97,9 +111,11 @@ export function linesOf(map: SourceMap, target: SourceTarget): readonly LineRang
 /** The part that a line holds: the smallest if there are several. Undefined for a line of none. */
 export function targetAt({ marks, rows }: SourceMap, line: number): SourceTarget | undefined {
   for (const block of rows) {
-    const { lines, indices, first = 0 } = block;
+    const { lines, indices, first = 0, bones } = block;
     if (lines.count === 0 || line < lines.lines[0] || line > lines.end) continue;
     const row = rowAt(lines, line);
+    const name = bones?.[line - lineOfRow(lines, row) - 1];
+    if (name) return { kind: 'bone', name, frame: first + row };
     return targetOf(block, indices ? indices[row] : first + row);
   }
   let best: SourceMark | undefined;
@@ -108,6 +124,19 @@ export function targetAt({ marks, rows }: SourceMap, line: number): SourceTarget
     if (!best || mark.to - mark.from <= best.to - best.from) best = mark;
   }
   return best?.target;
+}
+
+/** The lines of a bone in a block of frames, or in one frame. */
+function linesOfBone({ lines, bones = [], first = 0 }: SourceRows, name: string, frame?: number): readonly LineRange[] {
+  const found: LineRange[] = [];
+  const [from, to] = frame === undefined ? [0, lines.count] : [frame - first, frame - first + 1];
+  for (let b = bones.indexOf(name); b >= 0; b = bones.indexOf(name, b + 1)) {
+    for (let row = Math.max(0, from); row < Math.min(lines.count, to); row++) {
+      const line = lineOfRow(lines, row) + b + 1;
+      found.push({ from: line, to: line });
+    }
+  }
+  return found;
 }
 
 /** The lines of a row, the last one up to where the next row begins. */

@@ -1,4 +1,4 @@
-/** `.asf`: the lines of each bone. `.amc`: the first line of each frame. */
+/** `.asf`: the lines of each bone. `.amc`: the lines of each frame, and of each bone in it. */
 import type { Located, Locator } from './locator.ts';
 import { RowsBuilder } from './row-lines.ts';
 
@@ -7,27 +7,71 @@ export function asfLocator(found: Located): Locator {
   return new AsfLocator(found);
 }
 
-/** Marks the frames of a motion in `found`. */
+/** Marks the frames of a motion, and the lines of bones in them, in `found`. */
 export function amcLocator(found: Located): Locator {
-  const rows = new RowsBuilder(1);
-  let last = 0;
-  const isFirst = (line: number) => {
-    const first = line !== last;
-    last = line;
-    return first;
-  };
-  return {
-    inRows: false,
-    word: (_, line) => void isFirst(line),
-    value: (line, read) => {
-      if (isFirst(line)) rows.token(line, read);
-    },
-    open: () => undefined,
-    close: () => undefined,
-    end: (line) => {
-      found.rows.push({ of: 'frame', lines: { ...rows.done(), end: line } });
-    },
-  };
+  return new AmcLocator(found);
+}
+
+/** Frames with the same bones in the same lines are one block of rows. */
+class AmcLocator implements Locator {
+  readonly inRows = false;
+  private rows = new RowsBuilder(1);
+  /** Of the rows. */
+  private bones: readonly string[] = [];
+  private first = 0;
+  /** Frames begun. */
+  private frames = 0;
+  private frameLine = 0;
+  /** Those of this frame, on the lines after its first one. */
+  private own: string[] = [];
+  private last = 0;
+
+  constructor(private readonly found: Located) {}
+
+  word(text: string, line: number): void {
+    if (line === this.last) return;
+    this.last = line;
+    if (this.frames === 0) return;
+    const { own } = this;
+    for (let next = this.frameLine + 1 + own.length; next < line; next++) own.push('');
+    own.push(text);
+  }
+
+  value(line: number): void {
+    if (line === this.last) return;
+    if (this.frames > 0) this.endFrame();
+    this.last = line;
+    this.frames++;
+    this.frameLine = line;
+    this.own = [];
+  }
+
+  open(): void {}
+
+  close(): void {}
+
+  end(line: number): void {
+    if (this.frames === 0) return;
+    this.endFrame();
+    this.endRows(line);
+  }
+
+  private endFrame(): void {
+    const { own, bones, frames, frameLine } = this;
+    const isSame = own.length === bones.length && own.every((name, i) => name === bones[i]);
+    if (!isSame) {
+      if (frames > 1) this.endRows(frameLine - 1);
+      this.rows = new RowsBuilder(1);
+      this.bones = own;
+      this.first = frames - 1;
+    }
+    this.rows.token(frameLine, () => 1);
+  }
+
+  private endRows(line: number): void {
+    const { rows, bones, first } = this;
+    this.found.rows.push({ of: 'frame', lines: { ...rows.done(), end: line }, first, bones });
+  }
 }
 
 interface BoneLines {

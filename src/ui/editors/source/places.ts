@@ -9,9 +9,10 @@ import type { PartMark, PartMarks } from '../../../model/part.ts';
 import type { Selection } from '../../../model/session.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { isOfAcclaim } from '../../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { Skin } from '../../../model/skin.ts';
-import type { SourceTarget } from '../../../model/source-map.ts';
+import { boneKey, type SourceTarget } from '../../../model/source-map.ts';
 import { keysOf } from '../../../model/takes/take.ts';
 
 /** What a character has from a file. */
@@ -103,6 +104,8 @@ export function targetsOf(parts: FileParts, selection: Selection, chosen: Chosen
     }
     if (hasSkin) found.push({ kind: 'binding', joint });
     if (!hasTake || keys?.length) continue;
+    const own = character.skeleton?.joints[joint];
+    if (own && isOfAcclaim(own.motion)) found.push({ kind: 'bone', name: boneKey(own.name) });
     dofs.forEach((own, channel) => {
       const isMeant = dof === undefined || joint !== joints[0] || channel === dof;
       if (own.joint === joint && isMeant) found.push({ kind: 'channel', channel });
@@ -175,6 +178,13 @@ function pickIn(parts: FileParts, target: SourceTarget): Picked | undefined {
       if (!parts.hasTake || !samples || target.frame >= samples.frameCount) return undefined;
       const at = samples.startSeconds + target.frame * samples.frameSeconds - character.timeOffsetSeconds;
       return { selection: { characterId }, timeSeconds: at, text: `Frame ${target.frame}` };
+    }
+    case 'bone': {
+      const joint = skeleton?.joints.findIndex((each) => boneKey(each.name) === target.name) ?? -1;
+      const frame = pickIn(parts, { kind: 'frame', frame: target.frame ?? 0 });
+      return joint < 0 || !frame
+        ? undefined
+        : { ...frame, selection: { characterId, joint }, text: `${name(joint)} in frame ${target.frame}` };
     }
   }
 }

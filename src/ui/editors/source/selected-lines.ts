@@ -125,8 +125,14 @@ export class SelectedLines {
   }
 
   private selectedOf({ origins }: Origins): readonly SourceTarget[] {
-    const { store, posing } = this.wb;
+    const { store, posing, transport } = this.wb;
     const chosen = posing.chosenDof.get();
-    return origins.flatMap((origin) => targetsThen(origin, store.selection, chosen));
+    return origins.flatMap((origin) => {
+      const frame = frameThen(origin, transport.get().timeSeconds);
+      // Of lines in each frame, that of the current time is shown first.
+      const inFrame = (target: SourceTarget) =>
+        target.kind === 'bone' && frame?.kind === 'frame' ? [{ ...target, frame: frame.frame }, target] : [target];
+      return targetsThen(origin, store.selection, chosen).flatMap(inFrame);
+    });
   }
 }
