@@ -109,15 +109,26 @@ export async function loadAny(args: readonly string[], folder: string, otherwise
  * As `loadAny`, of files that were found already.
  *
  * @param near where those of an archive look for further files
+ * @param spare further files for those that find none of their kind
  */
-export async function loadFound(given: readonly GivenPath[], folder: string, near = given): Promise<Loaded> {
-  return loadGiven(given, undefined, await importGiven(given, folder, near));
+export async function loadFound(
+  given: readonly GivenPath[],
+  folder: string,
+  near = given,
+  spare: readonly Beside[] = [],
+): Promise<Loaded> {
+  return loadGiven(given, undefined, await importGiven(given, folder, near, spare));
 }
 
 /** Files that were imported, and those that are parts of them, by their paths. */
 type ImportedPaths = ReadonlyMap<string, LoadedOne | 'part'>;
 
-async function importGiven(given: readonly GivenPath[], folder: string, near = given): Promise<ImportedPaths> {
+async function importGiven(
+  given: readonly GivenPath[],
+  folder: string,
+  near = given,
+  spare: readonly Beside[] = [],
+): Promise<ImportedPaths> {
   const out = new Map<string, LoadedOne | 'part'>();
   for (const file of given) {
     const { path, absolute, bytes: held } = file;
@@ -130,8 +141,13 @@ async function importGiven(given: readonly GivenPath[], folder: string, near = g
         fileName: name,
         bytes,
         beside: async (wanted) =>
-          isFile(absolute) ? besideOnDisk(absolute, wanted, folder) : besideInZip(file, wanted, near),
-        near: (extension) => namesNear(file, extension, near),
+          (isFile(absolute) ? besideOnDisk(absolute, wanted, folder) : await besideInZip(file, wanted, near)) ??
+          spare.find(({ source }) => source.name === wanted),
+        near: (extension) => {
+          const names = namesNear(file, extension, near);
+          const others = spare.map(({ source }) => source.name).filter((other) => other.endsWith(`.${extension}`));
+          return names.length > 0 ? names : others;
+        },
       });
       out.set(path, { bytes: bytes.length, diagnostics, ...(value && { content: value }), beside });
       for (const part of beside) out.set(part.path, 'part');

@@ -572,15 +572,20 @@ describe('a class with files of Acclaim', () => {
     given('acclaim/ann');
     given('acclaim/bob/hw', ODD_AMC.replace('low 0.2', 'low 0.7'));
     given('acclaim/cid', ODD_AMC.replace('low 0.2', 'lov 0.2'));
+    // Read with the skeleton of the reference.
+    write('acclaim/dot/x_walk.amc', ODD_AMC);
+    write('acclaim/eve/x_walk.amc', ODD_AMC.replace('low 0.2', 'low 0.7'));
     const { submissions } = await commandJson<{ readonly submissions: readonly Grade[] }>(
       ['grade', 'acclaim', '--reference', 'acclaim-ref'],
       folder,
       1,
     );
-    const [ann, bob, cid] = submissions;
+    const [ann, bob, cid, dot, eve] = submissions;
     expect([ann.verdict, bob.verdict, cid.loads]).toEqual(['right', 'wrong', false]);
     expect(ann.joints).toBe(5);
     expect(bob.parts).toMatchObject([{ own: ['low'] }]);
     expect(cid.problems[0]).toMatchObject({ code: 'bone-unknown', line: 12 });
+    expect([dot.verdict, dot.problems]).toEqual(['right', []]);
+    expect([eve.verdict, eve.parts]).toMatchObject(['wrong', [{ own: ['low'] }]]);
   });
 });

@@ -116,7 +116,7 @@ class Judging {
       const message = `Expected files with the reference's names (${names}) or a dump, found none.`;
       return notJudged(path, withoutPlace('error', 'nothing-to-judge', message, path));
     }
-    const loaded = await loadFound(read, this.options.folder);
+    const loaded = await loadFound(read, this.options.folder, read, reference.skeletons);
     problems.push(...loaded.diagnostics.filter(({ code }) => code !== 'format-unknown'));
     if (used.size > 0) this.judgeFiles(loaded, counterparts);
     for (const file of loaded.files) if (file.kind === 'dump' && !used.has(file.source.path)) this.judgeDump(file);

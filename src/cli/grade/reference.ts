@@ -1,5 +1,8 @@
 /** The teacher's files: what is right. */
 
+import { isBesideTakes } from '../../files/kinds.ts';
+import { outputOf, savedFileOf } from '../../files/save/output.ts';
+import type { Beside } from '../../import/imported.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, shownTake } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
@@ -16,6 +19,8 @@ export interface Reference {
   /** With paths relative to the reference folder. */
   readonly files: readonly ParsedFile[];
   readonly dumps: readonly RightDump[];
+  /** Skeletons that motions without one of their own are read with. */
+  readonly skeletons: readonly Beside[];
 }
 
 /** Broken files; all are told in full behind them. */
@@ -59,7 +64,16 @@ export async function loadReference(
   if (characters.length === 0 && dumps.length === 0) {
     throw new UsageError(`The reference ${path} has no skeleton, skin, animation or dump to grade against.`);
   }
-  return { characters, joined, files: loaded.files, dumps };
+  return { characters, joined, files: loaded.files, dumps, skeletons: skeletonsIn(loaded.files) };
+}
+
+function skeletonsIn(files: readonly ParsedFile[]): readonly Beside[] {
+  return files.flatMap((file): readonly Beside[] => {
+    const { source } = file;
+    if (!isBesideTakes(source.name)) return [];
+    const { text } = savedFileOf(outputOf({ name: source.name, content: () => file }));
+    return [{ source, bytes: new TextEncoder().encode(text) }];
+  });
 }
 
 /** Parts of a take at which it is compared if no times are given: within, and before and after it. */
