@@ -4,12 +4,12 @@
  */
 
 import { CommandError } from '../edit/command-error.ts';
-import { formatKindOf, isSaved, KINDS } from '../files/kinds.ts';
+import { formatKindOf, isBesideTakes, isSaved, KINDS, skeletonKindFor } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { Format } from '../files/readers.ts';
 import { bvhOf, type NamedCapture, skelOf, withoutBones } from '../files/save/character-files.ts';
 import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversion.ts';
-import { acclaimCopies, bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
+import { acclaimCopies, acclaimRootsCopies, bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
 import { type Output, outputOf } from '../files/save/output.ts';
 import { copiesOf, isCopy } from '../files/save/saving.ts';
 import { unitNotKept } from '../files/save/unit-not-kept.ts';
@@ -56,7 +56,7 @@ export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: 
 
 function pick(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   const { kind } = format;
-  if (kind === 'asf' || kind === 'amc') return acclaimOf(files, format, out, options);
+  if (isBesideTakes(out) || skeletonKindFor(out)) return acclaimOf(files, format, out, options);
   const fitting = files.filter((file) => file.kind === kind);
   if (fitting.length > 1)
     return {
@@ -236,14 +236,17 @@ function acclaimOf(files: readonly ParsedFile[], format: Format, out: string, op
   const characters = charactersOf(files, options).filter(({ skeleton }) => skeleton);
   const [character] = characters;
   if (!character) return { refusal: nothingFor(files, format, out) };
-  if (characters.length > 1) {
+  const why = characters.map(KINDS.asf.save.obstacle).find((each) => each !== undefined);
+  if (why !== undefined) return { refusal: refusal('conversion-refused', why, out) };
+  const copies =
+    characters.length === 1
+      ? acclaimCopies(character, options, stem(out))
+      : files.length === 1 && acclaimRootsCopies(characters, options, stem(out));
+  if (!copies) {
     const names = characters.map(({ name }) => name);
     return { refusal: tooMany(format, names, out, '"--to asf --out DIR" writes each.') };
   }
-  const why = KINDS.asf.save.obstacle(character);
-  if (why !== undefined) return { refusal: refusal('conversion-refused', why, out) };
-  const outputs = acclaimCopies(character, options, stem(out)).map(outputOf);
-  const [first, ...others] = outputs;
+  const [first, ...others] = copies.map(outputOf);
   return { output: first, beside: others };
 }
 

@@ -10,7 +10,7 @@ import type { Capture } from '../model/files.ts';
 import { rootDofCount } from '../model/skeleton/dofs.ts';
 import { dofsOf } from '../model/skeleton/joint-types.ts';
 import type { AcclaimHeader, AcclaimMotion, Joint, Skeleton } from '../model/skeleton/skeleton.ts';
-import { UNLIMITED } from '../model/skeleton/skeleton.ts';
+import { NO_BOX, UNLIMITED } from '../model/skeleton/skeleton.ts';
 import { DEFAULT_SPACE } from '../model/space.ts';
 import type { Samples } from '../model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../model/takes/take.ts';
@@ -70,6 +70,52 @@ function takeFrom(name: string, skeleton: Skeleton, samples: Samples): Take {
   const { startSeconds, frameSeconds, frameCount } = samples;
   const channels = Array.from({ length: count }, (_, c) => (c < samples.firstChannel ? restChannel() : SAMPLED));
   return { name, range: [startSeconds, startSeconds + (frameCount - 1) * frameSeconds], channels, samples };
+}
+
+/**
+ * Several roots with the same frames as one: bones with six DOFs below a root that stays at 0.
+ * @param captures made by `toAcclaimBones` of characters that don't consist of such bones
+ */
+export function joinedRoots(captures: readonly Capture[]): Capture {
+  const { dofs } = MOVES;
+  const joints: Joint[] = [
+    {
+      name: 'root',
+      parent: -1,
+      offset: [0, 0, 0],
+      box: NO_BOX,
+      motion: { ...MOVES, frame: 'root' },
+      limits: dofs.map(() => UNLIMITED),
+      pose: dofs.map(() => 0),
+    },
+  ];
+  for (const { skeleton } of captures) {
+    const first = joints.length;
+    for (const joint of skeleton.joints) {
+      if (joint.parent < 0) joints.push({ ...joint, parent: 0, motion: MOVES });
+      else joints.push({ ...joint, parent: joint.parent + first });
+    }
+  }
+  const skeleton: Skeleton = { ...captures[0].skeleton, joints };
+  const all = captures.flatMap(({ take }) => take?.samples ?? []);
+  const scales = [
+    ...dofs.map((dof) => (dof.startsWith('r') ? RADIANS_PER_DEGREE : 1)),
+    ...all.flatMap((s) => [...s.scales]),
+  ];
+  const [first] = all;
+  const values = new Float64Array(first.frameCount * scales.length);
+  let from = dofs.length;
+  for (const {
+    values: own,
+    scales: { length },
+  } of all) {
+    for (let f = 0; f < first.frameCount; f++) {
+      values.set(own.subarray(f * length, (f + 1) * length), f * scales.length + from);
+    }
+    from += length;
+  }
+  const name = captures[0].take?.name ?? skeleton.name;
+  return { skeleton, take: takeFrom(name, skeleton, { ...first, values, scales: Float64Array.from(scales) }) };
 }
 
 class Converting {

@@ -14,7 +14,15 @@ import { inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { formatKindOf } from '../kinds.ts';
 import { bvhOf } from './character-files.ts';
-import { acclaimCopies, animCopies, bvhCopy, type ConversionOptions, rigCopies, skelCopies } from './copies.ts';
+import {
+  acclaimCopies,
+  acclaimRootsCopies,
+  animCopies,
+  bvhCopy,
+  type ConversionOptions,
+  rigCopies,
+  skelCopies,
+} from './copies.ts';
 import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
@@ -39,7 +47,7 @@ export function outputsOf(
   options: ConversionOptions = {},
 ): readonly Output[] {
   if (target === 'bvh') return bvhOutputs(characters, options);
-  if (target === 'asf') return characters.flatMap((character) => acclaimCopies(character, options).map(outputOf));
+  if (target === 'asf') return acclaimOutputs(characters, options);
   return characters.flatMap((character) => {
     if (!character.skeleton) return [];
     const takes = animCopies(character, options).map(outputOf);
@@ -110,6 +118,13 @@ function bvhOutputs(characters: readonly Character[], options: ConversionOptions
     return [outputOf(bvhCopy(`${stemOf(source)}.bvh`, first))];
   }
   return all.flat().map((capture) => outputOf(bvhCopy(`${capture.name}.bvh`, [capture])));
+}
+
+/** Roots of one file as one skeleton if possible, and else each by itself. */
+function acclaimOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
+  const isOneFile = characters.length > 1 && sameSource(characters);
+  const roots = isOneFile ? acclaimRootsCopies(characters, options, stemOf(characters[0].sources[0])) : undefined;
+  return (roots ?? characters.flatMap((character) => acclaimCopies(character, options))).map(outputOf);
 }
 
 function sameSource(characters: readonly Character[]): boolean {

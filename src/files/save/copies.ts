@@ -3,9 +3,11 @@
  * and take, either form of skeletons, a `.rig` with the names of the others. Saving them marks nothing as saved.
  */
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import { joinedRoots } from '../../evaluate/acclaim-bones.ts';
+import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
-import type { Character } from '../../model/document.ts';
+import { type Character, isOfJoints } from '../../model/document.ts';
 import type { Capture, FileContent } from '../../model/files.ts';
 import { newFileName } from '../../model/part.ts';
 import type { Rig } from '../../model/rig.ts';
@@ -73,14 +75,37 @@ export function acclaimCopies(
   { framesPerSecond }: ConversionOptions,
   stem?: string,
 ): readonly Copy[] {
-  const made = acclaimOf(character, framesPerSecond);
+  const hasTakes = character.takes.length > 0 || character.driver !== undefined;
+  return acclaimFiles(acclaimOf(character, framesPerSecond), hasTakes, stem);
+}
+
+/**
+ * Roots of one file as one Acclaim skeleton, with the take that they share; undefined if they are of Acclaim already,
+ * or have other frames or several takes. Refuses as `bvhCopies`.
+ * @param stem as of `acclaimCopies`
+ */
+export function acclaimRootsCopies(
+  characters: readonly Character[],
+  { framesPerSecond }: ConversionOptions,
+  stem: string,
+): readonly Copy[] | undefined {
+  if (characters.some((character) => isOfJoints(character, 'asf'))) return undefined;
+  const roots = characters.flatMap((character) => acclaimOf(character, framesPerSecond));
+  const captures = roots.map(({ capture }) => capture);
+  if (roots.length !== characters.length || !fitOneBvh(captures)) return undefined;
+  const diagnostics = roots.flatMap((root) => root.diagnostics);
+  const hasTakes = characters.some(({ takes }) => takes.length > 0);
+  return acclaimFiles([{ name: stem, capture: joinedRoots(captures), diagnostics }], hasTakes, stem);
+}
+
+function acclaimFiles(made: readonly NamedCapture[], hasTakes: boolean, stem: string | undefined): readonly Copy[] {
   const [first] = made;
   if (!first) return [];
   const { skeleton } = first.capture;
   const base = stem ?? skeleton.name;
   const own = (name: string) => (stem === undefined && name.startsWith(base) ? name : `${base}_${name}`);
   const named = (name: string) => (stem !== undefined && made.length === 1 ? base : own(name));
-  const takes = character.takes.length > 0 || character.driver ? made : [];
+  const takes = hasTakes ? made : [];
   return [
     { name: `${base}.asf`, content: () => ({ kind: 'asf', skeleton }), diagnostics: first.diagnostics },
     ...takes.map((take) => amcCopy(`${named(take.name)}.amc`, { ...take.capture, skeleton })),
