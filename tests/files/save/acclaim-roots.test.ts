@@ -7,6 +7,7 @@ import { openFiles } from '../../../src/files/open/open-files.ts';
 import { outputsOf } from '../../../src/files/save/conversion.ts';
 import { acclaimRootsCopies } from '../../../src/files/save/copies.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import { DEFAULT_SPACE } from '../../../src/model/space.ts';
 import { read } from '../../formats/read-in-pieces.ts';
 import { readAmcText, writtenText } from '../../helpers/acclaim.ts';
 import { expectClose } from '../../helpers/close.ts';
@@ -37,8 +38,11 @@ ${[0, 1, 2, 3].map((f) => [...ROW(f), ...ROW(7 - f)].join(' ')).join('\n')}
 function roots(): readonly Character[] {
   const { value } = read('two.bvh', BVH);
   if (!value) throw new Error('It was not read.');
-  return openFiles(EMPTY_DOCUMENT, [{ ...value, source: { name: 'two.bvh', path: 'two.bvh', bytes: 1 } }]).document
-    .characters;
+  const { document } = openFiles(EMPTY_DOCUMENT, [
+    { ...value, source: { name: 'two.bvh', path: 'two.bvh', bytes: 1 } },
+  ]);
+  // These are no persons: nothing of the file tells which axis is up.
+  return document.characters.map((character) => ({ ...character, space: DEFAULT_SPACE }));
 }
 
 /** Positions of joints in each frame. */
