@@ -1,5 +1,5 @@
 /** Which of a character's channels rotate one joint together, and the Euler filter for all of them. */
-import { eulerDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
+import { turnedDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import type { Character } from '../../model/document.ts';
 import { couplesOf } from '../../model/skeleton/couples.ts';
 import { characterDofs, firstDofs } from '../../model/skeleton/dofs.ts';
@@ -47,7 +47,7 @@ export function filterCharacter(
       done.add(index);
       continue;
     }
-    const angles = eulerDofs(joint.motion);
+    const angles = turnedDofs(joint.motion);
     if (angles) {
       const together = [first + angles.x, first + angles.y, first + angles.z];
       const limits = together.map((i) => dofs[i].limit);

@@ -6,7 +6,7 @@
  * must not spin in between. The rotation at every frame is unchanged. Between frames samples rotate a joint along the
  * shortest arc, keys each angle separately; at mocap rates the difference is invisible.
  */
-import { eulerDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
+import { turnedDofs, turningDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
@@ -71,7 +71,7 @@ function unwind(channels: Map<number, KeyedChannel>, skeleton: Skeleton): void {
   const starts = firstDofs(skeleton);
   skeleton.joints.forEach(({ motion }, j) => {
     const first = starts[j];
-    const euler = eulerDofs(motion);
+    const euler = turnedDofs(motion);
     const together = euler ? [euler.x, euler.y, euler.z].map((dof) => first + dof) : [];
     const [x, y, z] = together.map((c) => channels.get(c));
     if (euler && x && y && z) {

@@ -2,7 +2,7 @@
  * Blends two poses: rotations along the shortest arc at constant speed (Shoemake 1985), three Euler angles through
  * their quaternion and back to the nearest angles; everything else linearly.
  */
-import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/rotations/euler-dofs.ts';
+import { appliedDofs, renamedAxes, turnedDofs } from '../../evaluate/rotations/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { slerp } from '../../math/slerp.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
@@ -26,7 +26,7 @@ export function blendPoses(
   if (!skeleton) return out;
   const first = firstDofs(skeleton);
   skeleton.joints.forEach(({ motion }, j) => {
-    const euler = eulerDofs(motion);
+    const euler = turnedDofs(motion);
     const [x] = quaternionDofs(motion);
     if (x !== undefined) blendQuaternions(from, to, share, first[j] + x, out);
     if (!euler) return;

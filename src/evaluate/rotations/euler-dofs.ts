@@ -1,6 +1,6 @@
 /** Which of a joint's DOFs are rotation angles: all three of a rotation, or each by itself. */
-import { dofsOf, factorsOf, pitchOf, stretches } from '../../model/skeleton/joint-types.ts';
-import type { EulerOrder, Motion } from '../../model/skeleton/skeleton.ts';
+import { dofsOf, factorsOf, pitchOf, stretches, turnsOf } from '../../model/skeleton/joint-types.ts';
+import type { CompoundDof, EulerOrder, Motion } from '../../model/skeleton/skeleton.ts';
 
 /** The DOFs of a joint that are the Euler angles of its whole rotation. */
 export interface EulerDofs {
@@ -20,6 +20,15 @@ export function eulerDofs(motion: Motion): EulerDofs | undefined {
   return turns.length === 3 && turns[2] - turns[0] === 2 ? listedAngles(motion) : undefined;
 }
 
+/**
+ * The three rotations of a joint that turn it as a whole, if adjacent, though constant turns may be before and after
+ * them: the shortest way from one rotation to another is the same between these. Undefined as of `eulerDofs`.
+ */
+export function turnedDofs(motion: Motion): EulerDofs | undefined {
+  const turns = turnsOf(motion);
+  return turns ? anglesIn(turns, motion) : eulerDofs(motion);
+}
+
 /** The three rotations of a joint that otherwise only translates, before, between or after them. */
 export function rigidEulerDofs(motion: Motion): EulerDofs | undefined {
   return stretches(motion) ? undefined : listedAngles(motion);
@@ -27,7 +36,11 @@ export function rigidEulerDofs(motion: Motion): EulerDofs | undefined {
 
 /** Factors are listed from left to right, so the last one is applied first. */
 function listedAngles(motion: Motion): EulerDofs | undefined {
-  const axes = (factorsOf(motion) ?? []).filter((name) => name.startsWith('r')).map((name) => name[1]);
+  return anglesIn(factorsOf(motion) ?? [], motion);
+}
+
+function anglesIn(factors: readonly CompoundDof[], motion: Motion): EulerDofs | undefined {
+  const axes = factors.filter((name) => name.startsWith('r')).map((name) => name[1]);
   if (axes.length !== 3) return undefined;
   const names = dofsOf(motion).map(({ name }) => name);
   const [x, y, z] = ['rx', 'ry', 'rz'].map((name) => names.indexOf(name));

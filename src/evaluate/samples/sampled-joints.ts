@@ -6,7 +6,7 @@ import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
 import { perSkeleton } from '../../model/skeleton/per-skeleton.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { CompiledTake } from '../compiled-take.ts';
-import { appliedDofs, eulerDofs, renamedAxes, turningDofs } from '../rotations/euler-dofs.ts';
+import { appliedDofs, renamedAxes, turnedDofs, turningDofs } from '../rotations/euler-dofs.ts';
 
 /** DOFs in the character's order, and beside each list the columns that drive them. */
 export interface SampledJoints {
@@ -81,7 +81,7 @@ function sort({ columns, samples }: CompiledTake, skeleton: Skeleton): SampledJo
     return true;
   };
   skeleton.joints.forEach(({ motion }, j) => {
-    const euler = eulerDofs(motion);
+    const euler = turnedDofs(motion);
     if (euler) {
       const applied = appliedDofs(euler).map((dof) => first[j] + dof);
       const renamed = renamedAxes(euler.order);

@@ -4,15 +4,17 @@ import { ACCLAIM_DOFS, type AcclaimMotion, type CompoundDof, EULER_ORDERS } from
 import { dof } from './dof.ts';
 import type { JointType } from './type.ts';
 
-/** Without axes of its own: one-DOF matrices, translations first; of the rotations the last is applied first. */
-function plainFactors({ dofs }: AcclaimMotion): readonly CompoundDof[] | undefined {
-  const factors: CompoundDof[] = [];
-  for (const name of dofs) {
-    if (name === 'l') return undefined;
-    factors.push(name);
-  }
-  const turns = factors.filter((name) => name.startsWith('r')).reverse();
-  return [...factors.filter((name) => name.startsWith('t')), ...turns];
+/** Those of a kind, of which the last is applied first. */
+function factorsOf({ dofs }: AcclaimMotion, kind: 't' | 'r'): readonly CompoundDof[] {
+  return dofs.flatMap((name) => (name !== 'l' && name.startsWith(kind) ? [name] : []));
+}
+
+const turnsOf = (motion: AcclaimMotion) => factorsOf(motion, 'r').toReversed();
+
+/** Without axes of its own, or a length: one-DOF matrices, translations first. */
+function plainFactors(motion: AcclaimMotion): readonly CompoundDof[] | undefined {
+  const isPlain = !motion.dofs.includes('l') && motion.axes.every((angle) => angle === 0);
+  return isPlain ? [...factorsOf(motion, 't'), ...turnsOf(motion)] : undefined;
 }
 
 /** The joint of a `.asf`: the DOFs of its bone, in the file's order, about axes of its own. */
@@ -37,7 +39,8 @@ export const ACCLAIM: JointType<AcclaimMotion> = {
   quaternion: [],
   isAxisAngle: false,
   dofs: ({ dofs }) => dofs.map(dof),
-  factors: (motion) => (motion.axes.every((angle) => angle === 0) ? plainFactors(motion) : undefined),
+  factors: plainFactors,
+  turns: turnsOf,
   formula: ({ frame }) => (frame === 'bone' ? 'C·T(t)·R·C⁻¹' : 'T(t)·C·R'),
   carriesCharacter: ({ dofs }) => (['tx', 'ty', 'tz'] as const).every((name) => dofs.includes(name)),
   mirrored(motion, across) {

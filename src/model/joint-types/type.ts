@@ -35,6 +35,11 @@ export interface JointType<M extends Motion = Motion> {
    */
   factors(motion: M): readonly CompoundDof[] | undefined;
   /**
+   * The rotations of such a product, from left to right, where the matrix has constant turns before or after them; absent:
+   * those of `factors`.
+   */
+  turns?(motion: M): readonly CompoundDof[];
+  /**
    * J as a formula of its DOFs and of the normalised axis a, for motions without factors: `T(t·a)`.
    */
   formula?(motion: M): string;

@@ -57,6 +57,11 @@ export function factorsOf(motion: Motion): readonly CompoundDof[] | undefined {
   return jointTypeOf(motion).factors(motion);
 }
 
+/** The rotations of a motion's matrix between constant turns; undefined if it has none of these: see `JointType.turns`. */
+export function turnsOf(motion: Motion): readonly CompoundDof[] | undefined {
+  return jointTypeOf(motion).turns?.(motion);
+}
+
 /** The motion's matrix as a formula, for motions without factors: see `JointType.formula`. */
 export function formulaOf(motion: Motion): string | undefined {
   return jointTypeOf(motion).formula?.(motion);
