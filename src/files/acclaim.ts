@@ -10,27 +10,23 @@ import { readWhole } from '../formats/reader.ts';
 import { ParseError, Report } from '../formats/report.ts';
 import type { Import } from '../import/imported.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
+import type { ContentOf } from '../model/files.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { FileSpace } from '../model/space.ts';
 import type { Take } from '../model/takes/take.ts';
 import { skeletonNameFor } from './acclaim-names.ts';
 import type { ImportedFile } from './imports.ts';
 
-/** The kinds of files of Acclaim. */
-export type AcclaimKind = 'asf' | 'amc';
-
-/** Reads a file of Acclaim. Never throws for anything that the file holds. */
-export async function readAcclaim(kind: AcclaimKind, given: Import): Promise<ImportedFile> {
-  return kind === 'asf' ? skeletonFile(given) : takeFile(given);
-}
-
-function skeletonFile({ fileName, bytes }: Import): ImportedFile {
+/** Reads a `.asf`. Never throws for anything that the file holds. */
+export function readAcclaimSkeleton({ fileName, bytes }: Import): ImportedFile<ContentOf<'asf'>> {
   const { value: skeleton, diagnostics } = readWhole(asfReader(fileName), bytes);
   if (!skeleton) return { diagnostics, beside: [] };
   return { value: { kind: 'asf', skeleton, space: spaceOf(skeleton, undefined) }, diagnostics, beside: [] };
 }
 
-async function takeFile({ fileName, bytes, beside, near }: Import): Promise<ImportedFile> {
+/** Reads an `.amc` with the skeleton that its name belongs to. Never throws for anything that the file holds. */
+export async function readAcclaimTake(given: Import): Promise<ImportedFile<ContentOf<'amc'>>> {
+  const { fileName, bytes, beside, near } = given;
   const name = skeletonNameFor(fileName, near?.('asf') ?? []);
   const found = name === undefined ? undefined : await beside(name);
   if (!found) {

@@ -6,13 +6,13 @@ import { readGltf } from '../import/gltf/read.ts';
 import { type Import, ImportError, type Imported } from '../import/imported.ts';
 import { toCharacter } from '../import/to-character.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { baseName, type ContentOf, type SourceFile } from '../model/files.ts';
+import { baseName, type ContentOf, type FileContent, type SourceFile } from '../model/files.ts';
 
 /** The kinds of files that are read as whole characters of other programs. */
 export type ImportedKind = 'gltf' | 'fbx';
 
 /** The result of reading a file of another program. */
-export interface ImportedFile<C = ContentOf<'character' | 'asf' | 'amc'>> {
+export interface ImportedFile<C = FileContent> {
   /** Absent if and only if there is an error. */
   readonly value?: C;
   readonly diagnostics: readonly Diagnostic[];

@@ -28,7 +28,12 @@ type MakeReader<C> = (fileName: string, byteLength?: number) => Reader<C>;
 const skel: MakeReader<ContentOf<'skel'>> = (name) =>
   mapped(skelReader(name), (skeletons) => ({ kind: 'skel', skeletons }));
 
-const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
+/** Reads a file whole, with others beside it or with decoders: fetched when a file needs it, since few do. */
+interface Fetched<C> {
+  readonly imports: (given: Import) => Promise<ImportedFile<C>>;
+}
+
+const READERS = {
   skel,
   axskel: skel,
   skin: (name) => mapped(skinReader(name), (skin) => ({ kind: 'skin', skin })),
@@ -37,14 +42,19 @@ const READERS: { readonly [K in FormatKind]: MakeReader<HeldBy<K>> } = {
   rig: (name) => mapped(rigReader(name), (rig) => ({ kind: 'rig', rig })),
   bvh: captured,
   pose: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
-  gltf: notStreamed,
-  fbx: notStreamed,
-  asf: notStreamed,
-  amc: notStreamed,
+  gltf: { imports: async (given: Import) => (await import('./imports.ts')).importFile('gltf', given) },
+  fbx: { imports: async (given: Import) => (await import('./imports.ts')).importFile('fbx', given) },
+  asf: { imports: async (given: Import) => (await import('./acclaim.ts')).readAcclaimSkeleton(given) },
+  amc: { imports: async (given: Import) => (await import('./acclaim.ts')).readAcclaimTake(given) },
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
-};
+} satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K>> };
+
+/** A kind of file that is read whole, by a reader that is fetched for it. */
+export type FetchedKind = {
+  [K in FormatKind]: (typeof READERS)[K] extends Fetched<unknown> ? K : never;
+}[FormatKind];
 
 /** How files of one format are read. */
 export interface Format {
@@ -67,6 +77,7 @@ export function formatOf(fileName: string): Format | undefined {
   const format = formatKindOf(fileName);
   if (!format) return undefined;
   const reader = readerOf(format);
+  const own: MakeReader<FileContent> | Fetched<FileContent> = READERS[format];
   const layouts: { readonly [K in FormatKind]?: TextLayout } = TEXT_LAYOUTS;
   const layout = layouts[format];
   return {
@@ -74,10 +85,10 @@ export function formatOf(fileName: string): Format | undefined {
     kind: KINDS[format].content,
     label: KINDS[format].label,
     reader,
-    ...(READERS[format] === notStreamed && {
+    ...('imports' in own && {
       imports: async (given: Import) => {
         const other = otherContent(given.fileName, format, given.bytes);
-        return other ? { diagnostics: [other], beside: [] } : importer(format, given);
+        return other ? { diagnostics: [other], beside: [] } : own.imports(given);
       },
     }),
     ...(layout && {
@@ -97,26 +108,13 @@ export function dumpFormat(): Format {
 
 /** Whatever the name of a file says, its first bytes may be those of something else. */
 function readerOf(format: FormatKind): MakeReader<FileContent> {
-  const reader: MakeReader<FileContent> = READERS[format];
+  const own: MakeReader<FileContent> | Fetched<FileContent> = READERS[format];
+  const reader = 'imports' in own ? notStreamed : own;
   return (name, byteLength) =>
     readerByHead(HEAD_BYTES, (head) => {
       const other = otherContent(name, format, head);
       return other ? { feed: () => undefined, end: () => ({ diagnostics: [other] }) } : reader(name, byteLength);
     });
-}
-
-/** What reads a file whole is fetched for it. */
-async function importer(format: FormatKind, given: Import): Promise<ImportedFile> {
-  switch (format) {
-    case 'asf':
-    case 'amc':
-      return (await import('./acclaim.ts')).readAcclaim(format, given);
-    case 'gltf':
-    case 'fbx':
-      return (await import('./imports.ts')).importFile(format, given);
-    default:
-      throw new Error(`Files of the kind ${format} are read in pieces.`);
-  }
 }
 
 /** For files that `imports` reads. */

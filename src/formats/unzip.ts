@@ -1,7 +1,8 @@
 /** Extracts files from a zip, by fflate. Unwanted entries are never unpacked. */
 
-import { strFromU8, unzipSync } from 'fflate';
+import { unzipSync } from 'fflate';
 import { UserError } from '../model/user-error.ts';
+import { zipDirectory } from './zip-directory.ts';
 
 /** A file taken out of an archive. */
 export interface ZipEntry {
@@ -33,7 +34,8 @@ export function unzip(
 ): { entries: ZipEntry[]; passedOver: string[] } {
   const passedOver: string[] = [];
   let [total, packed] = [0, 0];
-  const encrypted = encryptedEntries(bytes);
+  // fflate would unpack them to noise.
+  const encrypted = new Set(zipDirectory(bytes)?.flatMap(({ name, isEncrypted }) => (isEncrypted ? [name] : [])));
   const files = unzipSync(bytes, {
     filter({ name, size, originalSize }) {
       // Folders, and the extra files of macOS.
@@ -65,32 +67,4 @@ function withOwnBuffer(content: Uint8Array): Uint8Array<ArrayBuffer> {
   const { buffer } = content;
   const isWhole = buffer instanceof ArrayBuffer && buffer.byteLength === content.byteLength;
   return isWhole ? new Uint8Array(buffer) : new Uint8Array(content);
-}
-
-/** Where the central directory begins (APPNOTE 4.3.14 to 4.3.16), in 64 bits too; undefined if there is no end of it. */
-function directoryAt(view: DataView): number | undefined {
-  let end = view.byteLength - 22;
-  while (end >= 0 && view.getUint32(end, true) !== 0x06054b50) end--;
-  if (end < 0) return undefined;
-  const at = view.getUint32(end + 16, true);
-  const locator = end - 20;
-  if (locator < 0 || view.getUint32(locator, true) !== 0x07064b50) return at;
-  const record = Number(view.getBigUint64(locator + 8, true));
-  if (record + 56 > view.byteLength || view.getUint32(record, true) !== 0x06064b50) return at;
-  return Number(view.getBigUint64(record + 48, true));
-}
-
-/** Names of encrypted entries, by the central directory (APPNOTE 4.3.12): fflate would unpack noise. */
-function encryptedEntries(bytes: Uint8Array): ReadonlySet<string> {
-  const found = new Set<string>();
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  let at = directoryAt(view) ?? bytes.length;
-  while (at + 46 <= bytes.length && view.getUint32(at, true) === 0x02014b50) {
-    const lengths = [28, 30, 32].map((field) => view.getUint16(at + field, true));
-    if (view.getUint16(at + 8, true) & 1) {
-      found.add(strFromU8(bytes.subarray(at + 46, at + 46 + lengths[0]), !(view.getUint16(at + 8, true) & 0x800)));
-    }
-    at += 46 + lengths[0] + lengths[1] + lengths[2];
-  }
-  return found;
 }

@@ -1,8 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { AcclaimKind } from '../../src/files/acclaim.ts';
-import type { ImportedKind } from '../../src/files/imports.ts';
 import { FORMAT_KINDS, type FormatKind, factsOf, isSaved, KINDS, READABLE_EXTENSIONS } from '../../src/files/kinds.ts';
-import { formatOf } from '../../src/files/readers.ts';
+import { type FetchedKind, formatOf } from '../../src/files/readers.ts';
 import { outputOf } from '../../src/files/save/output.ts';
 import { WRITERS } from '../../src/files/writers.ts';
 import type { FileContent } from '../../src/model/files.ts';
@@ -26,7 +24,7 @@ interface GivenFile {
 }
 
 /** Content of each kind, or a file if it is only read. */
-const EXAMPLES: Readonly<Record<Exclude<FormatKind, ImportedKind | AcclaimKind>, FileContent | GivenFile>> = {
+const EXAMPLES: Readonly<Record<Exclude<FormatKind, FetchedKind>, FileContent | GivenFile>> = {
   skel: { kind: 'skel', skeletons: [skeleton(2)] },
   axskel: { kind: 'skel', skeletons: [{ name: 'x', joints: [HINGE], form: 'axis-angle' }] },
   skin: { kind: 'skin', skin: skin() },
