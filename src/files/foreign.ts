@@ -132,11 +132,12 @@ const FOREIGN: readonly Foreign[] = [
     extensions: ['smd', 'dmx', 'vta'],
     start: /^(\/\/[^\n\r]*[\n\r]+)*version 1\s+nodes\b/,
   },
+  { name: 'an array of numpy', now: renamed('npy'), start: /^\x93NUMPY/, of: ['numpy'] },
   {
     name: 'a file of numeric arrays',
-    now: 'Save it as .bvh from the program that made it, or with a script, and open that.',
-    extensions: ['npy', 'npz', 'pkl', 'pickle', 'pt', 'h5', 'hdf5', 'mat'],
-    start: /^(\x93NUMPY|\x80[␂-␅].|\x89HDF|MATLAB 5\.0)/s,
+    now: 'Save it as .npz from the program that made it, or with a script (numpy.savez), and open that.',
+    extensions: ['pkl', 'pickle', 'pt', 'h5', 'hdf5', 'mat'],
+    start: /^(\x80[␂-␅].|\x89HDF|MATLAB 5\.0)/s,
   },
   {
     name: 'a mesh without a skeleton',
@@ -158,7 +159,7 @@ const FOREIGN: readonly Foreign[] = [
   { name: 'a 7z archive', now: UNPACK, extensions: ['7z'], start: /^7z\xbc\xaf\x27␜/ },
   { name: 'a RAR archive', now: UNPACK, extensions: ['rar'], start: /^Rar!␚/ },
   { name: 'a tar archive', now: UNPACK, extensions: ['tar'], start: /^.{257}ustar/s },
-  { name: 'a zip archive', now: renamed('zip'), start: /^PK(␃␄|␅␆|␇␈)/, of: ['zip'] },
+  { name: 'a zip archive', now: renamed('zip'), start: /^PK(␃␄|␅␆|␇␈)/, of: ['zip', 'numpy'] },
   { name: 'a PDF document', now: 'Open the file it describes.', extensions: ['pdf'], start: /^%PDF-/ },
   {
     name: 'a video',
@@ -240,7 +241,7 @@ function renamed(extension: string): string {
  */
 export function otherContent(fileName: string, kind: ContentKind, head: Uint8Array): Diagnostic | undefined {
   // Text readers say what they expected first.
-  if (head.length === 0 && (kind === 'zip' || kind === 'gltf' || kind === 'fbx')) {
+  if (head.length === 0 && (kind === 'zip' || kind === 'gltf' || kind === 'fbx' || kind === 'numpy')) {
     return withoutPlace('error', 'file-empty', 'The file is empty: copy or export it again.', fileName);
   }
   const from = head[0] === 0xef && head[1] === 0xbb && head[2] === 0xbf ? 3 : 0;

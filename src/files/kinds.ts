@@ -186,6 +186,12 @@ export const KINDS = {
     content: 'character',
     reviewed: ['fbx'],
   },
+  numpy: {
+    extensions: ['npz', 'npy'],
+    label: 'arrays of numpy',
+    content: 'character',
+    reviewed: ['npz', 'npy'],
+  },
   texture: {
     extensions: TEXTURE_EXTENSIONS,
     label: 'image',
@@ -425,15 +431,11 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     endSites: sum(skeleton.joints.map(({ endSites = [] }) => endSites.length)),
     dofs: jointDofCount(skeleton),
   }),
-  amc({ skeleton, take: { samples } }) {
-    const range = samples && rangeOfSamples(samples);
-    return {
-      joints: skeleton.joints.length,
-      dofs: jointDofCount(skeleton),
-      frames: samples?.frameCount ?? 0,
-      ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
-    };
-  },
+  amc: ({ skeleton, take }) => ({
+    joints: skeleton.joints.length,
+    dofs: jointDofCount(skeleton),
+    ...frameFacts([take]),
+  }),
   pose: ({ poses }) => ({ poses: poses.length, names: poses.map(({ name }) => name) }),
   character: ({ characters }) => ({
     joints: sum(characters.map(({ skeleton }) => skeleton.joints.length)),
@@ -442,6 +444,7 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     morphs: sum(characters.map(({ morphs }) => morphs.length)),
     takes: characters.flatMap(({ takes }) => takes.map(({ name }) => name)),
     textures: characters.flatMap(({ textures }) => textures.map(({ name }) => name)),
+    ...frameFacts(characters.flatMap(({ takes }) => takes)),
   }),
   texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),
   markers: ({ markers }) => ({ markers: markers.length, labels: markers.map(({ label }) => label) }),
@@ -454,6 +457,14 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     })),
   }),
 };
+
+/** Of the first take that has frames; nothing if none has. */
+function frameFacts(takes: readonly Take[]): Facts {
+  const samples = takes.find((take) => take.samples)?.samples;
+  if (!samples) return {};
+  const [from, to] = rangeOfSamples(samples);
+  return { frames: samples.frameCount, frameTime: samples.frameSeconds, duration: to - from };
+}
 
 /** In the order in which they are printed. */
 export function factsOf(content: FileContent): Facts {

@@ -46,6 +46,7 @@ const READERS = {
   fbx: { imports: async (given: Import) => (await import('./imports.ts')).importFile('fbx', given) },
   asf: { imports: async (given: Import) => (await import('./acclaim.ts')).readAcclaimSkeleton(given) },
   amc: { imports: async (given: Import) => (await import('./acclaim.ts')).readAcclaimTake(given) },
+  numpy: { imports: async (given: Import) => (await import('./numpy.ts')).readNumpyFile(given) },
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),

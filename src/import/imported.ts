@@ -61,6 +61,15 @@ export class Remarks {
     if (!this.told.has(key)) this.told.set(key, withoutPlace('warning', code, message, this.fileName, assumed));
   }
 
+  /**
+   * Adds something worth knowing, once.
+   * @param assumed what is used instead, if anything
+   */
+  tell(code: string, message: string, assumed?: string): void {
+    const key = `${code} ${message}`;
+    if (!this.told.has(key)) this.told.set(key, withoutPlace('info', code, message, this.fileName, assumed));
+  }
+
   /** Names something that a character can't hold: "2 cameras". */
   leaveOut(what: string): void {
     this.lost.add(what);

@@ -18,7 +18,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 const latin1 = (text: string) => Uint8Array.from(text, (c) => c.charCodeAt(0));
 const LFS = 'version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 1234567\n';
 
-it.each(['zip', 'glb', 'gltf', 'fbx'] as const)('an empty .%s is said to be empty', async (kind) => {
+it.each(['zip', 'glb', 'gltf', 'fbx', 'npz', 'npy'] as const)('an empty .%s is said to be empty', async (kind) => {
   const path = join(folder, `empty.${kind}`);
   writeFileSync(path, '');
   const { code, err } = await command(['info', path], folder);
@@ -41,7 +41,7 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['\xfd7zXZ\0', /xz/],
   ['\x28\xb5\x2f\xfd\0', /Zstandard/],
   ['7z\xbc\xaf\x27\x1c', /7z/],
-  ['PK\x03\x04\x14\0', /zip archive/],
+  ['PK\x03\x04\x14\0', /zip archive/, ['numpy']],
   [`${'a.bvh'.padEnd(257, '\0')}ustar\0`, /tar archive/],
   ['%PDF-1.7', /PDF/],
   ['\x89PNG\r\n\x1a\n', /image/, ['texture']],
@@ -56,7 +56,7 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['# made by\n\n# me\n:version 1.10\n:name VICON\n', /Acclaim skeleton/, ['asf']],
   ['#!OML:ASF F:\\VICON\\acclaim.asf\n:FULLY-SPECIFIED\n:DEGREES\n1\n', /Acclaim motion/, ['amc']],
   ['\x02P\0\0\0\0\0\0\0', /C3D/],
-  ['\x93NUMPY\x01\0', /arrays/],
+  ['\x93NUMPY\x01\0', /array of numpy/, ['numpy']],
   ['glTF\x02\0\0\0', /glTF.*\.glb/, ['gltf']],
   ['Kaydara FBX Binary  \0', /FBX.*\.fbx/, ['fbx']],
   ['; FBX 7.5.0 project file\n', /FBX.*\.fbx/, ['fbx']],
@@ -174,7 +174,7 @@ describe('a kind of file that is not read', () => {
     'usdz',
     'dae',
     'abc',
-    'npz',
+    'pkl',
     'trc',
     'vmd',
     '7z',

@@ -1,38 +1,13 @@
 /** Real and made files of Acclaim against separately computed positions and rotations. */
 import { expect, it } from 'vitest';
-import { eachFrame } from '../../../src/evaluate/bake.ts';
-import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { endSitePositions } from '../../../src/evaluate/end-sites.ts';
-import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { metresPerUnit } from '../../../src/evaluate/space/metres.ts';
 import { readAmcText, readAsfText } from '../../helpers/acclaim.ts';
-import { conformance, describeShared, sharedBytes } from '../../helpers/shared.ts';
-
-interface TakeCase {
-  readonly name: string;
-  readonly kind: string;
-  readonly files: readonly string[];
-  readonly joints: readonly string[];
-  readonly parents: readonly number[];
-  readonly frames: number;
-  readonly fps: number;
-  readonly size: number;
-  readonly tolerance?: number;
-  readonly metres?: number;
-  readonly at: Readonly<Record<string, { readonly positions: number[][]; readonly rotations: number[][] }>>;
-  readonly ends?: Readonly<Record<string, number[][]>>;
-}
-
-interface MalformedCase {
-  readonly file: string;
-  readonly with: readonly string[];
-  readonly word: string;
-}
+import { eachWorld, labCases } from '../../helpers/lab.ts';
+import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 
 describeShared('files of Acclaim', () => {
-  const { cases, malformed } = conformance<{ cases: readonly TakeCase[]; malformed: readonly MalformedCase[] }>(
-    'lab.json',
-  );
+  const { cases, malformed } = labCases();
   const acclaim = cases.filter(({ files }) => files.some((file) => file.endsWith('.amc')));
 
   it.each(acclaim)('the take $name has its joints where the reference has them', async (given) => {
@@ -51,17 +26,13 @@ describeShared('files of Acclaim', () => {
     expect(1 / samples.frameSeconds).toBeCloseTo(given.fps, 9);
     if (given.metres && space) expect(metresPerUnit(space.space)).toBeCloseTo(given.metres, 9);
 
-    const compiled = compileSkeleton(skeleton);
-    const world = new Float64Array(16 * compiled.jointCount);
     const off: number[] = [0];
-    eachFrame(bareCharacter(skeleton, take), samples, (dofs, frame) => {
+    eachWorld(skeleton, take, (world, dofs, frame) => {
       const wanted = given.at[frame];
-      if (!wanted) return;
-      worldMatrices(compiled, dofs, world);
-      wanted.positions.forEach((at, j) => {
+      wanted?.positions?.forEach((at, j) => {
         off.push(...at.map((v, k) => Math.abs(v - world[16 * j + 12 + k]) / given.size));
       });
-      wanted.rotations.forEach((rows, j) => {
+      wanted?.rotations?.forEach((rows, j) => {
         off.push(...rows.map((v, k) => Math.abs(v - world[16 * j + 4 * (k % 3) + Math.floor(k / 3)])));
       });
       const ends = endSitePositions(skeleton, world, dofs);

@@ -1,0 +1,60 @@
+/** Bones of a tree whose joints are given by their positions: how long they are, and which tree they are those of. */
+import type { JointTree } from './known-trees.ts';
+import { type JointFrameSet, type PointPaths, someFrames } from './point-paths.ts';
+
+/** Frames that lengths are measured in. */
+const MEASURED = 8192;
+
+/** The frames that a tree is measured in. */
+export function measuredFrames(paths: PointPaths, tree: JointTree): JointFrameSet {
+  return someFrames(paths, tree, MEASURED);
+}
+
+/** The median length of the bone from each joint's parent to it; 0 of a root. */
+export function boneLengths({ parents }: JointTree, frames: JointFrameSet): Float64Array {
+  const lengths = new Float64Array(frames.count);
+  return Float64Array.from(parents, (parent, j) => {
+    if (parent < 0) return 0;
+    writeLengths(frames, parents.length, j, parent, lengths);
+    return median(lengths);
+  });
+}
+
+/** The tree whose bones vary least in length, of some. @throws Error without any */
+export function steadiestTree(paths: PointPaths, trees: readonly JointTree[]): JointTree {
+  const varied = trees.map((tree) => ({ tree, variation: variation(tree, measuredFrames(paths, tree)) }));
+  return varied.reduce((best, one) => (one.variation < best.variation ? one : best)).tree;
+}
+
+/** The mean over the bones of the deviation of their lengths, each by its mean length. */
+function variation({ parents }: JointTree, frames: JointFrameSet): number {
+  const lengths = new Float64Array(frames.count);
+  let [sum, count] = [0, 0];
+  parents.forEach((parent, j) => {
+    if (parent < 0) return;
+    writeLengths(frames, parents.length, j, parent, lengths);
+    const mean = lengths.reduce((total, length) => total + length, 0) / lengths.length;
+    const squares = lengths.reduce((total, length) => total + (length - mean) ** 2, 0) / lengths.length;
+    if (mean > 0) sum += Math.sqrt(squares) / mean;
+    count++;
+  });
+  return sum / Math.max(1, count);
+}
+
+function writeLengths({ count, positions }: JointFrameSet, joints: number, a: number, b: number, out: Float64Array) {
+  for (let i = 0; i < count; i++) {
+    const [p, q] = [3 * (i * joints + a), 3 * (i * joints + b)];
+    out[i] = Math.hypot(
+      positions[p] - positions[q],
+      positions[p + 1] - positions[q + 1],
+      positions[p + 2] - positions[q + 2],
+    );
+  }
+}
+
+/** Sorts the values. Of an even number it is the mean of the two in the middle. */
+export function median(values: Float64Array): number {
+  values.sort();
+  const half = values.length >> 1;
+  return values.length % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}

@@ -1,0 +1,81 @@
+/** Reads `.npy` and `.npz` files by what they hold: the first kind of arrays that fits. */
+import { capturesOfFrames } from '../../evaluate/captured-frames.ts';
+import { metresPerUnit, statedSpace } from '../../evaluate/space/metres.ts';
+import { guessSharedSpace } from '../../evaluate/space/space-guess.ts';
+import { stemOfName } from '../../formats/grammar.ts';
+import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Capture } from '../../model/files.ts';
+import type { FileSpace } from '../../model/space.ts';
+import { Budget } from '../budget.ts';
+import { type Import, ImportError, Remarks } from '../imported.ts';
+import { fail } from './frames.ts';
+import type { ArraysKind, ReadMotion } from './kind.ts';
+import { shapeText } from './npy.ts';
+import { Arrays } from './npz.ts';
+import { OWN } from './own.ts';
+import { HUMANML3D, POSITIONS } from './positions.ts';
+import { SMPL } from './smpl.ts';
+
+const KINDS: readonly ArraysKind[] = [OWN, SMPL, POSITIONS, HUMANML3D];
+
+/** Captures with the space that they share. */
+export interface ReadCaptures {
+  readonly captures: readonly Capture[];
+  readonly space: FileSpace;
+}
+
+/** The captures of a file; absent if it has errors. Never throws for anything that the file holds. */
+export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'>): {
+  readonly value?: ReadCaptures;
+  readonly diagnostics: readonly Diagnostic[];
+} {
+  const remarks = new Remarks(fileName);
+  try {
+    const budget = new Budget(bytes.length, (message) => fail('numpy-large', message));
+    const value = capturesIn(new Arrays(bytes, fileName, budget), fileName, remarks);
+    return { value, diagnostics: remarks.finish() };
+  } catch (error) {
+    if (!(error instanceof ImportError)) throw error;
+    return { diagnostics: [...remarks.finish(), remarks.error(error)] };
+  }
+}
+
+function capturesIn(arrays: Arrays, fileName: string, remarks: Remarks): ReadCaptures {
+  const kind = KINDS.find((own) => own.is(arrays));
+  if (!kind) return fail('arrays-unknown', unknown(arrays));
+  const motion = kind.read(arrays, remarks);
+  const captures = capturesOfFrames(stemOfName(fileName), motion.joints, motion.frames);
+  motion.told?.();
+  return { captures, space: spaceOf(captures, motion, remarks) };
+}
+
+/** Names of this many arrays are told. */
+const MAX_TOLD = 20;
+
+function unknown(arrays: Arrays): string {
+  const told = arrays.names.slice(0, MAX_TOLD).map((name) => {
+    const header = arrays.header(name);
+    return header
+      ? `${name} ${shapeText(header)}${header.type === 'O' ? ' of Python objects' : ''}`
+      : `${name} (not readable)`;
+  });
+  const more = arrays.names.length - told.length;
+  const found = told.length > 0 ? `${told.join(', ')}${more > 0 ? ` and ${more} more` : ''}` : 'no arrays';
+  return `Found ${found}. Expected ${KINDS.map(({ says }) => says).join('; ')}.`;
+}
+
+/** As the file states it; what it doesn't is guessed, and said. */
+function spaceOf(captures: readonly Capture[], { space, up }: ReadMotion, remarks: Remarks): FileSpace {
+  if (space) return space;
+  const guessed = guessSharedSpace(captures);
+  const metres = metresPerUnit(guessed.space);
+  if (!up) {
+    const used = `used ${metres} m per unit, ${guessed.space.up} up`;
+    remarks.tell('unit-guessed', 'The file states neither its unit nor its up axis.', used);
+    return guessed;
+  }
+  // The ground alone is guessed, in metres as the file has it.
+  const lift = guessed.space.up === up ? Number((guessed.space.lift / metres).toFixed(3)) : 0;
+  const stated = statedSpace(1);
+  return { ...stated, space: { ...stated.space, up, lift } };
+}
