@@ -153,7 +153,7 @@ class Figuring {
     const tips = tipsOf(skeleton);
     const leaves = leavesOf(skeleton);
     const joints = kept.map((j): Joint => {
-      const { endSites, parent, name, box } = skeleton.joints[j];
+      const { endSites, parent, name, box, restAngles } = skeleton.joints[j];
       const ends = [...(endSites ?? []), ...(tips.get(j) ?? []), ...(leaves.get(j) ?? [])];
       return {
         name: name || (isOfBvh(skeleton.joints[j].motion) ? '' : `joint${j}`),
@@ -164,6 +164,8 @@ class Figuring {
         limits: channels[j].map(() => UNLIMITED),
         pose: channels[j].map((channel) => (channel.startsWith('t') ? offsets[j]['xyz'.indexOf(channel[1])] : 0)),
         ...(ends.length && { endSites: ends }),
+        // Of the pose that the file's own motion is told from.
+        ...(restAngles && !this.character.driver && { restAngles }),
       };
     });
     const converted = { name: skeleton.name, joints };

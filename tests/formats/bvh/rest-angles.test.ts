@@ -1,9 +1,14 @@
 /** `OFFSET x y z rx ry rz`, as SOMA writes it. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { keyedTake } from '../../../src/edit/convert/keys-of-samples.ts';
 import { skelForm } from '../../../src/edit/convert/skel-form.ts';
+import { driverSource } from '../../../src/edit/drivers.ts';
+import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
+import { framesFor, toBvhCapture } from '../../../src/evaluate/bvh-capture.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import { writeSkel } from '../../../src/formats/skel/write.ts';
+import type { Character } from '../../../src/model/document.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { bytesOf, read, readAsOpened, readInPieces, told } from '../read-in-pieces.ts';
@@ -51,6 +56,19 @@ describe('six numbers after OFFSET', () => {
       expect(rewritten(once)).toBe(once);
       expect(readBvh(once, 'x.bvh').value).toEqual(readBvh(text, 'x.bvh').value);
     }
+  });
+
+  it('are kept when the motion is sampled anew, but not of one that is retargeted to the skeleton', () => {
+    const [{ skeleton, take }] = readBvh(SIX, 'x.bvh').value ?? [];
+    if (!take) throw new Error('It has no motion.');
+    const character = bareCharacter(skeleton, keyedTake(take, skeleton));
+    const angles = (of: Character) =>
+      toBvhCapture(of, framesFor(of, 20)).capture.skeleton.joints.map(({ restAngles }) => restAngles);
+    expect(angles(character)).toEqual(skeleton.joints.map(({ restAngles }) => restAngles));
+    const source = driverSource(character);
+    if (!source) throw new Error('It drives nothing.');
+    const driver = { sourceId: 'c2', source, pairs: [{ source: 0, target: 0 }], options: { reference: 'rest', plantsFeet: false } as const };
+    expect(angles({ ...character, driver })).toEqual([undefined, undefined]);
   });
 
   it('are left out of a .skel, which is said', () => {
