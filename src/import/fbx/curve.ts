@@ -10,6 +10,7 @@
  * The tangents of automatic keys are not in the file: they are computed as ufbx found the FBX SDK to compute them.
  */
 import { lastNotAbove } from '../../math/search.ts';
+import { perObject } from '../../model/per-object.ts';
 import type { FbxReport } from './failure.ts';
 import type { NumberPool } from './records/number-pool.ts';
 import { childOf, type FbxFile, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './records/record.ts';
@@ -30,6 +31,15 @@ export interface FbxCurve {
   readonly before: Beyond;
   readonly after: Beyond;
 }
+
+/** Whether a curve has the same value at all times, and no keys beyond its own. Cached. */
+export const isConstantCurve = perObject(({ values, slopesIn, slopesOut, before, after }: FbxCurve): boolean => {
+  if (before.mode !== 'constant' || after.mode !== 'constant') return false;
+  for (let i = 0; i < values.length; i++) {
+    if (values[i] !== values[0] || slopesIn[i] !== 0 || slopesOut[i] !== 0) return false;
+  }
+  return true;
+});
 
 /** Behaviour of a curve beyond its keys. */
 export interface Beyond {

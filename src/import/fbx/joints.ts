@@ -10,6 +10,7 @@
 
 import type { Vec3 } from '../../math/vec3.ts';
 import { drivenKey, type FbxTake } from './animation.ts';
+import { isConstantCurve } from './curve.ts';
 import { type KeptAngles, keptAngles } from './kept-angles.ts';
 import { NodeMotion, stretchSource } from './motion.ts';
 import type { FbxNode } from './nodes.ts';
@@ -79,12 +80,15 @@ function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): 
   return uneven;
 }
 
-/** All times at which a scale has a key, and some between. */
+/** All times at which a scale has a key, and some between; only one for those that never change. */
 function scaleTimes(take: FbxTake | undefined, nodes: readonly FbxNode[]): readonly number[] {
   const times = new Set<number>([0]);
-  for (const { driven } of take?.layers ?? []) {
+  const { layers = [] } = take ?? {};
+  for (const { driven } of layers) {
     for (const { object } of nodes) {
       for (const curve of driven.get(drivenKey(object.id, 'Lcl Scaling'))?.curves ?? []) {
+        // Weights of layers may change what constant curves make.
+        if (layers.length === 1 && curve && isConstantCurve(curve)) continue;
         curve?.times.forEach((time, i) => {
           times.add(time);
           if (i === 0) return;
@@ -102,19 +106,18 @@ const ONE: Vec3 = [1, 1, 1];
 
 /** How much nodes are stretched along their axes at a time of a take, by what they inherit and by their own scale. */
 export class Stretches {
-  private readonly motions: readonly NodeMotion[];
+  private readonly motions: (NodeMotion | undefined)[] = [];
 
   constructor(
     private readonly nodes: readonly FbxNode[],
-    take: FbxTake | undefined,
-  ) {
-    this.motions = nodes.map((node) => new NodeMotion(node, take));
-  }
+    private readonly take: FbxTake | undefined,
+  ) {}
 
   /** The factors of node `i` with those that it inherits, at a time in seconds; 1 for −1. */
   of(i: number, time: number): Vec3 {
     if (i < 0) return ONE;
-    const motion = this.motions[i];
+    // Of few nodes anything is asked.
+    const motion = (this.motions[i] ??= new NodeMotion(this.nodes[i], this.take));
     motion.scaleAt(time);
     const [x, y, z] = motion.scale;
     const source = stretchSource(this.nodes, i);

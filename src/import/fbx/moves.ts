@@ -3,7 +3,7 @@
  * between, its curves are the channels, with their keys and slopes; elsewhere keys are fitted to where the node is.
  */
 
-import { fitKeys } from '../../evaluate/fitting/fit-keys.ts';
+import { type Fitted, fitKeys } from '../../evaluate/fitting/fit-keys.ts';
 import { KeyList } from '../../evaluate/fitting/key-list.ts';
 import { axesOfOrder, writeAnglesNear } from '../../evaluate/rotations/euler-orders.ts';
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
@@ -16,7 +16,7 @@ import { NOISE } from '../noise.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
 import { ascending, channelKeys, channelOf } from './channels.ts';
-import type { Beyond, FbxCurve } from './curve.ts';
+import { type Beyond, type FbxCurve, isConstantCurve } from './curve.ts';
 import { type FbxJoint, Stretches } from './joints.ts';
 import { driversOf, NodeMotion } from './motion.ts';
 import { hasPivots, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
@@ -202,14 +202,14 @@ export class Mover {
     const { node, source, unscale } = joint;
     const divisor = unscale < 0 ? joint.divisor : -1;
     const isInherited = this.isStretched(source) || this.isStretched(divisor);
-    const motion = new NodeMotion(node, this.take);
+    if (!isDriven(drivers) && !isInherited) return undefined;
     const factors = restFactors(this.restStretches, source, divisor);
     const rest = node.scale.map((own, k) => own * factors[k]);
-    if (!isDriven(drivers) && !isInherited) return undefined;
     const only = onlyDriver(drivers);
     if (only && !isInherited) {
       return direct(only, (k) => ({ tolerance: this.tolerances.factor, factor: factors[k], offset: 0, rest: rest[k] }));
     }
+    const motion = new NodeMotion(node, this.take);
     const curves = [...curvesOf(drivers, this.take), ...this.stretchCurves(source), ...this.stretchCurves(divisor)];
     return this.fitted(joint, curves, rest, this.tolerances.factor, (time, _, out) => {
       motion.scaleAt(time);
@@ -254,10 +254,15 @@ export class Mover {
     curves: readonly FbxCurve[],
     rest: ArrayLike<number>,
     tolerance: number,
-    write: (time: number, near: Float64Array, out: Float64Array) => void,
+    write: Fitted,
   ): AxisCurves {
     const { fitting } = this;
     const keys = curves.reduce((sum, { times }) => sum + times.length, 0);
+    if (curves.every(isConstantCurve) && isAtRest(write, curves, rest)) {
+      fitting.nodes.add(node.object.id);
+      fitting.keysBefore += keys;
+      return REST;
+    }
     const stops = stopsOf(curves, this.take.range, fitting.spare);
     const usual = USUAL_KEYS * keys;
     const most = usual + Math.max(0, fitting.spare);
@@ -267,12 +272,22 @@ export class Mover {
     fitting.keysBefore += keys;
     return asCurves((k) => {
       const list = lists[k];
-      const isRest = list.isConstant(1e-9) && Math.abs(list.firstValue - rest[k]) <= 1e-9;
+      const isRest = list.isConstant(REST_NOISE) && Math.abs(list.firstValue - rest[k]) <= REST_NOISE;
       if (isRest) return undefined;
       this.fitting.keysAfter += list.count;
       return list.channel(1, 0, 'constant', 'constant');
     });
   }
+}
+
+/** What is off by less is at rest. */
+const REST_NOISE = 1e-9;
+
+/** Whether what never changes is as at rest. */
+function isAtRest(write: Fitted, [curve]: readonly FbxCurve[], rest: ArrayLike<number>): boolean {
+  const value = Float64Array.from(rest);
+  write(curve ? curve.times[0] : 0, Float64Array.from(rest), value);
+  return value.every((own, k) => Math.abs(own - rest[k]) <= REST_NOISE);
 }
 
 /**

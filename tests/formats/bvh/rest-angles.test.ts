@@ -6,12 +6,16 @@ import { skelForm } from '../../../src/edit/convert/skel-form.ts';
 import { driverSource } from '../../../src/edit/drivers.ts';
 import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { framesFor, toBvhCapture } from '../../../src/evaluate/bvh-capture.ts';
+import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
+import { retargetedPose } from '../../../src/evaluate/retarget/driving.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import { writeSkel } from '../../../src/formats/skel/write.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { writeBvh } from '../../helpers/bvh-text.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { bytesOf, read, readAsOpened, readInPieces, told } from '../read-in-pieces.ts';
+
+provideDrivenPose(retargetedPose);
 
 const CHANNELS = 'CHANNELS 3 Zrotation Xrotation Yrotation';
 /** A root with a joint, whose numbers after OFFSET are given; the last is that of an End Site. */
@@ -67,7 +71,12 @@ describe('six numbers after OFFSET', () => {
     expect(angles(character)).toEqual(skeleton.joints.map(({ restAngles }) => restAngles));
     const source = driverSource(character);
     if (!source) throw new Error('It drives nothing.');
-    const driver = { sourceId: 'c2', source, pairs: [{ source: 0, target: 0 }], options: { reference: 'rest', plantsFeet: false } as const };
+    const driver = {
+      sourceId: 'c2',
+      source,
+      pairs: [{ source: 0, target: 0 }],
+      options: { reference: 'rest', plantsFeet: false } as const,
+    };
     expect(angles({ ...character, driver })).toEqual([undefined, undefined]);
   });
 
