@@ -117,7 +117,8 @@ export class Stretches {
   of(i: number, time: number): Vec3 {
     if (i < 0) return ONE;
     // Of few nodes anything is asked.
-    const motion = (this.motions[i] ??= new NodeMotion(this.nodes[i], this.take));
+    const motion = this.motions[i] ?? new NodeMotion(this.nodes[i], this.take);
+    this.motions[i] = motion;
     motion.scaleAt(time);
     const [x, y, z] = motion.scale;
     const source = stretchSource(this.nodes, i);
