@@ -1,7 +1,7 @@
 /** A take with the options applied, as a take again: for files of motion rather than of numbers. */
-import { bakeRetarget } from '../edit/commands/retarget.ts';
+import { retargetBaked } from '../edit/commands/retarget.ts';
 import { withoutDriver } from '../edit/drivers.ts';
-import { type Character, EMPTY_DOCUMENT, shownTake } from '../model/document.ts';
+import { type Character, shownTake } from '../model/document.ts';
 import type { Take } from '../model/takes/take.ts';
 import { type TakeOptions, takeOf } from './take.ts';
 
@@ -33,12 +33,9 @@ function editedTake(source: Character, options: TakeOptions): Character {
 
 /** With the baked take alone: the target's own only told its reference pose. */
 function baked(character: Character, name: string): Character {
-  const { characters } = bakeRetarget.run(
-    { ...EMPTY_DOCUMENT, characters: [character] },
-    { characterId: character.id },
-  );
-  const take = shownTake(characters[0]);
-  return { ...characters[0], takes: take ? [{ ...take, name }] : [], shownTake: 0 };
+  const played = retargetBaked(character);
+  const take = shownTake(played);
+  return { ...played, takes: take ? [{ ...take, name }] : [], shownTake: 0 };
 }
 
 /** Crops a take: samples to the frames alone, from second 0; keys to the range. */

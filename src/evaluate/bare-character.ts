@@ -1,6 +1,7 @@
 /** Frames of a character that is not in the document yet, evenly over its take; used for guesses when a file is opened. */
 
-import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
+import type { Character } from '../model/document.ts';
+import { newCharacter } from '../model/new-character.ts';
 import { filePose } from '../model/skeleton/dofs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Take } from '../model/takes/take.ts';
@@ -9,20 +10,12 @@ import { poseFrom, poseSource } from './pose.ts';
 /** A character with nothing but a skeleton and perhaps a take; its limits are not enforced. */
 export function bareCharacter(skeleton: Skeleton, take: Take | undefined): Character {
   return {
-    id: '',
-    name: '',
+    ...newCharacter('', ''),
     skeleton,
-    skins: [],
-    shownSkin: 0,
-    morphs: [],
-    textures: [],
     takes: take ? [take] : [],
     shownTake: take ? 0 : -1,
     pose: filePose(skeleton, 0),
     clampsToLimits: false,
-    placements: [DEFAULT_PLACEMENT],
-    timeOffsetSeconds: 0,
-    sources: [],
   };
 }
 

@@ -1,10 +1,11 @@
 /** Where the joints and vertices of a character of another program are. */
-import { newCharacter } from '../../src/edit/new-character.ts';
+
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform } from '../../src/evaluate/skin/deform.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { WholeCharacter } from '../../src/model/files.ts';
+import { newCharacter } from '../../src/model/new-character.ts';
 import { wholeFilePose } from '../../src/model/skeleton/dofs.ts';
 import type { ReferencePose } from './gltf-reference.ts';
 

@@ -149,32 +149,40 @@ export const bakeRetarget = command({
     const { driver } = requireCharacter(document, characterId);
     return `Bake ${takeOf(driver?.source)} into ${characterIn(document, characterId, SHORT_NAME)}`;
   },
-  run: (document, { characterId, framesPerSecond, name = '' }) =>
-    changeCharacter(document, characterId, (c) => {
-      const skeleton = requireSkeleton(c);
-      const { take, timeOffsetSeconds } = requireDriver(c).source;
-      const own = take.samples ? 1 / take.samples.frameSeconds : (frameRateOf(take) ?? 30);
-      const rate = framesPerSecond ?? own;
-      if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
-      // Frames are baked at times of the source's take, and shifted to those of this character's take.
-      const frames = framesOf(take.range, rate);
-      const range = [take.range[0] - timeOffsetSeconds, take.range[1] - timeOffsetSeconds] as const;
-      refuseTooMany(frames.frameCount, restPose(skeleton, c.morphs.length).length);
-      const samples = { ...bakeTake(c, frames), startSeconds: range[0] };
-      unrollRotations(skeleton, samples);
-      const given = name.trim();
-      const called = given ? uniqueTakeName(c, given) : takeNameOf(c, take.name);
-      const channels = restPose(skeleton, c.morphs.length).map(() => SAMPLED);
-      const plain = withoutDriver(withoutUnkeyed(c));
-      const made = { name: called, range, channels, samples };
-      const markers = retimed(take.markers, (seconds) => seconds - timeOffsetSeconds);
-      return {
-        ...plain,
-        takes: [...plain.takes, withMarkers(made, markers)],
-        shownTake: plain.takes.length,
-      };
-    }),
+  run: (document, { characterId, framesPerSecond, name }) =>
+    changeCharacter(document, characterId, (c) => retargetBaked(c, framesPerSecond, name)),
 });
+
+/**
+ * The character with what a retargeted take makes of it as a take of its own, which is shown, without the retargeting.
+ * @param framesPerSecond default: the rate of the source's take, or 30 if it has none
+ * @param name default: the character's and the source take's
+ * @throws CommandError
+ */
+export function retargetBaked(c: Character, framesPerSecond?: number, name = ''): Character {
+  const skeleton = requireSkeleton(c);
+  const { take, timeOffsetSeconds } = requireDriver(c).source;
+  const own = take.samples ? 1 / take.samples.frameSeconds : (frameRateOf(take) ?? 30);
+  const rate = framesPerSecond ?? own;
+  if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
+  // Frames are baked at times of the source's take, and shifted to those of this character's take.
+  const frames = framesOf(take.range, rate);
+  const range = [take.range[0] - timeOffsetSeconds, take.range[1] - timeOffsetSeconds] as const;
+  refuseTooMany(frames.frameCount, restPose(skeleton, c.morphs.length).length);
+  const samples = { ...bakeTake(c, frames), startSeconds: range[0] };
+  unrollRotations(skeleton, samples);
+  const given = name.trim();
+  const called = given ? uniqueTakeName(c, given) : takeNameOf(c, take.name);
+  const channels = restPose(skeleton, c.morphs.length).map(() => SAMPLED);
+  const plain = withoutDriver(withoutUnkeyed(c));
+  const made = { name: called, range, channels, samples };
+  const markers = retimed(take.markers, (seconds) => seconds - timeOffsetSeconds);
+  return {
+    ...plain,
+    takes: [...plain.takes, withMarkers(made, markers)],
+    shownTake: plain.takes.length,
+  };
+}
 
 /** Unrolls angles so that they don't jump between equivalent forms, for readable curves. */
 function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Samples): void {

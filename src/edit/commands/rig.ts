@@ -5,6 +5,7 @@
 
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import { newCharacter } from '../../model/new-character.ts';
 import { AXIS_LETTERS } from '../../model/skeleton/dof-axis.ts';
 import { jointName } from '../../model/skeleton/joint-name.ts';
 import { indexIn } from '../arguments.ts';
@@ -13,7 +14,6 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
-import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
 import { boundAnew, calledIn, findJoint, rigged } from '../rig/apply.ts';
 import { withTakenUp } from '../rig/bind.ts';
@@ -27,6 +27,7 @@ import { type Branch, branchesOf } from '../rig/tree.ts';
 import { filledText, index, number, oneOf, optional, text } from '../schema/shape.ts';
 import { JOINT, RIGGING, vector } from '../schema/shared-shapes.ts';
 import { characterIn } from '../step-names.ts';
+import { withSkeleton } from '../with-skeleton.ts';
 import { clearLimit, setLimit } from './limits.ts';
 
 /** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */

@@ -2,12 +2,12 @@
  * The changes of the page in a file: the file's own text with the changes (`merge.ts`), which reads as what saving
  * writes. Saving itself writes all lines in its own layout.
  */
-import { newCharacter } from '../../edit/new-character.ts';
 import { addPoses } from '../../edit/pose/library.ts';
 import { readWhole } from '../../formats/reader.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import type { FileContent, SourceFile } from '../../model/files.ts';
+import { newCharacter } from '../../model/new-character.ts';
 import { fileNameOf, isSkeletonKind } from '../../model/part.ts';
 import type { LineHunk } from '../../model/text-changes.ts';
 import { openFiles } from '../open/open-files.ts';

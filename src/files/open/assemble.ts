@@ -2,8 +2,8 @@
 
 import { lostOver } from '../../edit/carried-over.ts';
 import { withMarkers } from '../../edit/markers.ts';
-import { withSkeleton } from '../../edit/new-character.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
+import { withSkeleton } from '../../edit/with-skeleton.ts';
 import { checkMorph, checkSkin, checkTake } from '../../evaluate/skin/binding.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, shownSkin, shownTake } from '../../model/document.ts';

@@ -1,8 +1,9 @@
 /** An opening in progress: what is open by now, which files have been used, and what is said about them. */
-import { newCharacter } from '../../edit/new-character.ts';
+
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, type UnusedFile } from '../../model/document.ts';
 import type { BrokenFile, FileKind, FileNaming, ParsedFile, SourceFile } from '../../model/files.ts';
+import { newCharacter } from '../../model/new-character.ts';
 import { OpenCharacters } from './open-characters.ts';
 import { OpenSpaces } from './open-spaces.ts';
 

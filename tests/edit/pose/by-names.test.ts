@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { withSkeleton } from '../../../src/edit/new-character.ts';
 import { poseByNames, takePose } from '../../../src/edit/pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName } from '../../../src/edit/pose/library.ts';
+import { withSkeleton } from '../../../src/edit/with-skeleton.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { characterDofs } from '../../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';

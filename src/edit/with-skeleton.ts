@@ -1,33 +1,9 @@
-/** Creating a character, and giving one another skeleton. */
-import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
-import { NO_MARKS } from '../model/part.ts';
+/** Giving a character another skeleton. */
+import type { Character } from '../model/document.ts';
 import { filePose, rootDofCount } from '../model/skeleton/dofs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { carriedOver } from './carried-over.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
-
-/**
- * A character without content, in the scene's origin, with enforced limits.
- * @param id unique in the document
- */
-export function newCharacter(id: string, name: string): Character {
-  return {
-    id,
-    name,
-    skins: [],
-    shownSkin: 0,
-    morphs: [],
-    textures: [],
-    takes: [],
-    shownTake: -1,
-    pose: filePose(undefined, 0),
-    clampsToLimits: true,
-    placements: [DEFAULT_PLACEMENT],
-    timeOffsetSeconds: 0,
-    sources: [],
-    parts: NO_MARKS,
-  };
-}
 
 /**
  * Takes the new skeleton's file pose; root translation and morph weights are kept, and what refers to joints is carried
