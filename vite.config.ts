@@ -1,6 +1,7 @@
 /**
- * Three things are built from here: the page (`vite build`, into dist/), the command (`vite build --mode cli`, into
- * build/, which is not published with the page), and the tests' projects.
+ * Four things are built from here: the page (`vite build`, into dist/), the command (`vite build --mode cli`, into
+ * build/, which is not published with the page), the npm package (`vite build --mode package`, into build/package/; its
+ * types are made by `tsconfig.package.json`), and the tests' projects.
  */
 import { chmodSync, existsSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -55,6 +56,33 @@ const command: UserConfig = {
   plugins: [executable('build/marrow.js')],
 };
 
+/** The entries of the package, each of them one of `exports` in package.json. */
+const ENTRIES = ['model', 'formats', 'evaluate', 'import', 'export', 'dataset'];
+
+const library: UserConfig = {
+  build: {
+    ssr: true,
+    outDir: 'build/package',
+    target: 'es2023',
+    copyPublicDir: false,
+    rolldownOptions: {
+      input: {
+        ...Object.fromEntries(ENTRIES.map((name) => [name, `src/package/${name}.ts`])),
+        marrow: 'src/cli/main.ts',
+      },
+      // A file for each module, so that bundlers leave out what a program doesn't use.
+      output: {
+        preserveModules: true,
+        preserveModulesRoot: 'src',
+        // npm packs no folder called node_modules.
+        entryFileNames: ({ name }) => `${name.replace('node_modules/', 'bundled/')}.js`,
+      },
+    },
+  },
+  ssr: { noExternal: true },
+  plugins: [executable('build/package/marrow.js')],
+};
+
 /** `bin` in package.json points at it. */
 function executable(file: string): Plugin {
   return { name: 'marrow-executable', closeBundle: () => chmodSync(file, 0o755) };
@@ -90,7 +118,7 @@ function tests(
 }
 
 export default defineConfig(({ mode }) => {
-  const building = mode === 'cli' ? command : page;
+  const building = { cli: command, package: library }[mode] ?? page;
   return {
     // Relative addresses: the built page works under any path.
     base: './',

@@ -55,6 +55,8 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   ],
   // Files that tell mistakes apart, with their answers.
   'teaching/kit': ['files', 'teaching', 'formats', 'evaluate', ...BASE],
+  // The entries of the npm package.
+  package: ['worker', 'dataset', 'import', 'export', 'files', 'formats', 'edit', 'evaluate', ...BASE],
   cli: [
     'dataset',
     'import',

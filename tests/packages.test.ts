@@ -2,11 +2,11 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { builtPackages } from './helpers/built-packages.mjs';
 
 const ROOT = fileURLToPath(new URL('../', import.meta.url));
 
 interface Locked {
-  readonly dev?: boolean;
   readonly license?: string;
   readonly hasInstallScript?: boolean;
 }
@@ -20,12 +20,20 @@ const ALLOWED = new Set(['0BSD', 'Apache-2.0', 'BSD-2-Clause', 'BSD-3-Clause', '
 
 describe('packages', () => {
   it('what is built into the page and the command has a licence that allows it, by its own word too', () => {
-    const built = locked.filter(([, { dev }]) => !dev);
-    expect(built.length).toBeGreaterThan(5);
+    const paths = new Set(builtPackages());
+    const built = locked.filter(([path]) => paths.has(path));
+    expect(built.map(([path]) => path)).toContain('node_modules/three');
+    expect(built.length).toBe(paths.size);
     for (const [path, { license }] of built) {
       expect([path, ALLOWED.has(license ?? '')]).toEqual([path, true]);
       expect([path, read(`${path}/package.json`).license]).toEqual([path, license]);
     }
+  });
+
+  it('whoever installs the package gets nothing else, and nothing runs', () => {
+    const { dependencies, scripts } = read('package.json');
+    expect(dependencies).toBeUndefined();
+    expect(Object.keys(scripts).filter((name) => /install|prepare/.test(name))).toEqual([]);
   });
 
   it('no package runs a script when it is installed', () => {
@@ -38,8 +46,8 @@ describe('packages', () => {
   it('every package is pinned to the bytes it had, wherever it comes from', () => {
     const loose = Object.entries(read('package-lock.json').packages as Record<string, { integrity?: string }>);
     expect(loose.filter(([path, { integrity }]) => path && !integrity?.startsWith('sha512-'))).toEqual([]);
-    const { dependencies, devDependencies } = read('package.json');
-    for (const [name, version] of Object.entries({ ...dependencies, ...devDependencies })) {
+    const { devDependencies } = read('package.json');
+    for (const [name, version] of Object.entries(devDependencies)) {
       expect([name, version]).toEqual([name, expect.stringMatching(/^(npm:[@\w/-]+@)?\d+\.\d+\.\d+[\w.-]*$/)]);
     }
   });

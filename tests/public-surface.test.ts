@@ -11,7 +11,19 @@ import { expect, test } from 'vitest';
 
 const SRC = fileURLToPath(new URL('../src/', import.meta.url));
 
-const FOLDERS = ['math', 'model', 'formats', 'evaluate', 'edit', 'dataset', 'teaching', 'import', 'export', 'files'];
+const FOLDERS = [
+  'math',
+  'model',
+  'formats',
+  'evaluate',
+  'edit',
+  'dataset',
+  'teaching',
+  'import',
+  'export',
+  'files',
+  'package',
+];
 
 /** A declaration that callers see. */
 interface Exported {

@@ -143,7 +143,7 @@ export function shownSkin(character: Character): Skin | undefined {
   return character.skins[character.shownSkin];
 }
 
-/** The take that plays; undefined if there is none, or none is shown (`shownTake` is -1). */
+/** The take that plays; undefined with `shownTake` -1, so without takes. */
 export function shownTake(character: Character): Take | undefined {
   return character.takes[character.shownTake];
 }

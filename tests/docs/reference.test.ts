@@ -1,8 +1,9 @@
 /**
- * The reference pages that are made from the code: shortcuts, the command, and what scripts can run. A test fails if
- * one is out of date; `npm run docs` writes them.
+ * The reference pages that are made from the code: shortcuts, the command, what scripts can run, and what the package
+ * exports. A test fails if one is out of date, so that no public name changes unsaid; `npm run docs` writes them.
  */
 import { expect, it } from 'vitest';
+import packageJson from '../../package.json' with { type: 'json' };
 import { type HelpPart, helpParts, usageLines } from '../../src/cli/options/help.ts';
 import type { ShellCommand } from '../../src/cli/options/shell-command.ts';
 import { COMMANDS } from '../../src/cli/run.ts';
@@ -13,6 +14,7 @@ import { actionLabel, actionsOf } from '../../src/ui/state/actions/action.ts';
 import { GROUPS } from '../../src/ui/state/menus.ts';
 import { shortcutText } from '../../src/ui/state/shortcuts.ts';
 import type { Action } from '../../src/ui/state/workbench.ts';
+import { entryComment, type PublicName, publicNames } from '../helpers/public-names.ts';
 import { workbench } from '../ui/builders.ts';
 
 const MADE = '<!-- Made from the code by `npm run docs`. -->';
@@ -28,6 +30,10 @@ it('the page of the command has what its help says', async () => {
 
 it('the page of script commands has the arguments of each', async () => {
   await expect(scriptCommands()).toMatchFileSnapshot(page('script-commands'));
+});
+
+it('the page of the package has every public name, with what it takes and gives', async () => {
+  await expect(packagePage()).toMatchFileSnapshot(page('package'));
 });
 
 /** Text in a cell of a table. */
@@ -142,5 +148,66 @@ function scriptCommands(): string {
 What \`marrow.run(id, arguments)\` runs in the [console](scripting.md), each one undo step. \`marrow.commands()\` prints the same.
 
 ${table(['id', 'arguments'], lines)}
+`;
+}
+
+/** The entries, as `exports` has them. */
+const ENTRIES = Object.keys(packageJson.exports).flatMap((path) => /^\.\/(\w+)$/.exec(path)?.[1] ?? []);
+
+/** The first sentence or the first few, of what is told before parameters. */
+const lead = (comment: string) => comment.split(/\n\n|\n(?= *@)/)[0].replaceAll('\n', ' ');
+
+/** Markdown of a comment: its code is indented already; tags become lists. */
+function commentText(comment: string): string {
+  const [text, ...tags] = comment.split(/(?:^|\s)(?=@(?:param|returns|throws)\b)/);
+  const lines = tags.map((tag) =>
+    tag
+      .replaceAll(/\s+/g, ' ')
+      .replace(/^@param (\S+) /, '- `$1`: ')
+      .replace(/^@returns /, '- returns ')
+      .replace(/^@throws (\S+) /, '- throws `$1` ')
+      .trim(),
+  );
+  return [text.trim(), ...(lines.length > 0 ? [lines.join('\n')] : [])].filter(Boolean).join('\n\n');
+}
+
+/** The comment at the top, with its code as a block. */
+function entryText(entry: string): string {
+  const [first = '', ...rest] = entryComment(entry)
+    .replace(/^`marrow\/\w+`: /, '')
+    .split('\n\n');
+  const text = first.charAt(0).toUpperCase() + first.slice(1);
+  const isCode = (part: string) => part.startsWith('    ');
+  return [
+    text,
+    ...rest.map((part) => (isCode(part) ? `\`\`\`js\n${part.replaceAll(/^ {4}/gm, '')}\n\`\`\`` : part)),
+  ].join('\n\n');
+}
+
+function entrySection(entry: string): string {
+  const names = publicNames(entry);
+  const value = ({ name, signature, comment }: PublicName) =>
+    `### ${name}\n\n\`\`\`ts\n${signature}\n\`\`\`\n\n${commentText(comment)}`;
+  const types = names
+    .filter(({ isType }) => isType)
+    .map(({ name, comment }) => [`\`${name}\``, lead(comment)] as const);
+  return [
+    `## marrow/${entry}`,
+    entryText(entry),
+    ...names.filter(({ isType }) => !isType).map(value),
+    table([`Types of marrow/${entry}`, 'Meaning'], types),
+  ].join('\n\n');
+}
+
+function packagePage(): string {
+  return `${MADE}
+
+# The package
+
+The core of Marrow for programs of your own, in Node and in pages: ES modules with types, and no dependencies.
+[Programs](../guide/programs.md) says how to install it, with examples. These names are all that is public; others in its
+files may change at any time.
+
+${ENTRIES.map(entrySection).join('\n\n')}
 `;
 }

@@ -10,7 +10,7 @@ import { type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 /** A unit quaternion, x y z w. */
 export type Turn = readonly [number, number, number, number];
 
-/** A point of a joint and where it should be. */
+/** A point of a joint, and its target. */
 export interface IkPin {
   /** Index of the joint. */
   readonly joint: number;

@@ -27,7 +27,7 @@ import { boneNames, fileName, freeName } from './names.ts';
 const PLAIN: AcclaimHeader = { version: '1.10', units: ['mass 1.0'], length: 1, angle: 'deg' };
 
 /**
- * A skeleton whose joints are all Acclaim bones.
+ * Writes a `.asf`: a skeleton whose joints are all Acclaim bones.
  * @param fileName appears in diagnostics
  * @throws Error for other joints
  */

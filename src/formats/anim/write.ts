@@ -12,7 +12,8 @@ import type { WriteResult } from '../reader.ts';
 import { Text, UnwritableError } from '../write-text.ts';
 
 /**
- * `fileName` appears in diagnostics.
+ * Writes a `.anim`.
+ * @param fileName appears in diagnostics
  * @throws UnwritableError for a take without channels, and for numbers that aren't finite
  */
 export function writeAnim(take: Take, fileName = ''): WriteResult {

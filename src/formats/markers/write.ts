@@ -3,7 +3,7 @@ import type { Marker } from '../../model/takes/markers.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` appears in diagnostics. */
+/** Writes a `.markers.json`. @param fileName appears in diagnostics */
 export function writeMarkers(markers: readonly Marker[], fileName = ''): WriteResult {
   const text = new Text(fileName);
   const lines = markers.map(({ timeSeconds, endSeconds, label }, i) => {

@@ -3,7 +3,7 @@ import type { Morph, MorphRows } from '../../model/morph.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` appears in diagnostics. */
+/** Writes a `.morph`. @param fileName appears in diagnostics */
 export function writeMorph(morph: Morph, fileName = ''): WriteResult {
   const text = new Text(fileName);
   writeRows(text, 'positions', morph.positions);

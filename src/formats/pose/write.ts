@@ -3,7 +3,7 @@ import type { PoseByNames } from '../../model/pose-by-names.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` appears in diagnostics. */
+/** Writes a `.pose`. @param fileName appears in diagnostics */
 export function writePoses(poses: readonly PoseByNames[], fileName = ''): WriteResult {
   const text = new Text(fileName);
   for (const { name, root, joints, weights } of poses) {

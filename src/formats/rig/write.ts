@@ -3,7 +3,7 @@ import type { Rig } from '../../model/rig.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` appears in diagnostics. */
+/** Writes a `.rig`. @param fileName appears in diagnostics */
 export function writeRig(rig: Rig, fileName = ''): WriteResult {
   const text = new Text(fileName);
   text.line(0, `rig${text.name(rig.name, 'rig')} {`);

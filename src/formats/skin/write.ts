@@ -3,7 +3,7 @@ import type { Attachments, Material, Skin } from '../../model/skin.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
-/** `fileName` appears in diagnostics. */
+/** Writes a `.skin`. @param fileName appears in diagnostics */
 export function writeSkin(skin: Skin, fileName = ''): WriteResult {
   const text = new Text(fileName);
   const { positions, normals, texcoords, attachments, triangles, surfaces, bindings } = skin;
