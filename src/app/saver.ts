@@ -17,7 +17,7 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { findCharacter } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
-import { fileNameOf, isSkeletonKind, type Part } from '../model/part.ts';
+import { fileNameOf, isNamedApart, isSkeletonKind, type Part } from '../model/part.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Unsaved } from './unsaved.ts';
@@ -238,7 +238,7 @@ export class Saver {
     const isKind = format !== undefined && KINDS[format].content === part.kind;
     const source = { name: savedAs, path: savedAs, bytes };
     // Most parts are named after their file: under another name it would be read as another part.
-    const isOwn = isKind && (isSkeletonKind(part.kind) || part.kind === 'pose' || stemOf(source) === part.name);
+    const isOwn = isKind && (isSkeletonKind(part.kind) || isNamedApart(part.kind) || stemOf(source) === part.name);
     const name = isOwn ? savedAs : fileNameOf(part);
     // Files are identified by path: keep two of one name apart if their locations are unknown.
     const isOpen = store.document.characters.some(({ sources }) => sources.some(({ path }) => path === name));

@@ -1,6 +1,6 @@
 /** Characters as one zip. Loaded on first use, with the zip library. */
 
-import { SAVED_KINDS, type SavedKind } from '../files/kinds.ts';
+import { besideOf, SAVED_KINDS, type SavedKind } from '../files/kinds.ts';
 import { isCopy, saveCharacter } from '../files/save/saving.ts';
 import { type ZippedFile, zipFiles } from '../io/zip-files.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -47,7 +47,8 @@ export function zipDocument({ characters }: Document): CharactersZip {
 function filesOf(character: Character): readonly ZippedFile[] {
   const isOwn = (kind: SavedKind) => !isCopy(character, kind);
   // A rig names a `.skel`, which motion capture doesn't have.
-  const kinds = SAVED_KINDS.filter((kind) => isOwn(kind) || (kind === 'rig' && (isOwn('skel') || isOwn('axskel'))));
+  const isRig = (kind: SavedKind) => kind === 'rig' && (isOwn('skel') || isOwn('axskel'));
+  const kinds = SAVED_KINDS.filter((kind) => isOwn(kind) || besideOf(kind) || isRig(kind));
   const texts = kinds
     .flatMap((kind) => saveCharacter(character, kind))
     .map(({ name, text }) => ({ name: inOneFolder(name), content: text }));

@@ -4,7 +4,7 @@
  */
 
 import { CommandError } from '../edit/command-error.ts';
-import { formatKindOf, isBesideTakes, isSaved, KINDS, skeletonKindFor } from '../files/kinds.ts';
+import { besideOf, formatKindOf, isBesideTakes, isSaved, KINDS, skeletonKindFor } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { Format } from '../files/readers.ts';
 import { bvhOf, type NamedCapture, skelOf, withoutBones } from '../files/save/character-files.ts';
@@ -90,9 +90,9 @@ function nothingFor(files: readonly ParsedFile[], { label }: Format, out: string
 }
 
 /** Once for all characters. */
-function unitsNotKept(files: readonly ParsedFile[], { kind }: Format, out: string): readonly Diagnostic[] {
+function unitsNotKept(files: readonly ParsedFile[], { kind, format }: Format, out: string): readonly Diagnostic[] {
   // Neither has lengths.
-  if (kind === 'rig' || kind === 'markers') return [];
+  if (kind === 'rig' || besideOf(format)) return [];
   const characters = files.flatMap((file) => (file.kind === 'character' ? file.characters : []));
   const [message] = characters.flatMap(({ space }) => unitNotKept(space ? { space: space.space } : {}) ?? []);
   return message === undefined ? [] : [withoutPlace('info', 'unit-not-kept', message, out)];

@@ -1,9 +1,10 @@
 /**
- * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings and
- * retargeting. All of these refer to joints, which may have changed.
+ * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings, sets, locks
+ * and retargeting. All of these refer to joints, which may have changed.
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
+import { remapSets } from '../model/sets.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { movedPoses } from './pose/library.ts';
@@ -11,16 +12,17 @@ import { sameJoints } from './pose/same-joints.ts';
 import { remapIk, remapPairs, withIk } from './rig/by-joint.ts';
 
 /**
- * Carries pose library, IK settings and retargeting over to a character's new skeleton.
+ * Carries pose library, IK settings, sets, locks and retargeting over to a character's new skeleton.
  * @param after the character with its new skeleton, and everything else as before
  */
 export function carriedOver(before: Character, after: Character): Character {
-  const { poses, ik, driver } = before;
-  if (!(poses ?? ik ?? driver)) return after;
+  const { poses, ik, driver, sets } = before;
+  if (!(poses ?? ik ?? driver ?? sets)) return after;
   const to = before.skeleton && after.skeleton ? sameJoints(before.skeleton, after.skeleton) : [];
   const next = {
     ...after,
     ...(poses && { poses: movedPoses(before, after, poses, to) }),
+    ...(sets && { sets: remapSets(sets, to) }),
     ...(driver && { driver: { ...driver, pairs: remapPairs(driver.pairs, 'target', to) } }),
   };
   return ik ? withIk(next, remapIk(ik, to)) : next;
@@ -28,7 +30,7 @@ export function carriedOver(before: Character, after: Character): Character {
 
 /** Reports what referred to joints or DOFs that no longer exist. */
 export function lostOver(before: Character, after: Character, file: string): Diagnostic[] {
-  const { skeleton, ik } = before;
+  const { skeleton, ik, sets } = before;
   if (!skeleton || !after.skeleton) return [];
   const { joints } = skeleton;
   const to = sameJoints(skeleton, after.skeleton);
@@ -46,6 +48,12 @@ export function lostOver(before: Character, after: Character, file: string): Dia
   const gone = ({ joint }: { readonly joint: number }) => to[joint] < 0;
   const held = [...(ik?.pins ?? []), ...(ik?.stiff ?? [])].filter(gone).map(({ joint }) => joint);
   if (held.length) say('ik-lost', `Pins, locks and stiffness of ${called(held)} were removed with the joint.`);
+  const inSets = [
+    ...(sets?.sets.flatMap((set) => set.joints) ?? []),
+    ...(sets?.locked.map(({ joint }) => joint) ?? []),
+  ];
+  const lost = inSets.filter((joint) => to[joint] < 0);
+  if (lost.length) say('sets-lost', `${called(lost)} no longer exists and was removed from selection sets and locks.`);
   return problems;
 }
 

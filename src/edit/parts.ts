@@ -58,7 +58,11 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
     const marks = isSaid ? b.map((_, i) => said[key][i] ?? UNMARKED) : followed(a, before[key], b);
     return sameItems(marks.map(numbered), said[key]);
   };
-  const one = (key: 'skeleton' | 'poses', a: object | undefined, b: object | undefined): PartMark | undefined => {
+  const one = (
+    key: 'skeleton' | 'poses' | 'sets',
+    a: object | undefined,
+    b: object | undefined,
+  ): PartMark | undefined => {
     if (!b) return undefined;
     const mark = said[key] ?? UNMARKED;
     return numbered(a && a !== b && mark === before[key] ? { ...mark, revision: 0 } : mark);
@@ -69,19 +73,27 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
   const morphs = list('morphs', was?.morphs ?? [], now.morphs);
   let takes = list('takes', was?.takes ?? [], now.takes);
   let poses = one('poses', was?.poses, now.poses);
+  let sets = one('sets', was?.sets, now.sets);
   if (was && was.skeleton !== now.skeleton && isBvh(now)) {
     // A `.bvh` contains the skeleton with each of its takes.
     takes = takes.map((mark) => (before.takes.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
   }
   if (was && poses && poses === before.poses && !arePosedAlike(was, now)) poses = changed(poses);
+  if (was && sets && sets === before.sets && !areNamedAlike(was, now)) sets = changed(sets);
 
-  const parts: PartMarks = { ...(skeleton && { skeleton }), skins, morphs, takes, ...(poses && { poses }) };
+  const parts: PartMarks = {
+    ...(skeleton && { skeleton }),
+    ...{ skins, morphs, takes },
+    ...(poses && { poses }),
+    ...(sets && { sets }),
+  };
   const isSame =
     skeleton === said.skeleton &&
     skins === said.skins &&
     morphs === said.morphs &&
     takes === said.takes &&
-    poses === said.poses;
+    poses === said.poses &&
+    sets === said.sets;
   return isSame && now.parts ? now.parts : parts;
 
   /** Unchanged content keeps its mark; other content in its place is a new revision of the part. */
@@ -137,6 +149,11 @@ function areTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean
 
 function haveSameMarkers(a: Partial<Take>, b: Partial<Take>): boolean {
   return sameValue(a.markers ?? [], b.markers ?? []);
+}
+
+/** Whether joints of both are written the same in files beside the skeleton. */
+function areNamedAlike({ skeleton: a }: Character, { skeleton: b }: Character): boolean {
+  return a === b || haveSameNames(a?.joints ?? [], b?.joints ?? []);
 }
 
 /** Whether poses of both are written the same: their joints, DOFs and morphs have the same names. */

@@ -4,7 +4,7 @@
  * extensions, which have no reader.
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type FormatKind, READABLE_EXTENSIONS } from './kinds.ts';
+import { besideOf, FORMAT_KINDS, type FormatKind, READABLE_EXTENSIONS } from './kinds.ts';
 
 /** Bytes at the start of a file that tell what it is. */
 export const HEAD_BYTES = 1024;
@@ -212,7 +212,7 @@ const FOREIGN: readonly Foreign[] = [
     name: 'a JSON file',
     now: 'Export a file of that type from the program that made it.',
     start: /^\s*[[{]\s*"/,
-    of: ['gltf', 'markers', 'dump'],
+    of: ['gltf', 'dump', ...FORMAT_KINDS.filter(besideOf)],
   },
   {
     name: 'an XML file',

@@ -4,11 +4,13 @@
  * `writers.ts`, with an entry per kind: the page's first script includes neither, since it reads in a worker and loads
  * the writers when something is saved.
  */
+import { withMarkers } from '../edit/markers.ts';
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
 import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
 import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
 import { type Character, isBvh, isOfJoints, shownSkin, shownTake } from '../model/document.ts';
 import type { ContentOf, FileContent, FileKind, SourceFile, WholeCharacter } from '../model/files.ts';
+import { SETS_EXTENSION } from '../model/sets.ts';
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/skeleton/axis-angle.ts';
 import { jointDofCount } from '../model/skeleton/dofs.ts';
 import { stretches } from '../model/skeleton/joint-types.ts';
@@ -20,6 +22,8 @@ import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { keysOf, type Take } from '../model/takes/take.ts';
 import { type PartOrigin, withAcclaimTake, withMorph, withSkin, withTake } from './open/assemble.ts';
+import type { BesideOpening } from './open/beside.ts';
+import { givenSets } from './open/sets.ts';
 
 /** One kind of file: its names, its content, and how it is saved. */
 export interface Kind {
@@ -38,9 +42,20 @@ export interface Kind {
   readonly reviewed?: readonly string[];
   /** The kind of file with the skeleton that it is read with: which one, the names of both say. */
   readonly readWith?: string;
+  /**
+   * JSON of ours beside a plain file, which other programs read without it: it is found by the name of that file, and
+   * holds what it can't.
+   */
+  readonly beside?: Beside;
   /** Absent if it is only read. */
   readonly save?: Saving;
 }
+
+/**
+ * The plain file that JSON of ours is beside. One of a skeleton goes to the character whose skeleton has the longest name that begins its own;
+ * one of a take to the take that is called like it.
+ */
+export type Beside = 'skeleton' | 'take';
 
 /** How characters are saved in a kind of file, as far as menus need to know; its writer knows the rest. */
 export interface Saving {
@@ -202,11 +217,24 @@ export const KINDS = {
     label: 'markers',
     content: 'markers',
     isRare: true,
+    beside: 'take',
     save: {
       label: 'Markers (.markers.json)',
       has: ({ takes }) => takes.some(({ markers }) => markers !== undefined),
       // They are kept with their takes.
       isOwn: () => false,
+    },
+  },
+  sets: {
+    extensions: [SETS_EXTENSION],
+    label: 'sets',
+    content: 'sets',
+    isRare: true,
+    beside: 'skeleton',
+    save: {
+      label: 'Selection sets and locks (.sets.json)',
+      has: ({ skeleton, sets }) => skeleton !== undefined && sets !== undefined,
+      isOwn: isAnyones,
     },
   },
   // Told by content; other texts with these extensions are read as dumps without numbers.
@@ -275,13 +303,27 @@ export function isBesideTakes(path: string): boolean {
   return own !== undefined && FORMAT_KINDS.some((kind) => (KINDS[kind] as Kind).readWith === own);
 }
 
+/** The plain file that files of a kind are beside; undefined if they are no JSON beside a plain file. */
+export function besideOf(format: FormatKind): Beside | undefined {
+  const { beside }: Kind = KINDS[format];
+  return beside;
+}
+
+/** `wasp` of `wasp.sets.json`: the name of what such a file is beside. */
+export function nameBeside(fileName: string): string {
+  const format = formatKindOf(fileName);
+  const name = fileName.toLowerCase();
+  const extension = format && KINDS[format].extensions.find((own) => name.endsWith(`.${own}`));
+  return extension === undefined ? fileName : fileName.slice(0, -extension.length - 1);
+}
+
 /** Whether a file is a buffer of glTF files, by its name or path. */
 export function isBuffer(path: string): boolean {
   return path.toLowerCase().endsWith('.bin');
 }
 
 /** The result of opening the content of a file (`open/open-files.ts`). */
-export type Opening<C> = CharacterOpening<C> | PartOpening<C> | OtherOpening;
+export type Opening<C> = CharacterOpening<C> | PartOpening<C> | BesideOpening<C> | OtherOpening;
 
 /** It has skeletons: each is a character. */
 export interface CharacterOpening<C> {
@@ -310,7 +352,7 @@ export interface PartOpening<C> {
  * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
  */
 export interface OtherOpening {
-  readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'markers';
+  readonly as: 'rig' | 'poses' | 'texture' | 'dump';
 }
 
 /** The role of a file in an opening. */
@@ -362,7 +404,13 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
   texture: { as: 'texture' },
   dump: { as: 'dump' },
-  markers: { as: 'markers' },
+  markers: {
+    as: 'beside',
+    give: (character, take, { markers }) => ({
+      character: { ...character, takes: character.takes.with(take, withMarkers(character.takes[take], markers)) },
+    }),
+  },
+  sets: { as: 'beside', give: (character, _take, { sets }, source) => givenSets(character, sets, source) },
 };
 
 function bare(skeleton: Skeleton, take?: Take): WholeCharacter {
@@ -447,6 +495,10 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     ...frameFacts(characters.flatMap(({ takes }) => takes)),
   }),
   texture: ({ texture: { mime, bytes } }) => ({ mime, bytes: bytes.length }),
+  sets: ({ sets: { sets, locked } }) => ({
+    sets: sets.map(({ name }) => name),
+    locked: sum(locked.map(({ dofs }) => dofs.length)),
+  }),
   markers: ({ markers }) => ({ markers: markers.length, labels: markers.map(({ label }) => label) }),
   dump: ({ dump: { blocks, time: stated } }) => ({
     blocks: blocks.map(({ holds, time = stated, values, lines }) => ({

@@ -11,6 +11,7 @@ import { NO_PLACE } from '../formats/places.ts';
 import { poseReader } from '../formats/pose/read.ts';
 import { bytesReader, type Reader, readerByHead } from '../formats/reader.ts';
 import { rigReader } from '../formats/rig/read.ts';
+import { setsReader } from '../formats/sets/read.ts';
 import { skelReader } from '../formats/skel/read.ts';
 import { skinReader } from '../formats/skin/read.ts';
 import { textureReader } from '../formats/texture/read.ts';
@@ -49,6 +50,7 @@ const READERS = {
   numpy: { imports: async (given: Import) => (await import('./numpy.ts')).readNumpyFile(given) },
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
+  sets: (name) => mapped(setsReader(name), (sets) => ({ kind: 'sets', sets })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
 } satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K>> };
 

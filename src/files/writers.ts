@@ -8,10 +8,12 @@ import { writeMorph } from '../formats/morph/write.ts';
 import { writePoses } from '../formats/pose/write.ts';
 import type { WriteResult, WrittenPieces } from '../formats/reader.ts';
 import { writeRig } from '../formats/rig/write.ts';
+import { writeSets } from '../formats/sets/write.ts';
 import { writeSkel } from '../formats/skel/write.ts';
 import { writeSkin } from '../formats/skin/write.ts';
 import { type Character, isBvh, shownSkin, shownTake } from '../model/document.ts';
 import type { FileContent } from '../model/files.ts';
+import { lockedDofs, NO_SETS } from '../model/sets.ts';
 import { vertexCount } from '../model/skin.ts';
 import { formatKindOf, type HeldBy, isSaved, KINDS, SAVED_KINDS, type SavedKind } from './kinds.ts';
 import {
@@ -134,6 +136,13 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
       { count: takes.reduce((sum, { markers }) => sum + (markers?.length ?? 0), 0), one: 'marker' },
     ],
     copies: markersCopies,
+  },
+  sets: {
+    write: ({ sets }, name) => writeSets(sets, name),
+    detail: ({ sets = NO_SETS, ...character }) => [
+      { count: sets.sets.length, one: 'set' },
+      { count: lockedDofs({ ...character, sets }).size, one: 'locked DOF' },
+    ],
   },
 };
 

@@ -1,11 +1,12 @@
 /** Splits a character into the parts that are saved separately (`part.ts`). */
 import { type Character, isBvh, isOfJoints } from './document.ts';
-import type { PartContents, PartKind } from './files.ts';
-import { isSkeletonKind, NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
+import { type PartContents, type PartKind, stemOf } from './files.ts';
+import { isNamedApart, isSkeletonKind, NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
+import type { Skeleton } from './skeleton/skeleton.ts';
 
 /** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
-  const { name, skeleton, skins, morphs, takes, poses, parts = NO_MARKS } = character;
+  const { name, skeleton, skins, morphs, takes, poses, sets, parts = NO_MARKS } = character;
   const capture = skeleton && isBvh(character) ? skeleton : undefined;
   const isAcclaim = isOfJoints(character, 'asf');
   const captured: Part[] = [];
@@ -26,7 +27,14 @@ export function partsOf(character: Character): readonly Part[] {
     ...morphs.map((morph, i) => part('morph', morph.name, morph, parts.morphs[i])),
     ...animations,
     ...(poses ? [part('pose', name, { ...(skeleton && { skeleton }), morphs, poses }, parts.poses)] : []),
+    ...(skeleton && sets ? [part('sets', stemBeside(skeleton, parts.skeleton), { skeleton, sets }, parts.sets)] : []),
   ];
+}
+
+/** What files beside a skeleton are called: that of its file comes first, so that they find each other again. */
+function stemBeside({ name }: Skeleton, mark: PartMark | undefined): string {
+  const stem = mark?.file && stemOf(mark.file.source);
+  return stem === undefined || name.toLowerCase().startsWith(stem.toLowerCase()) ? name : stem;
 }
 
 function part<K extends PartKind>(kind: K, name: string, content: PartContents[K], mark = UNMARKED): Part {
@@ -42,8 +50,8 @@ function part<K extends PartKind>(kind: K, name: string, content: PartContents[K
   } as Part;
 }
 
-/** Skeletons and poses are named independently of their files; all others take the file's name. */
+/** Skeletons, poses and sets are named independently of their files; all others take the file's name. */
 function isFrom(mark: PartMark | undefined, kind: PartKind, name: string): boolean {
   const { file } = mark ?? {};
-  return file?.kind === kind && (isSkeletonKind(kind) || kind === 'pose' || file.holds === name);
+  return file?.kind === kind && (isSkeletonKind(kind) || isNamedApart(kind) || file.holds === name);
 }

@@ -10,6 +10,7 @@ import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
 import { perObject } from './per-object.ts';
 import type { NamedPose } from './poses.ts';
+import type { Sets } from './sets.ts';
 import { jointTypeOf } from './skeleton/joint-types.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -69,6 +70,8 @@ export interface Character {
   readonly ik?: IkSetup;
   /** The pose library; absent rather than empty. */
   readonly poses?: readonly NamedPose[];
+  /** Selection sets and locked DOFs, saved beside the skeleton; absent rather than empty. */
+  readonly sets?: Sets;
   /** The files it was read from. */
   readonly sources: readonly SourceFile[];
   /** Files of it that had errors: read later, they are its own. Absent rather than empty. */

@@ -5,6 +5,7 @@ import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
 import type { PoseLibrary } from './poses.ts';
 import type { Rig } from './rig.ts';
+import type { Sets, SetsByName } from './sets.ts';
 import type { Positions } from './skeleton/position-channels.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -60,6 +61,8 @@ interface Contents {
   readonly texture: { readonly file: { readonly texture: Texture } };
   /** Labels of times of a take, which it is called after. */
   readonly markers: { readonly file: { readonly markers: readonly Marker[] } };
+  /** Selection sets and locked DOFs of a character, beside its skeleton. */
+  readonly sets: { readonly file: { readonly sets: SetsByName }; readonly part: SetsOf };
   /** Numbers of another program, to be compared with a character. */
   readonly dump: { readonly file: { readonly dump: Dump } };
 }
@@ -77,6 +80,12 @@ export type PartKind = { [K in FileKind]: Contents[K] extends { readonly part: u
 
 /** The content of each kind of part. */
 export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
+
+/** Sets and locks with the skeleton whose joints they name. */
+export interface SetsOf {
+  readonly skeleton: Skeleton;
+  readonly sets: Sets;
+}
 
 /** An Acclaim skeleton with the unit that it states, or that was guessed. */
 export interface AcclaimSkeleton {

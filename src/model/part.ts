@@ -8,6 +8,7 @@
  */
 
 import { type FileKind, type PartContents, type PartKind, type SourceFile, sameName } from './files.ts';
+import { SETS_EXTENSION } from './sets.ts';
 import { savesAsAxisAngle } from './skeleton/axis-angle.ts';
 import type { Take } from './takes/take.ts';
 
@@ -41,6 +42,7 @@ export interface PartMarks {
   readonly morphs: readonly PartMark[];
   readonly takes: readonly PartMark[];
   readonly poses?: PartMark;
+  readonly sets?: PartMark;
 }
 
 /** The mark of a part that the store has not numbered yet. */
@@ -61,13 +63,14 @@ export function ownRevision({ revision, withoutMarkers }: Pick<PartMark, 'revisi
 
 /** Applies a change to each mark, keeping their structure. */
 export function mapMarks(parts: PartMarks, change: (mark: PartMark) => PartMark): PartMarks {
-  const { skeleton, skins, morphs, takes, poses } = parts;
+  const { skeleton, skins, morphs, takes, poses, sets } = parts;
   return {
     ...(skeleton && { skeleton: change(skeleton) }),
     skins: skins.map(change),
     morphs: morphs.map(change),
     takes: takes.map(change),
     ...(poses && { poses: change(poses) }),
+    ...(sets && { sets: change(sets) }),
   };
 }
 
@@ -99,6 +102,11 @@ export function isSkeletonKind(kind: PartKind): boolean {
   return HOLDS[kind] === 'skeleton';
 }
 
+/** Whether the file of a part of that kind may have any name: it says nothing about its content. */
+export function isNamedApart(kind: PartKind): boolean {
+  return kind === 'pose' || kind === 'sets';
+}
+
 /** Whether parts of a kind are takes, with or without their skeleton. */
 export function isTakeKind(kind: PartKind): boolean {
   return HOLDS[kind] === 'take' || HOLDS[kind] === 'capture';
@@ -121,9 +129,12 @@ export function fileNameOf(part: Part): string {
   return part.file?.name ?? newFileName(part);
 }
 
+/** Where the extension is not the name of the kind. */
+const EXTENSIONS: { readonly [K in PartKind]?: string } = { sets: SETS_EXTENSION };
+
 /** The axis-angle form may use its file's extension or its own. */
 export function newFileName(part: Part): string {
-  const name = `${part.name}.${part.kind}`;
+  const name = `${part.name}.${EXTENSIONS[part.kind] ?? part.kind}`;
   if (part.kind !== 'skel' || !savesAsAxisAngle(part.content)) return name;
   return part.file && sameName(part.file.name, name) ? name : `${part.name}.axskel`;
 }

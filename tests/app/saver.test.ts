@@ -1,5 +1,6 @@
 /** Saving to the files that parts came from, and to others. */
 import { describe, expect, it } from 'vitest';
+import { addSet, setLocked } from '../../src/edit/commands/beside/sets.ts';
 import { addMarkers, removeMarkers } from '../../src/edit/commands/markers.ts';
 import { renameTake } from '../../src/edit/commands/take.ts';
 import { takeOfValues } from '../helpers/builders.ts';
@@ -53,6 +54,33 @@ describe('saving what changed', () => {
     expect(page.names()).toEqual([]);
     page.store.apply(removeMarkers, { characterId: 'c1', indices: [0] });
     expect(page.names()).toEqual(['walk.markers.json']);
+  });
+
+  it('saves sets and locks in the file beside the skeleton, in place, and nothing else; undo goes back to its bytes', async () => {
+    const text = '{"sets": [{"name": "all", "joints": ["#0"], "icon": "hand"}]}';
+    const page = await pageWith({ ...HERO, 'hero.sets.json': text });
+    page.store.apply(setLocked, { characterId: 'c1', dofs: [4], locked: true });
+    expect(page.names()).toEqual(['hero.sets.json']);
+    page.store.undo();
+    expect(page.names()).toEqual([]);
+    page.store.redo();
+    await page.saver.saveChanged();
+    expect(page.names()).toEqual([]);
+    expect(page.text('hero.skel')).toBe(SKEL);
+    const saved = JSON.parse(page.text('hero.sets.json') ?? '');
+    expect(saved).toMatchObject({ sets: [{ name: 'all', icon: 'hand' }], locked: [{ dofs: ['ry'] }] });
+    page.store.undo();
+    await page.saver.saveChanged();
+    expect(JSON.parse(page.text('hero.sets.json') ?? '')).toMatchObject({ sets: saved.sets, locked: [] });
+  });
+
+  it('saves the first sets of a skeleton as a file that is called after it', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = 'as suggested';
+    page.store.apply(addSet, { characterId: 'c1', name: 'all', joints: [0] });
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['hero.sets.json']);
+    expect(page.names()).toEqual([]);
   });
 
   it('tells which files were written, with what they hold now', async () => {

@@ -1,7 +1,7 @@
 import { strFromU8, unzipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { zipCharacter, zipDocument } from '../../src/app/zip-character.ts';
-import { character, documentOf, skeleton } from '../helpers/builders.ts';
+import { character, documentOf, skeleton, takeOfValues } from '../helpers/builders.ts';
 
 const namesIn = (bytes: Uint8Array) => Object.keys(unzipSync(bytes)).sort();
 const arm = (name: string, id: string) => character({ id, name, skeleton: skeleton(2) });
@@ -28,6 +28,14 @@ describe('characters as a zip', () => {
     expect(diagnostics.map(({ message }) => message)).toEqual(['broken is not in the zip. No skins.']);
     const skel = Object.entries(unzipSync(bytes)).find(([name]) => name.endsWith('.skel'));
     expect(skel && strFromU8(skel[1])).toContain('joint');
+  });
+
+  it('what is beside its plain files is in it', () => {
+    const marked = { ...takeOfValues('walk', [0]), markers: [{ timeSeconds: 0, label: 'step' }] };
+    const sets = { sets: [{ name: 'all', joints: [0] }], locked: [] };
+    const { bytes } = zipCharacter({ ...arm('arm', 'c1'), takes: [marked], shownTake: 0, sets });
+    const names = namesIn(bytes).map((name) => name.split('/').at(-1));
+    expect(names).toEqual(expect.arrayContaining(['hero.sets.json', 'walk.markers.json']));
   });
 
   it('no name of a character leads out of the folder that the zip is unpacked to', () => {

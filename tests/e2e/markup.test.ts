@@ -35,6 +35,10 @@ const files = NAMES.flatMap((name, i) => {
     { name: `${file}.anim`, bytes: 'animation { range 0 1 numchannels 0 }' },
     { name: `broken ${file}.skel`, bytes: `balljoint ${name} { ${name} }` },
     { name: `${file}.markers.json`, bytes: JSON.stringify({ format: name, markers: [{ name, time: name }] }) },
+    {
+      name: `${file}.sets.json`,
+      bytes: JSON.stringify({ sets: [{ name, color: name, joints: [name], [name]: name }] }),
+    },
     { name: `${file}.bmp`, bytes: name },
   ];
 });

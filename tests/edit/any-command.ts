@@ -181,6 +181,32 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     joints: dice.some([...(character.skeleton?.joints.keys() ?? [])], 0.3),
     stiffness: dice.pick(['locked', 'usual', 4]),
   }),
+  'sets.add': ({ dice, character }) =>
+    character.skeleton && {
+      characterId: character.id,
+      name: dice.pick(['arms', 'legs']),
+      color: dice.pick([undefined, '#4a90e2']),
+      joints: [dice.below(character.skeleton.joints.length), 0],
+    },
+  'sets.change': ({ dice, character }) =>
+    character.sets?.sets.length
+      ? {
+          characterId: character.id,
+          set: dice.below(character.sets.sets.length),
+          name: dice.pick([undefined, 'spine']),
+          color: dice.pick([undefined, '', 'red']),
+          joints: dice.pick([undefined, [0]]),
+        }
+      : undefined,
+  'sets.remove': ({ dice, character }) =>
+    character.sets?.sets.length
+      ? { characterId: character.id, set: dice.below(character.sets.sets.length) }
+      : undefined,
+  'dofs.setLocked': ({ dice, character }) => ({
+    characterId: character.id,
+    dofs: dice.some([...characterDofs(character.skeleton, []).keys()], 0.2),
+    locked: dice.is(0.6),
+  }),
   'ik.setRootFree': ({ dice, character }) => ({ characterId: character.id, isFree: dice.is(0.7) }),
   'hold.pins': (s) =>
     pinsOf(s) && {

@@ -34,7 +34,8 @@ const FOLDER = new URL('../../src/edit/commands/', import.meta.url);
 
 /** What the files of commands export that is one. */
 async function exportedCommands(): Promise<{ readonly id: string }[]> {
-  const files = readdirSync(FOLDER).filter((file) => file !== 'all.ts' && file !== 'at-hand.ts');
+  const names = readdirSync(FOLDER, { recursive: true, encoding: 'utf8' });
+  const files = names.filter((file) => file.endsWith('.ts') && file !== 'all.ts' && file !== 'at-hand.ts');
   const modules: object[] = await Promise.all(files.map((file) => import(new URL(file, FOLDER).href)));
   return modules.flatMap((module) => Object.values(module)).filter((made) => typeof made?.run === 'function');
 }

@@ -72,6 +72,11 @@ const ALONE = documentOf(HERO);
 /** Shows no take. */
 const POSED = documentOf({ ...HERO, shownTake: -1 });
 const UNKEYED = documentOf({ ...HERO, unkeyed: { timeSeconds: 1, dofs: [3], values: [0.7] } });
+/** With a set and a lock. */
+const SETS = documentOf({
+  ...HERO,
+  sets: { sets: [{ name: 'arms', joints: [1, 2] }], locked: [{ joint: 1, dofs: ['rx'] }] },
+});
 const CAPTURED = documentOf(swinging());
 
 /** With a marker and a span. */
@@ -374,6 +379,14 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'ik.clearPins': { document: TWO, args: WHO, idle: { characterId: 'c2' } },
   'ik.setPin': alone({ ...WHO, pin: 1, weight: 2 }, { ...WHO, pin: 1, weight: 1 }),
   'ik.setStiffness': alone({ ...WHO, joints: [2, 1], stiffness: 4 }, { ...WHO, joints: [1], stiffness: 'usual' }),
+  'sets.add': alone({ ...WHO, name: 'arms', color: '#ff0000', joints: [2, 1] }, { ...WHO, name: 'none', joints: [] }),
+  'sets.change': { document: SETS, args: { ...WHO, set: 0, joints: [3] }, idle: { ...WHO, set: 0, name: 'arms' } },
+  'sets.remove': { document: SETS, args: { ...WHO, set: 0 }, idle: { ...WHO, set: 1 } },
+  'dofs.setLocked': {
+    document: SETS,
+    args: { ...WHO, dofs: [0, 4, 6], locked: true },
+    idle: { ...WHO, dofs: [6], locked: true },
+  },
   'ik.setRootFree': alone({ ...WHO, isFree: false }, { ...WHO, isFree: true }),
   'hold.pins': alone(
     { ...WHO, pins: [1], range: [0.5, 1.5], atSeconds: 0.5, framesPerSecond: 8 },

@@ -43,6 +43,16 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, FetchedKind>, FileContent | 
       { timeSeconds: 1, endSeconds: 2.5, label: 'a "quote"' },
     ],
   },
+  sets: {
+    kind: 'sets',
+    sets: {
+      sets: [
+        { name: 'arm', color: '#4a90e2', joints: ['arm_l', '#7'] },
+        { name: 'a "quote"', joints: [] },
+      ],
+      locked: [{ joint: 'shin_l', dofs: ['ry', 'rz'] }],
+    },
+  },
   dump: {
     bytes: 'world\n0 1 2\n',
     content: {

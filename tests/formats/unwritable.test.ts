@@ -57,6 +57,7 @@ const CASES: readonly (readonly [string, FileContent, string])[] = [
     { kind: 'markers', markers: [{ timeSeconds: Number.NaN, label: 'step' }] },
     'found NaN in marker 1.',
   ],
+  ['x.sets.json', { kind: 'sets', sets: { sets: [], locked: [], others: { made: Number.NaN } } }, 'found NaN in made.'],
 ];
 
 describe('a number that no file can hold', () => {

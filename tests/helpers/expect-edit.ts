@@ -12,6 +12,7 @@ import { Store } from '../../src/edit/store.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../../src/model/document.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
+import { setsByName } from '../../src/model/sets.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { asRead } from './as-read.ts';
 import { checkDocument, checkSelection } from './invariants.ts';
@@ -100,7 +101,7 @@ function freeze(value: unknown): void {
  */
 const HOLDS_PARTS: readonly string[] = [
   ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'takes', 'channels', 'samples'],
-  ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sources'],
+  ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sets', 'sources'],
 ];
 
 /** The view compares by identity: an unchanged part must be the same object. Lists may be new. */
@@ -132,7 +133,7 @@ function nameOf(item: unknown): unknown {
 
 /** Changed parts, written to their formats. */
 function expectReadsBack(character: Character, before: Character | undefined): void {
-  const { skeleton, skins, morphs, takes, poses } = character;
+  const { skeleton, skins, morphs, takes, poses, sets } = character;
   const isNew = (part: object, of: readonly object[] | undefined) => !of?.includes(part);
   if (skeleton && skeleton !== before?.skeleton && !isBvh(character)) {
     // No `.skel` has End Sites or BVH's joints, and its names are single words.
@@ -153,14 +154,16 @@ function expectReadsBack(character: Character, before: Character | undefined): v
       !take.samples && take.channels.every((c) => c.kind === 'keys' || (c.kind === 'rest' && c.value === 0));
     expectRoundTrip({ kind: 'anim', take: { ...take, name: 'x', channels: take.channels.map(asRead) } }, isExact);
   }
+  if (skeleton && sets && sets !== before?.sets) {
+    expectRoundTrip({ kind: 'sets', sets: setsByName(sets, skeleton) }, true, 'x.sets.json');
+  }
   if (poses && poses !== before?.poses) {
     expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });
   }
 }
 
 /** Written, read and written again: the same bytes, and the same model if the format can hold all of it. */
-function expectRoundTrip(content: FileContent, isExact = true): void {
-  const name = `x.${content.kind}`;
+function expectRoundTrip(content: FileContent, isExact = true, name = `x.${content.kind}`): void {
   const text = writeFile(content, name)?.text ?? '';
   const found = read(name, text).value;
   if (!found) throw new Error(`${name} was written, and can't be read:\n${text}`);

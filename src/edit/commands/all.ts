@@ -1,5 +1,6 @@
 /** Every command of the document. */
 import type { AnyCommand } from '../command.ts';
+import * as sets from './beside/sets.ts';
 import * as channels from './channels.ts';
 import * as couples from './couples.ts';
 import { COMMANDS_AT_HAND, commandsIn } from './first-commands.ts';
@@ -26,7 +27,7 @@ import * as tangents from './tangents.ts';
 export const ALL_COMMANDS: ReadonlyMap<string, AnyCommand> = new Map([
   ...COMMANDS_AT_HAND,
   ...commandsIn([keys, paste, tangents, review, takes, takeEdits, takeJoins, markers, moment, channels, samples]),
-  ...commandsIn([retarget, poses, ik, hold, rig, rigJoint, couples, skinWeights, heights]),
+  ...commandsIn([retarget, poses, ik, hold, rig, rigJoint, couples, skinWeights, heights, sets]),
 ]);
 
 /** The arguments of each command in words, for `marrow.commands()`. */

@@ -29,6 +29,7 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, AnyCommand> = commandsIn([
 const FETCHED: ReadonlySet<string> = new Set([
   'channels',
   'characters',
+  'dofs',
   'hold',
   'ik',
   'keys',
@@ -38,6 +39,7 @@ const FETCHED: ReadonlySet<string> = new Set([
   'review',
   'rig',
   'samples',
+  'sets',
   'skin',
   'takes',
 ]);

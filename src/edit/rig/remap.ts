@@ -1,10 +1,11 @@
 /**
  * Gives a character another skeleton and remaps everything that refers to joints or DOFs: skins, takes, pose, unkeyed
- * changes, pose library, IK settings and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
+ * changes, pose library, IK settings, sets, locks and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
  * keep their identity.
  */
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk } from '../../model/ik.ts';
+import { remapSets } from '../../model/sets.ts';
 import { changeCharacter } from '../characters.ts';
 import { sameValue } from '../delta.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -88,10 +89,12 @@ function withUnkeyedMoved(character: Character, { dofs, dofsBefore }: JointMap):
 
 /** Remaps what refers to joints. If the axis-angle form is lost, the effective `rootIsFree` is kept. */
 function withJoints(character: Character, { keepsJoints, before, to }: JointMap): Character {
-  const { ik, driver, skeleton } = character;
+  const { ik, driver, sets, skeleton } = character;
   const keepsForm = before.form === skeleton?.form;
   if (keepsJoints && keepsForm) return character;
   const moved = driver && sharing({ ...driver, pairs: remapPairs(driver.pairs, 'target', to) }, driver);
-  const next = moved && !keepsJoints ? { ...character, driver: moved } : character;
+  const next = keepsJoints
+    ? character
+    : { ...character, ...(moved && { driver: moved }), ...(sets && { sets: remapSets(sets, to) }) };
   return ik || !keepsForm ? withIk(next, sharing(remapIk(ik ?? defaultIk(before), to), ik)) : next;
 }

@@ -1,16 +1,14 @@
 /** Opening files that belong to no skeleton among those given with them: characters that are open have them. */
-import { withMarkers } from '../../edit/markers.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { findCharacter } from '../../model/document.ts';
 import { type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
+import { besideOf, formatKindOf, KINDS, openingOf } from '../kinds.ts';
 import { checkParts, withTextures } from './assemble.ts';
 import { partOpening, withFile } from './contents.ts';
-import { bySkinName, takeCalled } from './matching.ts';
+import { besidePlace, bySkinName } from './matching.ts';
 import type { Opening } from './opening.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 import { settle } from './settle.ts';
-
-type MarkersFile = Extract<ParsedFile, { readonly kind: 'markers' }>;
 
 /** Gives skins, morphs and animations to characters; those that need none become characters themselves. */
 export function openParts(opening: Opening, files: readonly ParsedFile[]): void {
@@ -69,17 +67,24 @@ export function openPoses(opening: Opening, file: PoseFile): void {
   opening.used.add(file);
 }
 
-/** Gives markers to the take that they are called after: one from the same folder, just opened, or any. */
-export function openMarkers(opening: Opening, file: MarkersFile): void {
+/** Gives JSON to the skeleton or the take that it is beside: one from the same folder, just opened, or any. */
+export function openBeside(opening: Opening, file: ParsedFile): void {
+  const role = openingOf(file.kind);
+  const format = formatKindOf(file.source.name);
+  const of = format && besideOf(format);
+  if (role.as !== 'beside' || !of) return;
+  const { called } = opening;
   const characters = opening.characters.all;
-  const found = takeCalled(file.source, [...characters.filter((c) => opening.opened.has(c.id)), ...characters]);
+  const known = opening.characters.withFile(file.source);
+  const fresh = characters.filter((c) => opening.opened.has(c.id));
+  const found = besidePlace(of, file.source, [...known, ...fresh, ...characters]);
   if (!found) {
-    opening.unused.push({ file, why: 'No open take has the name of this markers file.' });
+    opening.unused.push({ file, why: `No open ${of} has the name of this ${KINDS[format].label} file.` });
     return;
   }
-  const { character, take } = found;
-  const takes = character.takes.with(take, withMarkers(character.takes[take], file.markers));
-  opening.characters.replace({ ...character, takes });
+  const { character, diagnostics } = role.give(found.character, found.take, file, file.source);
+  opening.diagnostics.push(...(diagnostics?.(called(file.source)) ?? []));
+  opening.characters.replace(character);
   opening.opened.add(character.id);
   opening.used.add(file);
 }
@@ -93,8 +98,8 @@ export function takeUpWaiting(opening: Opening): void {
       openPoses(opening, file);
       continue;
     }
-    if (file.kind === 'markers') {
-      openMarkers(opening, file);
+    if (openingOf(file.kind).as === 'beside') {
+      openBeside(opening, file);
       continue;
     }
     const fresh = opening.characters.all.filter((c) => opening.opened.has(c.id));

@@ -15,7 +15,7 @@ import { type BrokenFile, byFileName, type ParsedFile } from '../../model/files.
 import { adoptTakes } from './adopted-takes.ts';
 import { groupFiles, isRead, type LooseRole, namesFile } from './grouping.ts';
 import { openGroup } from './groups.ts';
-import { dressAll, openMarkers, openParts, openPoses, takeUpWaiting } from './loose-files.ts';
+import { dressAll, openBeside, openParts, openPoses, takeUpWaiting } from './loose-files.ts';
 import { isSameFile } from './matching.ts';
 import { nameApart } from './names-apart.ts';
 import { Opening } from './opening.ts';
@@ -71,15 +71,15 @@ export function* openInSteps(
   const openLoose: { readonly [R in LooseRole]: (loose: readonly ParsedFile[]) => void } = {
     part: (loose) => {
       openParts(opening, loose);
-      // Markers are matched by the names of takes.
+      // What is beside takes is found by their names.
       nameApart(opening);
     },
     // After all characters, each of which they can apply to.
+    beside: (loose) => {
+      for (const file of loose) openBeside(opening, file);
+    },
     poses: (loose) => {
       for (const file of loose) if (file.kind === 'pose') openPoses(opening, file);
-    },
-    markers: (loose) => {
-      for (const file of loose) if (file.kind === 'markers') openMarkers(opening, file);
     },
     // Given to skins at the end, together with those that were waiting.
     texture: () => undefined,

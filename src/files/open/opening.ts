@@ -4,6 +4,7 @@ import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, type UnusedFile } from '../../model/document.ts';
 import type { BrokenFile, FileKind, FileNaming, ParsedFile, SourceFile } from '../../model/files.ts';
 import { newCharacter } from '../../model/new-character.ts';
+import { openingOf } from '../kinds.ts';
 import { OpenCharacters } from './open-characters.ts';
 import { OpenSpaces } from './open-spaces.ts';
 
@@ -68,7 +69,7 @@ export class Opening {
   }
 }
 
-/** Whether the files are poses, markers or dumps only, which show nothing by themselves. */
+/** Whether the files are poses, dumps or beside others only, which show nothing by themselves. */
 function isForCharacters(files: readonly { readonly kind: FileKind }[]): boolean {
-  return files.length > 0 && files.every(({ kind }) => kind === 'pose' || kind === 'dump' || kind === 'markers');
+  return files.length > 0 && files.every(({ kind }) => ['poses', 'dump', 'beside'].includes(openingOf(kind).as));
 }

@@ -6,6 +6,7 @@
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownSkin, shownTake } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
+import { lockedDofs } from '../../model/sets.ts';
 
 /** Sentences shown at most; a count stands for the others. */
 const MAX_SENTENCES = 2;
@@ -52,6 +53,7 @@ function changesOf(before: Character, after: Character): string[] {
     ...morphChanges(before, after),
     ...takeChange(before, after),
     ...poseChange(before, after),
+    ...setsChange(before, after),
   ];
 }
 
@@ -90,6 +92,13 @@ function poseChange({ poses: before = [] }: Character, { name, poses = [] }: Cha
       ? [`${capital(listed('the pose', 'poses', replaced))} of ${name} ${was(replaced)} replaced.`]
       : []),
   ];
+}
+
+function setsChange(before: Character, { name, sets, skeleton }: Character): string[] {
+  if (!sets || !skeleton || sets === before.sets) return [];
+  const locks = lockedDofs({ sets, skeleton }).size;
+  const has = `${sets.sets.length} selection ${sets.sets.length === 1 ? 'set' : 'sets'}`;
+  return [`${name} has ${has} and ${locks} locked ${locks === 1 ? 'DOF' : 'DOFs'}.`];
 }
 
 /** Parts that are new, and parts that another one of the same name replaced. */

@@ -10,6 +10,7 @@ import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
 import { newFileName, type Part, takeOf } from '../../model/part.ts';
+import { setsByName } from '../../model/sets.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
 import { KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
@@ -95,6 +96,8 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned:
     }
     case 'pose':
       return { kind: 'pose', poses: posesByNames(part.content) };
+    case 'sets':
+      return { kind: 'sets', sets: setsByName(part.content.sets, part.content.skeleton) };
   }
 }
 

@@ -6,6 +6,7 @@
 import { oneToken } from '../../model/names/written-names.ts';
 import { couplesOf } from '../../model/skeleton/couples.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
+import { isJointIndex, jointReferences } from '../../model/skeleton/joint-reference.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Couple, Joint } from '../../model/skeleton/skeleton.ts';
 import { type GrammarPart, number } from '../grammar.ts';
@@ -110,7 +111,7 @@ function jointNamed(
   target: string,
   place: Mark,
 ): number | undefined {
-  if (isIndex(target)) {
+  if (isJointIndex(target)) {
     const index = Number(target.slice(1));
     if (index < joints.length) return index;
     const message = `Expected a joint of this skeleton, #0 to #${joints.length - 1}, found ${target}.`;
@@ -127,18 +128,11 @@ function jointNamed(
   return undefined;
 }
 
-function isIndex(target: string): boolean {
-  return /^#\d+$/.test(target);
-}
-
 function called(joints: readonly Joint[], index: number): string {
   return joints[index].name || `joint #${index}`;
 }
 
 /** How links refer to each joint: by its written name if that is unique; else `#index`. */
 export function coupleTargets(joints: readonly Joint[]): readonly string[] {
-  const written = joints.map(({ name }) => oneToken(name));
-  const counts = new Map<string, number>();
-  for (const name of written) counts.set(name, (counts.get(name) ?? 0) + 1);
-  return written.map((name, index) => (name && counts.get(name) === 1 && !isIndex(name) ? name : `#${index}`));
+  return jointReferences(joints.map(({ name }) => ({ name: oneToken(name) })));
 }

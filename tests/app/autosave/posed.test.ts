@@ -5,6 +5,7 @@ import { readSession } from '../../../src/app/autosave/restore.ts';
 import { savingMarks } from '../../../src/app/autosave/saving-marks.ts';
 import { DiskHandles } from '../../../src/app/disk-handles.ts';
 import { Unsaved } from '../../../src/app/unsaved.ts';
+import { setLocked } from '../../../src/edit/commands/beside/sets.ts';
 import { pinPoint, setStiffness } from '../../../src/edit/commands/ik.ts';
 import { addMarkers } from '../../../src/edit/commands/markers.ts';
 import { keepPose } from '../../../src/edit/commands/poses.ts';
@@ -78,6 +79,21 @@ it('recognises poses equal to those of their file', async () => {
   const { after, unsaved } = await page(() => undefined);
   expect(after.poses?.map(({ name }) => name)).toEqual(['sit']);
   expect(unsaved.current()).toEqual([]);
+});
+
+it('restores selection sets and locks, fields of their file that are not known, and what of them is saved', async () => {
+  const given = '{"sets": [{"name": "all", "joints": ["#0"], "icon": {"of": [1]}}], "by": "another"}';
+  const files = [...FILES, { path: 'wasp.sets.json', blob: new Blob([given]) }];
+  const sets = [{ name: 'all', joints: [0], others: { icon: { of: [1] } } }];
+  const untouched = await page(() => undefined, files);
+  expect(untouched.after.sets).toEqual({ sets, locked: [], others: { by: 'another' } });
+  expect(untouched.unsaved.current()).toEqual([]);
+  const { after, unsaved } = await page(
+    (store) => store.apply(setLocked, { characterId: 'c1', dofs: [4], locked: true }),
+    files,
+  );
+  expect(after.sets).toMatchObject({ sets, locked: [{ joint: 0, dofs: ['ry'] }], others: { by: 'another' } });
+  expect(unsaved.current().map(({ name }) => name)).toEqual(['wasp.sets.json']);
 });
 
 const ROOT = 'ROOT hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site { OFFSET 0 20 0 } }';

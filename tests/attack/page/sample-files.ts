@@ -32,7 +32,10 @@ ${rows.join('\n')}
 }
 
 export const DROPS: Readonly<Record<string, readonly DroppedFile[]>> = {
-  skel: [{ name: 'post.skel', bytes: POST }],
+  skel: [
+    { name: 'post.skel', bytes: POST },
+    { name: 'post.sets.json', bytes: '{"sets": [{"name": "all", "joints": ["#0"]}], "locked": []}' },
+  ],
   walker: WALKER_DROP,
   axskel: [{ name: 'chain.axskel', bytes: '1 0 0 1 0 1\n1 0 1 0 0 0\n' }],
   bvh: [

@@ -158,6 +158,10 @@ balljoint second{offset 1 2 3}
   ],
   ['markers.json', '[ { "time": 1.2, "label": "step" }, { "time": 2, "end": 3.5, "label": "stand" }, {"time": -0} ]'],
   [
+    'sets.json',
+    '{ "sets": [ { "name": "arm", "color": "#4a90e2", "joints": ["arm", "#7"], "note": [-0] } ], "locked": [ { "joint": "hip", "dofs": ["rx"] } ] }',
+  ],
+  [
     'txt',
     'frame 0 time 1.5\nworld joint 0 (root):\n[1, 0, 0, 0]\n[0, 1, 0, 0]\n[0 0 1 0]\n0 0 0 1\nlocal:\n1 2 3\n4 5 6\nvertex 0: (1.0, -2e-3, nan)\n',
   ],

@@ -11,6 +11,7 @@ export const SUBJECTS = [
   'amc',
   'pose',
   'markers.json',
+  'sets.json',
   'txt',
   'csv',
   'json',
