@@ -6,7 +6,7 @@
 import { sentenceOf } from '../model/failure.ts';
 import { UserError } from '../model/user-error.ts';
 import type { FromWorker, JobName, Jobs, ParsedPart, ParseOutput, Progress, ToWorker } from './protocol.ts';
-import { fromMessage, withCharacters } from './tracked-takes.ts';
+import { isIncomplete, withCharacters } from './tracked-takes.ts';
 
 /** The part of `Worker` that the client uses; tests pass one without a thread. */
 export interface WorkerLike {
@@ -137,9 +137,16 @@ export class WorkerClient {
         return;
       case 'done': {
         this.pending.delete(message.id);
-        const output = message.job === 'parse' ? whole(message.output, pending.parts) : message.output;
         // See `run`: the pending entry was made for this job.
-        pending.resolve(output as never);
+        const resolve = (output: object) => pending.resolve(output as never);
+        if (message.job !== 'parse') resolve(message.output);
+        else if (!pending.parts.some(({ files }) => files.some(([file]) => isIncomplete(file)))) {
+          resolve(whole(message.output, pending.parts));
+        } else {
+          completed(message.output, pending.parts).then(resolve, (error: unknown) => {
+            pending.reject(new WorkerError(sentenceOf(error)));
+          });
+        }
         return;
       }
     }
@@ -158,6 +165,13 @@ export class WorkerClient {
 function whole(output: ParseOutput, parts: readonly ParsedPart[]): ParseOutput {
   if (parts.length === 0) return output;
   const files = [...output.files];
-  for (const part of parts) for (const [file, index] of part.files) files[index] = withCharacters(file, fromMessage);
+  for (const part of parts) for (const [file, index] of part.files) files[index] = file;
   return { ...output, files, facts: parts.flatMap(({ facts }) => facts) };
+}
+
+/** The same with takes whose channels are made on the page: few files have any, so what makes them is fetched. */
+async function completed(output: ParseOutput, parts: readonly ParsedPart[]): Promise<ParseOutput> {
+  const { fromMessage } = await import('./settled-takes.ts');
+  const { files, ...rest } = whole(output, parts);
+  return { ...rest, files: files.map((file) => withCharacters(file, fromMessage)) };
 }

@@ -1,7 +1,7 @@
 /** Writes a character as GLB, with progress. Loaded on first use. */
 import { writeGlb } from '../export/glb/write.ts';
 import type { GlbInput, GlbOutput, Progress } from './protocol.ts';
-import { fromMessage } from './tracked-takes.ts';
+import { fromMessage } from './settled-takes.ts';
 
 /** Between two messages of progress, in milliseconds. */
 const INTERVAL = 100;

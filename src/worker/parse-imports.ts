@@ -11,7 +11,8 @@ import { perObject } from '../model/per-object.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import { passageOf } from './passage.ts';
 import type { GivenBlob } from './protocol.ts';
-import { settledTakes, withCharacters } from './tracked-takes.ts';
+import { settledTakes } from './settled-takes.ts';
+import { withCharacters } from './tracked-takes.ts';
 
 export interface ImportedBlob {
   readonly files: readonly ParsedFile[];

@@ -7,7 +7,8 @@ import { parse } from '../../src/worker/parse.ts';
 import { partsOf } from '../../src/worker/parts.ts';
 import { passageOf } from '../../src/worker/passage.ts';
 import type { FromWorker } from '../../src/worker/protocol.ts';
-import { forMessage, fromMessage, settledTakes } from '../../src/worker/tracked-takes.ts';
+import { fromMessage, settledTakes } from '../../src/worker/settled-takes.ts';
+import { forMessage } from '../../src/worker/tracked-takes.ts';
 import { chainGlb } from '../import/chain-glb.ts';
 
 const SMALL = { joints: 4, takes: 5, keys: 12, vertices: 8 };
