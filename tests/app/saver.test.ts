@@ -3,9 +3,23 @@ import { describe, expect, it } from 'vitest';
 import { addSet, setLocked } from '../../src/edit/commands/beside/sets.ts';
 import { addMarkers, removeMarkers } from '../../src/edit/commands/markers.ts';
 import { renameTake } from '../../src/edit/commands/take.ts';
+import type { Character } from '../../src/model/document.ts';
+import { ODD_AMC, ODD_ASF } from '../helpers/acclaim.ts';
 import { takeOfValues } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
 import { ANIM, HERO, limited, longer, posed, SKEL, SKIN, said } from './hero.ts';
+
+/** The take with another number in its first frame. */
+const withFirstValue =
+  (value: number) =>
+  (character: Character): Character => ({
+    ...character,
+    takes: character.takes.map((take) => {
+      const { samples } = take;
+      if (!samples) return take;
+      return { ...take, samples: { ...samples, values: samples.values.map((own, i) => (i === 0 ? value : own)) } };
+    }),
+  });
 
 describe('saving what changed', () => {
   it('saves a changed part in place, and nothing else', async () => {
@@ -45,6 +59,24 @@ describe('saving what changed', () => {
     expect(page.names()).toEqual([]);
     page.store.undo();
     expect(page.names()).toEqual([`${name}.markers.json`]);
+  });
+
+  it('saves a skeleton of Acclaim and its motion to their own files, each if it was edited', async () => {
+    const page = await pageWith({ 'odd.asf': ODD_ASF, 'odd_walk.amc': ODD_AMC });
+    page.change(withFirstValue(7.5));
+    expect(page.names()).toEqual(['odd_walk.amc']);
+    await page.saver.saveChanged();
+    expect(page.text('odd_walk.amc')).toContain('root 7.5 -0.2 0.3 0.5 0.25 -0.75');
+    expect(page.text('odd.asf')).toBe(ODD_ASF);
+    page.change(limited);
+    expect(page.names()).toEqual(['odd.asf']);
+    await page.saver.saveChanged();
+    expect(page.text('odd.asf')).toContain('limits (-2 3)');
+    expect([page.names(), page.disk.asked, page.disk.downloads]).toEqual([[], [], []]);
+    // Both are read again as what is open.
+    await page.open(['odd.asf', 'odd_walk.amc'].map((path) => ({ path, blob: new Blob([page.text(path) ?? '']) })));
+    expect(page.store.document.characters).toHaveLength(1);
+    expect(page.store.document.characters[0].takes).toHaveLength(1);
   });
 
   it('counts markers as saved that were just read for a take that is', async () => {
