@@ -16,7 +16,7 @@ import { Unsaved } from './app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
 import type { DumpFile } from './files/open/open-files.ts';
-import { fetchFiles, filesInQuery } from './io/address.ts';
+import { filesInQuery } from './io/address.ts';
 import { asksWhereToSave, pickTarget, versionOnDisk, writeTo } from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
@@ -159,7 +159,9 @@ window.addEventListener('error', ({ error, message }) => {
 window.addEventListener('unhandledrejection', ({ reason }) => faults.tell(WRONG, reason));
 
 const named = filesInQuery(location.search);
-const opening = named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample();
+const fetchNamed = async (signal: AbortSignal) =>
+  (await import('./io/fetch-files.ts')).fetchFiles(named, document.baseURI, signal);
+const opening = named.length ? opener.open(fetchNamed) : openSample();
 const setActions = (all: typeof actions) => {
   actions = all;
 };

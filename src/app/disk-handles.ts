@@ -4,7 +4,7 @@
  */
 import { type DiskFile, diskFileOf } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
-import type { Character } from '../model/document.ts';
+import { type Character, type Document, findCharacter } from '../model/document.ts';
 import type { Part } from '../model/part.ts';
 
 /** One entry as plain data: handles and files survive a structured clone. */
@@ -64,4 +64,10 @@ export class DiskHandles {
     const end = path.toLowerCase().lastIndexOf('.zip/');
     return end < 0 ? undefined : this.files.get(path.slice(0, end + '.zip'.length));
   }
+}
+
+/** Whether a character of a document has files that can be read again. The opening example has none. */
+export function canReload(document: Document, handles: DiskHandles, characterId: string): boolean {
+  const character = findCharacter(document, characterId);
+  return character !== undefined && !document.isOpeningSample && handles.ofCharacter(character).length > 0;
 }

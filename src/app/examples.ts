@@ -1,6 +1,6 @@
 /** The examples that come with the page: their list, and the files of one. */
 import { address } from 'virtual:opening-sample';
-import { fetchFiles, pathOf } from '../io/address.ts';
+import { pathOf } from '../io/address.ts';
 import type { DiskFile } from '../io/disk-files.ts';
 import { unpackFiles } from '../io/packed-files.ts';
 import type { ParsedFile } from '../model/files.ts';
@@ -55,7 +55,12 @@ export async function fetchOpening(page: string, signal: AbortSignal): Promise<R
   return { shows, files: placed.map(({ file }) => file), texts: placed.map(({ text }) => text) };
 }
 
-export function fetchSample(sample: BundledExample, page: string, signal?: AbortSignal): Promise<readonly GivenBlob[]> {
+export async function fetchSample(
+  sample: BundledExample,
+  page: string,
+  signal?: AbortSignal,
+): Promise<readonly GivenBlob[]> {
+  const { fetchFiles } = await import('../io/fetch-files.ts');
   const addresses = sample.files.map((name) => `${FOLDER}${name}`);
   return fetchFiles(addresses, page, signal);
 }

@@ -8,11 +8,11 @@ import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
 import type { JobName } from '../worker/protocol.ts';
 import { forMessage } from '../worker/tracked-takes.ts';
-import type { DiskHandles } from './disk-handles.ts';
+import { canReload, type DiskHandles } from './disk-handles.ts';
 import type { SampleSwitches } from './example-display.ts';
 import { type BundledExample, fetchSample } from './examples.ts';
 import type { Opener } from './opening.ts';
-import { canReload, type ReloadParts, reload } from './reload.ts';
+import type { ReloadParts } from './reload.ts';
 import type { ReviewingParts } from './reviewing.ts';
 import type { Disk, Saver } from './saver.ts';
 import { SourceTexts } from './source-texts.ts';
@@ -105,8 +105,11 @@ export function fileActions(parts: Parts): FileActions {
         { signal, onProgress: ({ done, of }) => onProgress(done / of) },
       ),
     saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),
-    reload: (characterId) => void reload(reloading, characterId),
-    canReload: (characterId) => canReload(parts, characterId),
+    async reload(characterId) {
+      const module = await onDemand(parts.messages, 'Reloading', () => import('./reload.ts'));
+      await module?.reload(reloading, characterId);
+    },
+    canReload: (characterId) => canReload(parts.store.document, parts.handles, characterId),
     source,
     async pictures() {
       const module = await onDemand(parts.messages, 'Picture export', () => import('./pictures.ts'));

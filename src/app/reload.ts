@@ -12,7 +12,7 @@ import { type Character, findCharacter } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { baseName } from '../model/files.ts';
 import type { Messages } from '../ui/state/messages.ts';
-import type { DiskHandles } from './disk-handles.ts';
+import { canReload, type DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import type { Unsaved } from './unsaved.ts';
 
@@ -26,17 +26,11 @@ export interface ReloadParts {
   readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
 }
 
-/** Whether a character has files that can be read again. The opening example has none. */
-export function canReload({ store, handles }: Pick<ReloadParts, 'store' | 'handles'>, characterId: string): boolean {
-  const character = findCharacter(store.document, characterId);
-  return character !== undefined && !store.document.isOpeningSample && handles.ofCharacter(character).length > 0;
-}
-
 /** Returns all diagnostics, as opening does; never rejects. */
 export async function reload(parts: ReloadParts, characterId: string): Promise<readonly Diagnostic[]> {
   const { store, messages, opener } = parts;
   const character = findCharacter(store.document, characterId);
-  if (!character || !canReload(parts, characterId)) {
+  if (!character || !canReload(store.document, parts.handles, characterId)) {
     messages.note('This character has no files to reload.', 'warning');
     return [];
   }

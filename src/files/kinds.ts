@@ -7,7 +7,7 @@
 import { withMarkers } from '../edit/markers.ts';
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
 import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
-import { TEXTURE_EXTENSIONS } from '../formats/texture/read.ts';
+import { TEXTURE_EXTENSIONS } from '../formats/texture/extensions.ts';
 import { type Character, isBvh, isOfJoints, shownSkin, shownTake } from '../model/document.ts';
 import type { ContentOf, FileContent, FileKind, SourceFile, WholeCharacter } from '../model/files.ts';
 import { SETS_EXTENSION } from '../model/sets.ts';

@@ -8,7 +8,6 @@
 
 import { sentenceOf } from '../model/failure.ts';
 import { UserError } from '../model/user-error.ts';
-import { fetchFiles } from './address.ts';
 import { fromFileList, fromHandles, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
 
 /*
@@ -146,6 +145,7 @@ export async function readAgain(file: DiskFile, page: string, signal?: AbortSign
     }
   }
   if (address !== undefined) {
+    const { fetchFiles } = await import('./fetch-files.ts');
     const [again] = await fetchFiles([address], page, signal, 'no-cache');
     return { ...again, path };
   }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { canReload } from '../../src/app/disk-handles.ts';
 import { Opener } from '../../src/app/opening.ts';
-import { canReload, reload } from '../../src/app/reload.ts';
+import { reload } from '../../src/app/reload.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { saveCharacter } from '../../src/files/save/saving.ts';
 import { DiskError, type DiskFile } from '../../src/io/disk-files.ts';
@@ -220,12 +221,12 @@ describe('reloading', () => {
 
   it('reloading is available only for content of files, and not for the opening example', async () => {
     const here = await page();
-    expect(canReload(here.parts, 'c1')).toBe(true);
-    expect(canReload(here.parts, 'c9')).toBe(false);
+    expect(canReload(here.parts.store.document, here.parts.handles, 'c1')).toBe(true);
+    expect(canReload(here.parts.store.document, here.parts.handles, 'c9')).toBe(false);
     here.store.amend({ ...here.store.document, isOpeningSample: true });
-    expect(canReload(here.parts, 'c1')).toBe(false);
+    expect(canReload(here.parts.store.document, here.parts.handles, 'c1')).toBe(false);
     const without = await pageWith({ 'hero.skel': SKEL }, false);
-    expect(canReload(without, 'c1')).toBe(false);
+    expect(canReload(without.store.document, without.handles, 'c1')).toBe(false);
   });
 });
 

@@ -1,7 +1,8 @@
 import { createServer, type RequestListener } from 'node:http';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { fetchFiles, filesInQuery } from '../../src/io/address.ts';
+import { filesInQuery } from '../../src/io/address.ts';
+import { fetchFiles } from '../../src/io/fetch-files.ts';
 
 describe('files named in the address', () => {
   it('files named in the address are separated by commas', () => {

@@ -4,9 +4,6 @@ import { NO_PLACE } from '../places.ts';
 import { bytesReader, type Reader } from '../reader.ts';
 import { imageSize } from './image-size.ts';
 
-/** Without dots. */
-export const TEXTURE_EXTENSIONS = ['bmp', 'png', 'jpg', 'jpeg', 'webp'] as const;
-
 /** MIME types that are not called after the extension. */
 const TYPES: Readonly<Record<string, string>> = { jpg: 'jpeg' };
 
