@@ -43,7 +43,7 @@ export function fileActions(parts: Parts): FileActions {
   const source = new SourceTexts({
     worker: parts.worker,
     handles: parts.handles,
-    readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
+    readAgain: readHere,
     async edits(texts) {
       const { FileEdits } = await import('./text-edits.ts');
       return new FileEdits({ ...parts, texts });
@@ -63,10 +63,6 @@ export function fileActions(parts: Parts): FileActions {
     await save(saver);
   };
   loadSavingOnceNeeded(parts);
-  const reloading: ReloadParts = {
-    ...parts,
-    readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
-  };
   const openFound = (found: Promise<readonly GivenFile[]>) => {
     const files = withoutReviewed(parts, found);
     return opener.open(() => files);
@@ -105,10 +101,7 @@ export function fileActions(parts: Parts): FileActions {
         { signal, onProgress: ({ done, of }) => onProgress(done / of) },
       ),
     saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),
-    async reload(characterId) {
-      const module = await onDemand(parts.messages, 'Reloading', () => import('./reload.ts'));
-      await module?.reload(reloading, characterId);
-    },
+    reload: (characterId) => void reload(parts, characterId),
     canReload: (characterId) => canReload(parts.store.document, parts.handles, characterId),
     source,
     async pictures() {
@@ -116,6 +109,14 @@ export function fileActions(parts: Parts): FileActions {
       return module?.picturesOf(parts.pictured, (name, content) => parts.disk.download(name, content));
     },
   };
+}
+
+/** A file whose address is relative to the page. */
+const readHere: ReloadParts['readAgain'] = (file, signal) => readAgain(file, document.baseURI, signal);
+
+async function reload(parts: Parts, characterId: string): Promise<void> {
+  const module = await onDemand(parts.messages, 'Reloading', () => import('./reload.ts'));
+  await module?.reload({ ...parts, readAgain: readHere }, characterId);
 }
 
 async function saveKit({ worker, messages, disk }: Parts): Promise<void> {
