@@ -5,8 +5,12 @@ import type { ChannelKeys } from '../model/session.ts';
 /** A change with the selection after it. Whatever it does not specify stays selected if it still exists. */
 export interface Change {
   readonly document: Document;
+  /** Keys that are selected after it, at their new positions; absent: those that were, if they still exist. */
+  readonly keys?: readonly ChannelKeys[];
   /** The character, and its joint, that was changed. */
   readonly selected?: SelectedJoint;
+  /** Number of locked DOFs that would have been changed, and were left alone; absent for none. */
+  readonly locked?: number;
 }
 
 /** A change of keys, which are selected at their new positions. */

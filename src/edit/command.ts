@@ -13,11 +13,11 @@
  * as how many joints there are, they check themselves.
  */
 import type { Document } from '../model/document.ts';
-import type { Edit } from './change.ts';
+import type { Change } from './change.ts';
 import { type Fields, type Given, record, type Shapes } from './schema/shape.ts';
 
 /** Menu entry, undo entry and scripted call in one. */
-export interface Command<Args, Result extends Document | Edit = Document> {
+export interface Command<Args, Result extends Document | Change = Document> {
   /** Stable: `pose.setDof`. */
   readonly id: string;
   /** Label in the Edit menu: "Set rx". */
@@ -27,7 +27,7 @@ export interface Command<Args, Result extends Document | Edit = Document> {
 }
 
 /** How a command of the document is declared. */
-export interface Declared<F extends Fields, Result extends Document | Edit> {
+export interface Declared<F extends Fields, Result extends Document | Change> {
   readonly id: string;
   /** Shape of each argument, by name. */
   readonly args: F;
@@ -40,7 +40,7 @@ export interface Declared<F extends Fields, Result extends Document | Edit> {
 }
 
 /** A command of the document. Its `run` checks its arguments, whoever gives them. */
-export interface DocumentCommand<Args, Result extends Document | Edit = Document>
+export interface DocumentCommand<Args, Result extends Document | Change = Document>
   extends Command<Args, Result>,
     Pick<Declared<Fields, Result>, 'args' | 'makesCharacter' | 'notFromScripts'> {
   /**
@@ -53,7 +53,7 @@ export interface DocumentCommand<Args, Result extends Document | Edit = Document
 }
 
 /** Any command of the document, whatever it takes. */
-export type AnyCommand = Omit<DocumentCommand<never, Document | Edit>, 'read'> & { read(given: unknown): object };
+export type AnyCommand = Omit<DocumentCommand<never, Document | Change>, 'read'> & { read(given: unknown): object };
 
 /** The arguments of a command. */
 export type ArgsOf<C> = C extends Command<infer Args, infer _Result> ? Args : never;
@@ -62,7 +62,7 @@ export type ArgsOf<C> = C extends Command<infer Args, infer _Result> ? Args : ne
  * Makes a command of its record. Its `read` copies and checks arguments from scripts; its `run` checks them too.
  * @throws CommandError from `read` and `run` for arguments of another shape, and whatever the record's own `run` throws
  */
-export function command<const F extends Fields, Result extends Document | Edit = Document>(
+export function command<const F extends Fields, Result extends Document | Change = Document>(
   declared: Declared<F, Result>,
 ): DocumentCommand<Given<F>, Result> {
   const shape = record(declared.args);

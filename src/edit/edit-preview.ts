@@ -4,7 +4,7 @@
  * preview ends: its result was computed for a document that no longer exists.
  */
 import type { Document } from '../model/document.ts';
-import type { Edit } from './change.ts';
+import type { Change } from './change.ts';
 import type { Gesture, Store } from './store.ts';
 
 /** A change that is shown and not yet confirmed. */
@@ -33,7 +33,7 @@ export class EditPreview {
   }
 
   /** Replaces the previous preview. */
-  show(change: Document | Edit): void {
+  show(change: Document | Change): void {
     this.gesture.preview(change);
   }
 

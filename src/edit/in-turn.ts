@@ -1,5 +1,5 @@
 import type { Document } from '../model/document.ts';
-import { documentIn, type Edit } from './change.ts';
+import { type Change, documentIn } from './change.ts';
 import type { Command } from './command.ts';
 
 /**
@@ -7,7 +7,7 @@ import type { Command } from './command.ts';
  *
  * @param label of the step
  */
-export function inTurn<Args>(command: Command<Args, Document | Edit>, label: string): Command<readonly Args[]> {
+export function inTurn<Args>(command: Command<Args, Document | Change>, label: string): Command<readonly Args[]> {
   return {
     id: command.id,
     label: (document, [first, ...others]) =>

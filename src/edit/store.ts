@@ -28,7 +28,7 @@ export interface Gesture {
   readonly base: Document;
   /** Committed or cancelled, by itself or by another change. */
   readonly closed: boolean;
-  preview(change: Document | Edit): void;
+  preview(change: Document | Change): void;
   /** @param label of the step, if it is now known better than at the start */
   commit(label?: string): void;
   /** Restores everything. */
@@ -48,6 +48,8 @@ interface OpenGesture extends Gesture {
 }
 
 type Listener = (now: State, before: State) => void;
+/** @param locked number of locked DOFs that the step has left alone */
+type StepListener = (now: State, before: State, locked: number) => void;
 
 /** A document with its selection and history. All changes go through it, and listeners hear of each. */
 export class Store {
@@ -55,7 +57,7 @@ export class Store {
   private readonly history = new History();
   private gesture: OpenGesture | undefined;
   private readonly listeners = new Set<Listener>();
-  private readonly stepListeners = new Set<Listener>();
+  private readonly stepListeners = new Set<StepListener>();
   /** For ids and revisions of parts. Not in the document, since undo must not make a number available again. */
   private counted = 0;
   private readonly count = () => ++this.counted;
@@ -113,18 +115,19 @@ export class Store {
    * Calls back once after each step made in this document by a command or a finished gesture, with the states on both
    * sides. Not for previews, documents from elsewhere, undo or redo.
    */
-  onStep(listener: Listener): () => void {
+  onStep(listener: StepListener): () => void {
     this.stepListeners.add(listener);
     return () => this.stepListeners.delete(listener);
   }
 
   /** Applies a command as one step, or none if it changes nothing. */
-  apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+  apply<Args>(command: Command<Args, Document | Change>, args: Args): void {
     this.settle();
     const before = this.present;
-    const next = this.stateAfter(before, command.run(before.document, args));
+    const change = command.run(before.document, args);
+    const next = this.stateAfter(before, change);
     this.step(command.label(before.document, args), next);
-    this.tellStep(next, before);
+    this.tellStep(next, before, lockedIn(change));
   }
 
   /**
@@ -164,6 +167,7 @@ export class Store {
     this.settle();
     const before = this.present;
     let previewed = before.selection;
+    let locked = 0;
     const close = (end: (called?: string) => void) => (called?: string) => {
       if (!isOpen()) return;
       this.gesture = undefined;
@@ -183,6 +187,7 @@ export class Store {
         if (!isOpen()) return;
         const next = this.stateAfter({ document: before.document, selection }, change);
         previewed = next.selection;
+        locked = lockedIn(change);
         this.become(next);
       },
       commit: close((called = label) => {
@@ -190,7 +195,7 @@ export class Store {
         if (after.document === before.document) return;
         this.history.remember(called, before, after);
         this.become(after);
-        this.tellStep(after, before);
+        this.tellStep(after, before, locked);
       }),
       cancel: close(() => this.become(before)),
     };
@@ -243,9 +248,9 @@ export class Store {
     this.become(next);
   }
 
-  private tellStep(next: State, before: State): void {
+  private tellStep(next: State, before: State, locked: number): void {
     if (next.document === before.document) return;
-    tellAll(this.stepListeners, next, before);
+    tellAll(this.stepListeners, next, before, locked);
   }
 
   private become(next: State): void {
@@ -261,11 +266,11 @@ export class Store {
 }
 
 /** All listeners are told, even if one throws: what keeps the work must not depend on what shows it. */
-function tellAll(listeners: ReadonlySet<Listener>, next: State, before: State): void {
+function tellAll<A extends readonly unknown[]>(listeners: ReadonlySet<(...args: A) => void>, ...args: A): void {
   let thrown: { readonly error: unknown } | undefined;
   for (const listener of listeners) {
     try {
-      listener(next, before);
+      listener(...args);
     } catch (error) {
       thrown ??= { error };
     }
@@ -273,9 +278,13 @@ function tellAll(listeners: ReadonlySet<Listener>, next: State, before: State): 
   if (thrown) throw thrown.error;
 }
 
+function lockedIn(change: Document | Change): number {
+  return isChange(change) ? (change.locked ?? 0) : 0;
+}
+
 /** A document with the selection after a change: as specified by the change, otherwise what still exists. */
-function stateAfter(before: State, change: Document | Change | Edit, document: Document): State {
-  const { keys, selected }: Partial<Edit> = isChange(change) ? change : {};
+function stateAfter(before: State, change: Document | Change, document: Document): State {
+  const { keys, selected }: Partial<Change> = isChange(change) ? change : {};
   const kept = selectionKept(before, document, keys);
   const about = selected && document !== before.document ? withJoint(kept, selected) : kept;
   return { document, selection: withoutLostJoints(about, before.document, document) };

@@ -4,7 +4,7 @@
  */
 
 import { expect } from 'vitest';
-import type { Edit } from '../../src/edit/change.ts';
+import type { Change } from '../../src/edit/change.ts';
 import type { Command } from '../../src/edit/command.ts';
 import { applyDelta, deltaTo, sameValue } from '../../src/edit/delta.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
@@ -32,7 +32,7 @@ import { writeFile } from './write-file.ts';
  */
 export function expectEdit<Args>(
   document: Document,
-  command: Command<Args, Document | Edit>,
+  command: Command<Args, Document | Change>,
   args: Args,
   selection: Selection = NOTHING_SELECTED,
 ): Document {

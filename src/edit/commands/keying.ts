@@ -7,6 +7,7 @@ import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { keyDofs } from '../key-dofs.ts';
+import { openValues } from '../pose/locks.ts';
 import { optional } from '../schema/shape.ts';
 import { indices, KEY_OPTIONS, NOW } from '../schema/shared-shapes.ts';
 import { characterIn, dofsIn } from '../step-names.ts';
@@ -14,7 +15,7 @@ import { characterIn, dofsIn } from '../step-names.ts';
 /**
  * Keys the pose displayed at that time: the take with unkeyed changes, within limits. Nothing moves at that time. A
  * character without a take gets one, in which DOFs without keys rest at their values. Sampled channels are skipped;
- * refused if there are no others.
+ * refused if there are no others. Locked DOFs are skipped, too.
  */
 export const keyPose = command({
   id: 'pose.key',
@@ -39,9 +40,11 @@ export const keyPose = command({
         const index = indexIn(dof, 0, shown.length, 'DOF');
         values.set(index, shown[index]);
       }
-    const { character: keyed, keys } = keyDofs(character, values, timeSeconds, options);
+    const { open, locked } = openValues(character, values);
+    const { character: keyed, keys } = keyDofs(character, open, timeSeconds, options);
     const take = shownTake(keyed);
-    if (take) keyable(take, [...values.keys()]);
-    return { document: changeCharacter(document, characterId, () => keyed), keys };
+    if (take) keyable(take, [...open.keys()]);
+    const told = locked > 0 && { locked };
+    return { document: changeCharacter(document, characterId, () => keyed), keys, ...told };
   },
 });

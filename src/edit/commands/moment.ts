@@ -12,6 +12,7 @@ import { CommandError } from '../command-error.ts';
 import { isOnCurve } from '../keys/keyed-pose.ts';
 import { type Moment, samplesWithMoment, withMoment } from '../keys/moment.ts';
 import { findKey } from '../keys/same-time.ts';
+import { openValues } from '../pose/locks.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { index, list, number, optional, record } from '../schema/shape.ts';
 import { NOW, range } from '../schema/shared-shapes.ts';
@@ -49,8 +50,9 @@ export const keyForMoment = command({
       throw new CommandError('"easeIn" and "easeOut" must be seconds, at least 0.001 each.');
     }
     const character = requireCharacter(document, characterId);
-    const values = valuesOf(character, timeSeconds, dofs);
-    if (values.size === 0) return document;
+    const wanted = valuesOf(character, timeSeconds, dofs);
+    if (wanted.size === 0) return document;
+    const { open: values, locked } = openValues(character, wanted);
     if ([...values.keys()].some((dof) => dof < silentChannels(character))) refuseMoved(character);
     const offset = character.timeOffsetSeconds;
     const at = timeSeconds + offset;
@@ -58,7 +60,8 @@ export const keyForMoment = command({
     const { range: own } = requireTake(character);
     const baked = playedRange ? ([playedRange[0] + offset, playedRange[1] + offset] as const) : own;
     const { character: changed, keys } = changedFor(character, values, moment, timeSeconds, baked);
-    return { document: changeCharacter(document, characterId, () => changed), keys };
+    const next = changeCharacter(document, characterId, () => changed);
+    return { document: next, keys, ...(locked > 0 && { locked }) };
   },
 });
 

@@ -8,6 +8,7 @@
  *     a sampled channel     an unkeyed change too: samples take no keys
  *     retargeting           an unkeyed change, if it drives the joint; else the pose
  *     auto-key              a key at that time, except for sampled channels
+ *     a lock                nothing changes; how many there were is told
  *
  * The pose keeps the values beneath a take: it shows again without the take, and is saved to `.skel`. Writing to both
  * would change one take by posing in another.
@@ -18,10 +19,11 @@ import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/skeleton/dofs.ts';
 import { indexIn } from '../arguments.ts';
-import type { Edit } from '../change.ts';
+import type { Change } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { openValues } from '../pose/locks.ts';
 import { type Tween, tweenedPose } from '../pose/tween.ts';
 import { boolean, index, list, number, oneOf, optional, record } from '../schema/shape.ts';
 import { CHARACTER, indices, key, NOW } from '../schema/shared-shapes.ts';
@@ -112,7 +114,7 @@ interface OfPose {
   readonly key?: KeyOptions;
 }
 
-function tweened(document: Document, { characterId, timeSeconds, dofs, key }: OfPose, tween: Tween): Document | Edit {
+function tweened(document: Document, { characterId, timeSeconds, dofs, key }: OfPose, tween: Tween): Document | Change {
   return setValues(document, characterId, timeSeconds, key, (character) => {
     const count = dofCountOf(character);
     const given = dofs?.map((dof) => indexIn(dof, 0, count, 'DOF'));
@@ -141,15 +143,19 @@ export function setValues(
   timeSeconds: number,
   key: KeyOptions | undefined,
   valuesFor: (character: Character) => ReadonlyMap<number, number>,
-): Document | Edit {
+): Document | Change {
   const character = requireCharacter(document, characterId);
-  const values = valuesFor(character);
-  if (!key) return changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
+  const { open: values, locked } = openValues(character, valuesFor(character));
+  const told = locked > 0 && { locked };
+  if (!key) {
+    const next = changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
+    return told ? { document: next, ...told } : next;
+  }
   const take = shownTake(character);
   const overSamples = new Map([...values].filter(([dof]) => take?.channels[dof]?.kind === 'samples'));
   const posed = overSamples.size ? pose(character, overSamples, timeSeconds) : character;
   const keyed = keyDofs(posed, values, timeSeconds, key);
-  return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys };
+  return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys, ...told };
 }
 
 /** The character with each value stored where it belongs; the same object if none changed. */

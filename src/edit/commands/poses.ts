@@ -17,9 +17,9 @@ import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { blendPoses } from '../pose/blend.ts';
 import { takePose } from '../pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName, withPoses } from '../pose/library.ts';
-import { counterpartOf, mirroredPose } from '../pose/mirror.ts';
+import { counterpartOf, mirroredPose, partnersPose } from '../pose/mirror.ts';
 import { partnersByName } from '../pose/sides.ts';
-import { filledText, index, list, number, oneOf, optional } from '../schema/shape.ts';
+import { boolean, filledText, index, list, number, oneOf, optional } from '../schema/shape.ts';
 import { CHARACTER, indices, key, NOW, poseByNames } from '../schema/shared-shapes.ts';
 import { characterIn, jointIn } from '../step-names.ts';
 import { setValues, withinLimit } from './pose.ts';
@@ -70,16 +70,53 @@ export const pastePose = command({
   args: {
     ...NOW,
     pose: poseByNames,
+    /** On the other side: left and right swapped, joints in the middle mirrored. Default false. */
+    flipped: optional(boolean),
     key,
   },
-  label: (document, { characterId }) => `Paste pose on ${characterIn(document, characterId)}`,
-  run: (document, { characterId, pose, timeSeconds, key }) =>
+  label: (document, { characterId, flipped }) =>
+    `Paste pose${flipped ? ' flipped' : ''} on ${characterIn(document, characterId)}`,
+  run: (document, { characterId, pose, flipped, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, (character) => {
       const { values } = takePose(character, pose);
       if (values.size === 0) throw new CommandError(`${character.name} has none of the joints in the pose.`);
-      return settled(character, shownAt(character, timeSeconds), values, key !== undefined);
+      const shown = shownAt(character, timeSeconds);
+      const wanted = flipped ? flippedValues(character, shown, values) : values;
+      return settled(character, shown, wanted, key !== undefined);
     }),
 });
+
+/** Values of a pose on the other side; those of the whole character with its root in place, as in mirroring. */
+function flippedValues(
+  character: Character,
+  shown: Float64Array,
+  values: ReadonlyMap<number, number>,
+): ReadonlyMap<number, number> {
+  const { skeleton, clampsToLimits, space } = character;
+  if (!skeleton) return values;
+  const all = characterDofs(skeleton, character.morphs);
+  const target = shown.slice();
+  for (const [d, value] of values) target[d] = value;
+  const sources = [...new Set([...values.keys()].map((d) => all[d].joint))].filter((joint) => joint >= 0);
+  const isWhole = sources.length === skeleton.joints.length;
+  const { dofs, joints } = isWhole
+    ? mirroredPose(skeleton, target, clampsToLimits, { way: 'swap', up: space?.up ?? 'y', stays: true })
+    : partnersPose(skeleton, target, clampsToLimits, sources, true);
+  const flipped = new Map<number, number>();
+  const taken = new Set(joints);
+  const root = rootDofCount(skeleton);
+  // The root's translation is pasted as it is, and mirrored along with all.
+  for (const [d, value] of values) if (d < root) flipped.set(d, isWhole ? dofs[d] : value);
+  for (let d = root; d < dofs.length; d++) if (taken.has(all[d].joint)) flipped.set(d, dofs[d]);
+  const first = root + jointDofCount(skeleton);
+  const others = partnersByName(character.morphs.map(({ name }) => name));
+  for (const [d, value] of values) {
+    if (d < first) continue;
+    const other = others[d - first];
+    flipped.set(other >= 0 ? first + other : d, value);
+  }
+  return flipped;
+}
 
 /** Saves the displayed pose to the library, under an unused name. */
 export const keepPose = command({

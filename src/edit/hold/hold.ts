@@ -11,6 +11,7 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
+import { lockedDofs } from '../../model/sets.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
@@ -79,7 +80,7 @@ export function* holding(
   targets: readonly PinTarget[],
   { range, framesPerSecond, easeSeconds, tolerance: allowed }: HoldOptions,
 ): Steps<HeldTake> {
-  const stiffness = stiffnessOf(skeleton, ikOf(character));
+  const stiffness = stiffnessOf(skeleton, ikOf(character), lockedDofs(character));
   const job: Holding = { character, skeleton, pins, targets, stiffness };
   const reach = reachOfSkeleton(skeleton);
   const tolerance = allowed ?? TOLERANCE * reach;

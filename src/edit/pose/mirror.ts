@@ -82,6 +82,41 @@ export function mirroredPose(
 }
 
 /**
+ * Some joints' counterparts in the pose that these have, as the other side of a hierarchy takes it: each relative to
+ * its parent, which doesn't take part unless it is one of them.
+ *
+ * @param dofs of the character, before limits and links apply
+ * @param sources the joints whose pose is taken
+ * @param flips joints in the middle are mirrored, and joints that are each other's counterparts exchange their poses;
+ * otherwise both are left alone
+ */
+export function partnersPose(
+  skeleton: Skeleton,
+  dofs: ArrayLike<number>,
+  clamps: boolean,
+  sources: readonly number[],
+  flips = false,
+): MirroredPose {
+  const compiled = compileSkeleton(skeleton);
+  const from = Float64Array.from({ length: compiled.firstDof[compiled.jointCount] }, (_, d) => dofs[d] ?? 0);
+  applyConstraints(compiled, from, clamps);
+  const out = from.slice();
+  const reflection = reflectionOf(skeleton);
+  const given = new Set(sources);
+  const targets = new Set<number>();
+  const alone: number[] = [];
+  for (const source of given) {
+    const partner = reflection.partner[source];
+    if (partner < 0) alone.push(source);
+    else if (flips || !given.has(partner)) targets.add(partner);
+  }
+  new Mirroring(skeleton, compiled, reflection, from, out, { clamps, stand: undefined }).run(targets);
+  applyConstraints(compiled, out, clamps);
+  const inOrder = (joints: Iterable<number>) => [...joints].sort((a, b) => a - b);
+  return { dofs: out, joints: inOrder(targets), alone: inOrder(alone) };
+}
+
+/**
  * How the whole character is mirrored.
  *
  * Motion capture may face anywhere, and its joints have axes of their own: it is mirrored across the vertical plane of

@@ -3,13 +3,13 @@
  * result with numbers that aren't finite, such as times moved by 1e308.
  */
 import type { Document } from '../../model/document.ts';
-import { documentIn, type Edit } from '../change.ts';
+import { type Change, documentIn } from '../change.ts';
 import type { AnyCommand, Command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { misfit } from './shape.ts';
 
 /** A command that changes the document as asked by a script. */
-export type ScriptedChange = Command<unknown, Document | Edit>;
+export type ScriptedChange = Command<unknown, Document | Change>;
 
 /** Names a character by id, name or index. @throws CommandError if there is none */
 export type FindCharacter = (ref: string | number | undefined) => string;

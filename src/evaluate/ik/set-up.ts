@@ -4,7 +4,7 @@
  *
  *     const targets = pinTargets(setup, world);                       where the pins are, in the pose that is shown
  *     const pins = ikPinsOf(setup, targets, { pin: 3 });              or { joint, point, target }
- *     const problem = ikProblem(skeleton, pins, dofs, { clamps, stiffness: stiffnessOf(skeleton, setup) });
+ *     const problem = ikProblem(skeleton, pins, dofs, { clamps, stiffness: stiffnessOf(skeleton, setup, locks) });
  *     movePin(problem, draggedIndex(setup, dragged), x, y, z);
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
@@ -89,6 +89,8 @@ export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: DragTarge
 /** How the root is held: not at all, its position, or its turn too. */
 export type RootHold = 'moves' | 'in place' | 'fixed';
 
+const NONE: ReadonlySet<number> = new Set();
+
 /**
  * How a character's root is held. In the axis-angle form it is the first bone, which turns in place unless that is
  * locked; arms of one or two bones could reach nothing otherwise.
@@ -102,10 +104,14 @@ export function rootHold({ form }: Pick<Skeleton, 'form'>, { stiff, rootIsFree }
 /**
  * Stiffness of each of the character's DOFs except morphs: `ikStiffness` with the settings' joints locked (Infinity) or
  * stiffened. Root translation depends on `rootIsFree` only; locking the root joint locks its rotation, and so does a
- * root that is fixed (`rootHold`). If a locked joint's DOFs are linked,
+ * root that is fixed (`rootHold`). So are DOFs that are locked themselves. If a locked joint's DOFs are linked,
  * the DOFs they follow are locked too, or it would bend with them.
  */
-export function stiffnessOf(skeleton: Skeleton, setup: Omit<IkSetup, 'pins'>): Float64Array {
+export function stiffnessOf(
+  skeleton: Skeleton,
+  setup: Omit<IkSetup, 'pins'>,
+  locked: ReadonlySet<number> = NONE,
+): Float64Array {
   const { stiff, rootIsFree } = setup;
   const stiffness = ikStiffness(skeleton, rootIsFree);
   const { firstDof, travel, jointCount, couples } = compileSkeleton(skeleton);
@@ -116,6 +122,7 @@ export function stiffnessOf(skeleton: Skeleton, setup: Omit<IkSetup, 'pins'>): F
       if (!travel.includes(dof)) stiffness[dof] *= factor;
     }
   }
+  for (const dof of locked) if (dof < stiffness.length) stiffness[dof] = Infinity;
   // Each link comes after the one that its source follows.
   for (let i = couples.length - 1; i >= 0; i--) {
     const { dof, follows, gain } = couples[i];

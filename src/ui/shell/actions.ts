@@ -11,6 +11,7 @@ import { KEYING_ACTIONS } from '../editors/posing/keying-actions.ts';
 import { RETARGET_ACTIONS } from '../editors/retarget/actions.ts';
 import { REVIEW_ACTIONS } from '../editors/review/actions.ts';
 import { RIG_ACTIONS } from '../editors/rig/actions.ts';
+import { SET_ACTIONS } from '../editors/sets/actions.ts';
 import { SKIN_ACTIONS } from '../editors/skin/actions.ts';
 import { TAKE_ACTIONS } from '../editors/takes/actions.ts';
 import { TIMELINE_ACTIONS } from '../editors/timeline/actions.ts';
@@ -31,6 +32,7 @@ export const ACTIONS: readonly Action[] = [
   ...COMPARE_ACTIONS,
   ...EDIT_ACTIONS,
   ...SELECT_ACTIONS,
+  ...SET_ACTIONS,
   ...POSE_ACTIONS,
   ...POSING_ACTIONS,
   ...IK_ACTIONS,

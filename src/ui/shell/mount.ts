@@ -8,6 +8,7 @@ import { followForm } from '../editors/posing/mode-of-form.ts';
 import { followKeyedPoses } from '../editors/posing/offer-moment.ts';
 import { followOpened } from '../editors/posing/opened.ts';
 import { followLoneSkins } from '../editors/rig/offer-skeleton.ts';
+import { tellLocked } from '../editors/sets/tell-locked.ts';
 import { takeCell } from '../editors/takes/take-cell.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
@@ -88,6 +89,7 @@ export function mountWorkbench(
     askAboutCycles(wb),
     limitUndo(wb),
     offerOverSamples(wb),
+    tellLocked(wb),
     followKeyedPoses(wb),
     followLoneSkins(wb),
     followMoments(wb, scrubber.element),

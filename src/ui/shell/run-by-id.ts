@@ -14,13 +14,14 @@ import type { Uses } from '../state/workbench.ts';
  * if there is none of that id, or if it refuses. `args` as in `marrow.run`, of any type: they come from a console.
  */
 export function runById(
-  wb: Uses<'store' | 'actions' | 'transport'>,
+  wb: Uses<'store' | 'actions' | 'transport' | 'posing'>,
   calledId: string,
   args: unknown,
 ): Promise<void> | undefined {
   const id = presentId(calledId);
   const command = COMMANDS_AT_HAND.get(id);
-  if (command) apply(wb, command, args);
+  const mirrored = id === 'pose.setDofs' ? wb.posing.mirrored.get() : undefined;
+  if (command) apply(wb, mirrored ? { ...command, runRead: mirrored.run } : command, args);
   else if (mayBeFetched(id)) return fetchAndRun(wb, id, args);
   else return runAction(wb, id, args);
   return undefined;

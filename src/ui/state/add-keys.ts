@@ -10,7 +10,7 @@
  * offered after keys that are abrupt (`offer-moment.ts`).
  */
 
-import { documentIn, type Edit } from '../../edit/change.ts';
+import { type Change, documentIn } from '../../edit/change.ts';
 import type { ArgsOf, Command } from '../../edit/command.ts';
 import { keyForMoment } from '../../edit/commands/moment.ts';
 import type { KeyOptions } from '../../edit/key-dofs.ts';
@@ -40,7 +40,7 @@ export function cyclesChanged(
  */
 export function addKeys<A>(
   wb: Uses<'store' | 'timeline' | 'transport'>,
-  command: Command<A, Document | Edit>,
+  command: Command<A, Document | Change>,
   args: (outsideCycle: OutsideCycle) => A,
 ): void {
   const { store } = wb;
@@ -195,7 +195,7 @@ function momentArgs(
 /** The same for commands that key only with auto-key. */
 export function addKeyed<A extends { readonly key?: KeyOptions | undefined }>(
   wb: Uses<'store' | 'timeline' | 'transport'>,
-  command: Command<A, Document | Edit>,
+  command: Command<A, Document | Change>,
   args: A,
 ): void {
   const { key } = args;

@@ -2,7 +2,10 @@
  * State of posing in the viewport, shared by its tools, the inspector and shortcuts. Not part of the document: pins and
  * locks are (`model/ik.ts`).
  */
-import type { Character } from '../../model/document.ts';
+import type { Change } from '../../edit/change.ts';
+import type { Command } from '../../edit/command.ts';
+import type { SetDofs } from '../../edit/commands/pose.ts';
+import type { Character, Document } from '../../model/document.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import type { DofValue } from '../../model/skeleton/dofs.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
@@ -53,6 +56,9 @@ export interface CopiedPose {
   readonly from: string;
 }
 
+/** `pose.setDofs`, or what does the same and more. */
+export type PosingCommand = Command<SetDofs, Document | Change>;
+
 export class Posing {
   readonly mode: Observable<PosingMode> = observable<PosingMode>('pose');
   /** The mode that the select tool leads back to. */
@@ -71,6 +77,8 @@ export class Posing {
   beside: ((characterId: string, dofs: readonly number[], joint?: number) => BesideDofs | undefined) | undefined;
   /** Characters as they came in, by id: what differs from it was set by hand. */
   readonly opened = new Map<string, Character>();
+  /** While live mirror is on: what sets DOFs by hand, and those of their partners. */
+  readonly mirrored: Observable<PosingCommand | undefined> = observable<PosingCommand | undefined>(undefined);
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
   readonly ik = new IkHand();
   readonly rig = new RigHand();

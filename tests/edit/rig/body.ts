@@ -1,5 +1,5 @@
 /** A small body for tests of rig commands, and what becomes of it. */
-import { documentIn, type Edit } from '../../../src/edit/change.ts';
+import { type Change, documentIn } from '../../../src/edit/change.ts';
 import type { Command } from '../../../src/edit/command.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
@@ -10,7 +10,7 @@ import { character, documentOf, joint } from '../../helpers/builders.ts';
 export const NEAR = 1e-9;
 
 /** The first character after a command. */
-export function done<A>(command: Command<A, Document | Edit>, document: Document, args: A): Character {
+export function done<A>(command: Command<A, Document | Change>, document: Document, args: A): Character {
   return documentIn(command.run(document, args)).characters[0];
 }
 

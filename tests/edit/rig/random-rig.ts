@@ -1,6 +1,6 @@
 /** Random characters with everything that refers to joints and DOFs, and rigging commands to try on them. */
 import fc from 'fast-check';
-import type { Edit } from '../../../src/edit/change.ts';
+import type { Change } from '../../../src/edit/change.ts';
 import type { Command } from '../../../src/edit/command.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
@@ -317,11 +317,11 @@ function ownArguments(id: RigCommand, skeleton: Skeleton | undefined, joint: num
 }
 
 /** A command by its id, to be given arguments that no compiler looked at. */
-export function rigCommand(id: string): Command<object, Document | Edit> {
+export function rigCommand(id: string): Command<object, Document | Change> {
   const command = ALL_COMMANDS.get(id);
   if (!command) throw new Error(`There is no command ${id}.`);
   // As from the console: it checks its arguments itself.
-  return command as unknown as Command<object, Document | Edit>;
+  return command as unknown as Command<object, Document | Change>;
 }
 
 /** The DOFs of the joints and the root translation. */

@@ -10,6 +10,7 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { IkSetup } from '../../../model/ik.ts';
+import { lockedDofs } from '../../../model/sets.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
@@ -244,7 +245,7 @@ export function handStiffness(
   const moves = inertia(skeleton);
   const stays = staysBeside(character, skeleton, joint);
   const bends = bendsWith(skeleton, bending);
-  return stiffnessOf(skeleton, ikOf(character)).map((factor, dof) =>
+  return stiffnessOf(skeleton, ikOf(character), lockedDofs(character)).map((factor, dof) =>
     stays(dof) || !bends(dof) ? Infinity : factor * (moves[dof] ?? 1),
   );
 }

@@ -1,4 +1,5 @@
 import type { Character } from '../../../model/document.ts';
+import { lockedDofs } from '../../../model/sets.ts';
 import type { DofValue } from '../../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { ikProblem } from '../problem.ts';
@@ -37,7 +38,7 @@ export function resolvePins(
   const dofs = shown.slice();
   const problem = ikProblem(skeleton, ikPinsOf(setup, held), dofs, {
     clamps: character.clampsToLimits,
-    stiffness: stiffnessOf(skeleton, setup),
+    stiffness: stiffnessOf(skeleton, setup, lockedDofs(character)),
   });
   const { residuals, binding, bindingCount } = solve(problem, dofs, 'settle');
   const worst = residuals.indexOf(Math.max(...residuals));

@@ -2,7 +2,6 @@
  * A drag of a handle or a bone, from press to release. Nothing happens until the pointer has moved: then playback
  * stops, and the pose at that time is edited. One undo step; Escape cancels it.
  */
-import { setDofs } from '../../../edit/commands/pose.ts';
 import { jointIn } from '../../../edit/step-names.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
@@ -12,7 +11,7 @@ import { jointsText } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { BesideDofs } from '../../state/posing.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
-import { autoKey } from '../posing/pose-edits.ts';
+import { autoKey, posingCommand } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { DragResult, Mover } from './movers.ts';
@@ -68,7 +67,7 @@ export function handDrag(
       const dofs = beside?.at(own) ?? own;
       const { timeSeconds } = wb.transport.get();
       const label = () => dragLabel(findCharacter(wb.store.document, characterId), joint, moved);
-      const command = { ...setDofs, label };
+      const command = { ...posingCommand(wb), label };
       const args = { characterId, dofs, timeSeconds, key: autoKey(wb) };
       edit.preview(command, args, () => addKeyed(wb, command, args));
       beside?.shown();

@@ -3,23 +3,27 @@
  * Owns the store's gesture; pointer motion belongs to `PinDrag` and `PinNudge`, the pose to `Pull`.
  */
 
-import type { Edit } from '../../../edit/change.ts';
+import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
-import { type SetDofs, setDofs } from '../../../edit/commands/pose.ts';
+import type { SetDofs } from '../../../edit/commands/pose.ts';
 import { jointIn } from '../../../edit/step-names.ts';
 import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import { type Gap, type Grip, Pull } from '../../../evaluate/ik/drag/pull.ts';
+import type { Bending } from '../../../evaluate/ik/limb.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { isSingular } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
+import { lockedDofs } from '../../../model/sets.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { autoKey, standStillToPose } from '../posing/pose-edits.ts';
+import { plural } from '../../widgets/numbers/number-text.ts';
+import { autoKey, posingCommand, standStillToPose } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 import { reachOfDrag } from './reach.ts';
 
@@ -42,18 +46,20 @@ export class HandPull {
   private readonly edit: HandEdit;
   /** Resumes following and *in place*, which the drag has paused. */
   private readonly rest: () => void;
-  private readonly command: Command<SetDofs, Document | Edit>;
+  private readonly command: Command<SetDofs, Document | Change>;
 
   private constructor(
     private readonly wb: Workbench,
     private readonly grip: IkGrip,
     private readonly character: Character,
     private readonly pull: Pull,
+    /** Locked DOFs of what could bend. */
+    private readonly locked: number,
   ) {
     this.edit = new HandEdit(wb.store, wb.messages, () => this.holdsStill);
     this.rest = wb.viewport.freezeRootMotion(character.id);
     wb.posing.ik.wantsRoot.set(false);
-    this.command = { ...setDofs, label: () => `Drag ${jointIn(character, grip.joint)}` };
+    this.command = { ...posingCommand(wb), label: () => `Drag ${jointIn(character, grip.joint)}` };
   }
 
   /** Undefined if nothing can be dragged: the character was removed or hidden, or the point can't be located. */
@@ -64,7 +70,7 @@ export class HandPull {
     standStillToPose(wb, before);
     const character = findCharacter(wb.store.document, grip.characterId);
     const pull = character && pullOf(wb, character, grip);
-    return pull && new HandPull(wb, grip, character, pull);
+    return pull && new HandPull(wb, grip, character, pull.pull, pull.locked);
   }
 
   /** Where the hand is, in the world: at first where the point was. */
@@ -115,6 +121,7 @@ export class HandPull {
       const name = jointName(character.skeleton, grip.joint);
       wb.messages.note(`${name} can’t be moved while ${character.name}’s root is fixed. Allow the root to move.`);
     }
+    if (this.locked > 0) wb.messages.note(`${plural(this.locked, 'locked DOF')} left alone.`);
     const facts = wb.viewport.character(character.id);
     const now = findCharacter(wb.store.document, character.id);
     if (!facts || !now) return;
@@ -168,8 +175,18 @@ export class HandPull {
   }
 }
 
+/** The locked DOFs of joints that could bend. */
+function lockedIn(character: Character, bending: Bending): number {
+  const all = characterDofs(character.skeleton, []);
+  return [...lockedDofs(character)].filter((dof) => bending === 'body' || bending.includes(all[dof].joint)).length;
+}
+
 /** Of the pose that is shown. */
-function pullOf(wb: Workbench, character: Character, grip: IkGrip): Pull | undefined {
+function pullOf(
+  wb: Workbench,
+  character: Character,
+  grip: IkGrip,
+): { readonly pull: Pull; readonly locked: number } | undefined {
   const { viewport, posing } = wb;
   const { id, skeleton } = character;
   const facts = viewport.character(id);
@@ -179,5 +196,6 @@ function pullOf(wb: Workbench, character: Character, grip: IkGrip): Pull | undef
   if (16 * grip.joint + 16 > world.length) return undefined;
   const held = currentTargets(posing.ik.targets, id, ikOf(character), dofs, world);
   const reach = reachOfDrag(wb, character, skeleton, world, placement, grip.joint);
-  return new Pull(character, skeleton, { dofs, world }, held, grip, placement, reach);
+  const pull = new Pull(character, skeleton, { dofs, world }, held, grip, placement, reach);
+  return { pull, locked: lockedIn(character, reach.bending) };
 }

@@ -1,6 +1,5 @@
 /** Re-solves all pins with restarts, on request. */
 
-import { setDofs } from '../../../edit/commands/pose.ts';
 import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
 import { resolvePins } from '../../../evaluate/ik/drag/re-solve.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -10,7 +9,7 @@ import { attempt } from '../../state/actions/attempt.ts';
 import { addKeyed } from '../../state/add-keys.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { autoKey } from '../posing/pose-edits.ts';
+import { autoKey, posingCommand } from '../posing/pose-edits.ts';
 import { gapText } from './gap-text.ts';
 
 /** One undo step; reports if nothing better was found. */
@@ -25,7 +24,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   const { changes, missed, hindrance } = resolvePins(character, skeleton, facts.dofs, held);
   const { timeSeconds } = wb.transport.get();
   if (changes.length) {
-    const command = { ...setDofs, label: () => `Re-solve pins of ${character.name}` };
+    const command = { ...posingCommand(wb), label: () => `Re-solve pins of ${character.name}` };
     attempt(wb.messages, () => {
       addKeyed(wb, command, { characterId: id, dofs: changes, timeSeconds, key: autoKey(wb) });
       const after = wb.viewport.character(id);

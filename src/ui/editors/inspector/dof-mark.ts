@@ -5,17 +5,20 @@
  *     ◇ driven       has keys at other times
  *     ● unkeyed      changed over its keys; lost when the time changes
  *     ▸ moved        retargeted from another character; can't be keyed
+ *     ▪ locked       posing and keying leave it alone; a click unlocks it
  *       free         no keys, keeps its value. A faint ◇ on hover shows that a click keys it
  */
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
+import { lockedDofs } from '../../../model/sets.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { button, keepsFocusElsewhere, setAttribute, write } from '../../widgets/dom.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { deleteKeysNow, isKeyedNow, isSampled, keyNow } from '../posing/pose-edits.ts';
+import { toggleLocks } from '../sets/toggle-locks.ts';
 
-export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
+export type DofState = 'locked' | 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
 
 export class DofMark {
   readonly element: HTMLButtonElement;
@@ -55,6 +58,7 @@ export class DofMark {
 }
 
 const TITLES: Readonly<Record<DofState, string>> = {
+  locked: 'Locked: posing and keying leave it alone. Click to unlock it',
   keyed: 'Keyed at current time. Click to delete the key',
   driven: 'Animated, not keyed at current time. Click to key it',
   unkeyed: 'Unkeyed change, lost when the time changes. Click to key it',
@@ -71,10 +75,12 @@ const SAMPLED_TITLES: Partial<Record<DofState, string>> = {
 /** What a click does, for screen readers; names the DOF, as there are hundreds of marks. */
 export function markLabel(state: DofState, name: string): string {
   if (state === 'moved') return `${name} is retargeted from another character`;
+  if (state === 'locked') return `Unlock ${name}`;
   return state === 'keyed' ? `Delete key of ${name} at current time` : `Key ${name}`;
 }
 
 export function dofState(wb: Uses<'transport'>, character: Character, dof: number): DofState {
+  if (lockedDofs(character).has(dof)) return 'locked';
   const { unkeyed } = character;
   if (unkeyed?.timeSeconds === wb.transport.get().timeSeconds && unkeyed.dofs.includes(dof)) return 'unkeyed';
   if (!isDriven(character, dof)) return 'free';
@@ -91,7 +97,8 @@ export function toggleKey(
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton) return;
   const each = [...dofs].sort((a, b) => a - b);
-  if (each.every((dof) => dofState(wb, character, dof) === 'keyed')) deleteKeysNow(wb, character, each);
+  if (each.every((dof) => dofState(wb, character, dof) === 'locked')) toggleLocks(wb, characterId, each);
+  else if (each.every((dof) => dofState(wb, character, dof) === 'keyed')) deleteKeysNow(wb, character, each);
   // Refused if the joint is retargeted from another character.
   else attempt(wb.messages, () => keyNow(wb, characterId, each));
 }

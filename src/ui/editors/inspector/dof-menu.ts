@@ -4,6 +4,7 @@ import { inTurn } from '../../../edit/in-turn.ts';
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
+import { lockedDofs } from '../../../model/sets.ts';
 import { coupleOf } from '../../../model/skeleton/couples.ts';
 import { characterDofs, wholeFilePose } from '../../../model/skeleton/dofs.ts';
 import { isUnlimited, type Limit, UNLIMITED } from '../../../model/skeleton/skeleton.ts';
@@ -16,6 +17,7 @@ import type { Slider } from '../../widgets/numbers/slider.ts';
 import { shownDofs } from '../posing/active-dof.ts';
 import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOwn } from '../posing/pose-edits.ts';
 import { editLimits } from '../rig/limit-editor.ts';
+import { toggleLocks } from '../sets/toggle-locks.ts';
 
 /**
  * @param dofs of the row: one, or the same of several joints, which the entries are for; the first is the shown one
@@ -59,18 +61,20 @@ export function dofEntries(
   const each = [index, ...others].sort((a, b) => a - b);
   const isForSeveral = others.length > 0;
   const keys = isForSeveral ? 'keys' : 'key';
+  const locks = lockedDofs(character);
+  const isLocked = each.every((one) => locks.has(one));
   const withKeys = each.filter((one) => isDriven(character, one) && channelOf(character, one) !== undefined);
   const hasKeys = withKeys.length > 0;
   const values = shownDofs(wb, character);
   const inFile = wholeFilePose(character.skeleton, character.morphs);
-  // A linked DOF has no value of its own.
-  const isOwn = coupleOf(character.skeleton, index) === undefined;
+  // A linked DOF has no value of its own, and a locked one keeps it.
+  const isOwn = coupleOf(character.skeleton, index) === undefined && !isLocked;
   const set = (wanted: (one: number) => number) => {
     const own = [index, ...others].map((one) => ({ index: one, value: wanted(one) }));
     const beside = wb.posing.beside?.(id, each);
     const { timeSeconds } = wb.transport.get();
     const dofs = beside?.at(own) ?? own;
-    addKeyed(wb, setOwn(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
+    addKeyed(wb, setOwn(wb, own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
     beside?.shown();
   };
   const fromFile = (one: number) => inFile[one] ?? 0;
@@ -92,6 +96,7 @@ export function dofEntries(
     { kind: 'line' },
     item(isForSeveral ? 'Show curves' : 'Show curve', hasKeys, () => showCurves(wb, character, withKeys)),
     { kind: 'line' },
+    item(isLocked ? 'Unlock' : 'Lock', dof.joint >= 0, () => toggleLocks(wb, id, each)),
     item('Reset to file pose', isAnyOff(fromFile), () => set(fromFile)),
     item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isAnyOff(atRest), () => set(atRest)),
   ];

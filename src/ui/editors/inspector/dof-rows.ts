@@ -3,6 +3,7 @@ import type { GUI } from 'lil-gui';
 import { sameChange } from '../../../edit/pose/same-change.ts';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
+import { lockedDofs } from '../../../model/sets.ts';
 import { coupleOf, type DofCouple } from '../../../model/skeleton/couples.ts';
 import type { CharacterDof, DofValue } from '../../../model/skeleton/dofs.ts';
 import { reachOf } from '../../../model/skeleton/reach.ts';
@@ -85,6 +86,7 @@ export function addDofRow(
     const dofs = wb.viewport.character(id)?.dofs ?? now.pose;
     slider.showValue(withoutNoise((dofs[index] ?? 0) * factor));
     mark.show(now);
+    if (!couple) hold(slider, lockedDofs(now).has(index));
     if (isForSeveral) differ.show(dofs, together);
   };
   letChange({ wb, edit, live }, slider, { id, index, matching, factor }, update);
@@ -145,7 +147,7 @@ function letChange(
     const { timeSeconds } = wb.transport.get();
     const dofs = beside?.at(own) ?? own;
     const args = { characterId: id, dofs, timeSeconds, key };
-    const command = setOwn(own);
+    const command = setOwn(wb, own);
     edit.preview(command, args, () => addKeyed(wb, command, args));
     beside?.shown();
     if (edit.cancelled) update();
@@ -159,6 +161,14 @@ function letChange(
 }
 
 /** A linked DOF can't be changed, and names the one that it follows. */
+/** A locked DOF shows its value, and its mark unlocks it. */
+function hold(slider: Slider, isLocked: boolean): void {
+  if (slider.domElement.classList.contains('locked') === isLocked) return;
+  slider.domElement.classList.toggle('locked', isLocked);
+  write(slider.$input, 'disabled', isLocked);
+  setAttribute(slider.$input, 'aria-description', isLocked ? 'locked' : undefined);
+}
+
 function disable(slider: Slider, tooltip: string, description: string, followed: string): void {
   slider.disable();
   setTooltip(slider.domElement, tooltip);

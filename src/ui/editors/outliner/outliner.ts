@@ -9,6 +9,7 @@ import { onShown } from '../../state/shown-comparison.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { element, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
+import { setsStrip } from '../sets/strip.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import { characterKey, isFew, jointKey, keysAbove, type OutlineRow, outlineRows, sameOutline } from './outline-rows.ts';
 import { activate, canRename, isSelected, rename, select, selectRange, toggleSelected } from './row-actions.ts';
@@ -62,6 +63,7 @@ class Outliner {
       { class: 'panel outliner', 'aria-label': 'Outliner' },
       this.search.element,
       element('div', { class: 'outliner-tree' }, this.empty, target),
+      setsStrip(wb),
       splitter(wb, 'filesHeight', 'Height of files and messages'),
       filesAndMessages(wb),
     );

@@ -1,5 +1,6 @@
 /** Actions on whole poses: copy, paste, mirror, save. Their scripts are loaded on first use. */
 
+import { boolean, optional, record } from '../../../edit/schema/shape.ts';
 import type { NamedPose } from '../../../model/poses.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { needs, needsCharacter, needsJoint, needsSkeleton } from '../../state/actions/needs.ts';
@@ -12,6 +13,13 @@ const edits = () => import('./pose-edits.ts');
 /** In the library of the current character. */
 export function focusedPose(wb: Uses<'store' | 'posing'>): NamedPose | undefined {
   return currentCharacter(wb)?.poses?.[wb.posing.libraryPose.get()];
+}
+
+const LIVE_MIRROR = record({ on: optional(boolean) });
+
+/** Arguments of scripts; keys and menus give none. */
+function liveMirrorArgs(args: unknown): { readonly on?: boolean } {
+  return typeof args === 'object' && args !== null ? LIVE_MIRROR.read(args, '') : {};
 }
 
 export const POSE_ACTIONS: readonly Action[] = [
@@ -66,6 +74,21 @@ export const POSE_ACTIONS: readonly Action[] = [
     run: async (wb) => (await edits()).resetJoints(wb),
   },
   {
+    id: 'pose.pasteFlipped',
+    label: 'Paste pose flipped',
+    detail: 'Swaps left and right',
+    also: 'mirror',
+    group: 'Edit',
+    menu: MENU,
+    section: 1,
+    shortcuts: ['Ctrl+Alt+V'],
+    refuses: needs(
+      (wb) => needsCharacter(wb) ?? 'Copy a pose first.',
+      (wb) => !needsCharacter(wb) && wb.posing.copied.get() !== undefined,
+    ),
+    run: async (wb) => (await edits()).pasteCopied(wb, true),
+  },
+  {
     id: 'pose.mirror',
     label: 'Mirror pose',
     detail: 'Swaps left and right',
@@ -97,6 +120,22 @@ export const POSE_ACTIONS: readonly Action[] = [
     shortcuts: ['Alt+Shift+M'],
     refuses: needsJoint,
     run: async (wb) => (await edits()).mirror(wb, 'toOther', true),
+  },
+  {
+    id: 'pose.liveMirror',
+    label: 'Live mirror',
+    detail: 'Both sides at once',
+    also: 'symmetry symmetric',
+    group: 'Pose',
+    menu: MENU,
+    section: 2,
+    shortcuts: ['Ctrl+Alt+M'],
+    checked: (wb) => wb.posing.mirrored.get() !== undefined,
+    async run(wb, args) {
+      const { mirroredSetDofs } = await import('../../../edit/pose/live-mirror.ts');
+      const { on = wb.posing.mirrored.get() === undefined } = liveMirrorArgs(args);
+      wb.posing.mirrored.set(on ? mirroredSetDofs : undefined);
+    },
   },
   {
     id: 'pose.keep',

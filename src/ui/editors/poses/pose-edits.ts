@@ -79,13 +79,16 @@ function currentPose(wb: Uses<'transport'>, character: Character): PoseByNames {
   return poseByNames(character, { name: character.name, values: Array.from(values) });
 }
 
-/** Reports what did not match. */
-export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>): void {
+/** Reports what did not match. @param flipped pasted on the other side */
+export function pasteCopied(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  flipped?: true,
+): void {
   const character = currentCharacter(wb);
   const copied = wb.posing.copied.get();
   if (!character || !copied) return;
   attempt(wb.messages, () => {
-    addKeyed(wb, pastePose, { characterId: character.id, pose: copied.pose, ...moment(wb) });
+    addKeyed(wb, pastePose, { characterId: character.id, pose: copied.pose, flipped, ...moment(wb) });
     const { missing } = takePose(character, copied.pose);
     if (missing.length === 0) return;
     const given = copied.pose.joints.filter(({ dofs }) => dofs.length > 0);

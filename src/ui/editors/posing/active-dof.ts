@@ -2,7 +2,6 @@
  * The active DOF of the selected joint: the one changed by dragging its bone, and by keys. Chosen by its handle, button
  * or slider; on another joint, the DOF of the same name is active.
  */
-import { setDofs } from '../../../edit/commands/pose.ts';
 import { matchingDofs, sameChange } from '../../../edit/pose/same-change.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import type { Character } from '../../../model/document.ts';
@@ -17,7 +16,7 @@ import { dofValueText, limitNote } from '../../state/joints/dof-text.ts';
 import { type ResolvedJoint, selectedJoint, selectedJoints } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { autoKey, jointDofs } from './pose-edits.ts';
+import { autoKey, jointDofs, posingCommand } from './pose-edits.ts';
 
 /** Radians: change per key press, and the step that Ctrl snaps to. */
 const KEY_ANGLE = Math.PI / 180;
@@ -102,7 +101,7 @@ export function nudgeDof(
   const matching = matchingDofs(skeleton, selectedJoints(wb)?.joints ?? [], index);
   const dofs = [own, ...sameChange(shown, own, matching)];
   const { timeSeconds } = wb.transport.get();
-  addKeyed(wb, setDofs, { characterId: character.id, dofs, timeSeconds, key: autoKey(wb) });
+  addKeyed(wb, posingCommand(wb), { characterId: character.id, dofs, timeSeconds, key: autoKey(wb) });
   // Also where nothing has changed, at a limit.
   wb.messages.note(activeDofText(wb));
 }

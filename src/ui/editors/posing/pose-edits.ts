@@ -18,6 +18,7 @@ import { keysOf } from '../../../model/takes/take.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
+import type { PosingCommand } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
 import { takeTime } from '../timeline/current-take.ts';
@@ -37,9 +38,15 @@ export function autoKey(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOpt
   return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
 }
 
+/** What sets DOFs by hand: with live mirror on, those of their partners, too. */
+export function posingCommand({ posing }: Uses<'posing'>): PosingCommand {
+  return posing.mirrored.get() ?? setDofs;
+}
+
 /** Sets DOFs with those that change with them (`Posing.beside`); the undo label names only the former. */
-export function setOwn(dofs: readonly DofValue[]): typeof setDofs {
-  return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs }) };
+export function setOwn({ posing }: Uses<'posing'>, dofs: readonly DofValue[]): PosingCommand {
+  const command = posingCommand({ posing });
+  return { ...command, label: (document, args) => command.label(document, { ...args, dofs }) };
 }
 
 /** Stops what would take a pose set by hand back with the next frame; with auto-key, so that the shown frame is keyed. */

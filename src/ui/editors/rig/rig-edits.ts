@@ -1,6 +1,6 @@
 /** Edits of a skeleton from menus, keys and the tree: commands with the page's state filled in. */
 
-import { documentIn, type Edit } from '../../../edit/change.ts';
+import { type Change, documentIn } from '../../../edit/change.ts';
 import type { ArgsOf } from '../../../edit/command.ts';
 import { CommandError } from '../../../edit/command-error.ts';
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
@@ -90,7 +90,7 @@ function start(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'setting
 }
 
 /** The id of the character that a command created or changed. */
-function selectedIn(change: Document | Edit, before: Document): string | undefined {
+function selectedIn(change: Document | Change, before: Document): string | undefined {
   const said = 'document' in change ? change.selected?.characterId : undefined;
   return said ?? documentIn(change).characters.find((c) => !findCharacter(before, c.id))?.id;
 }

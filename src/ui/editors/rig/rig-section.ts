@@ -5,7 +5,7 @@
  * changes; numbers are only updated, also while dragging.
  */
 import type { GUI } from 'lil-gui';
-import type { Edit } from '../../../edit/change.ts';
+import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from '../../../edit/commands/rig-joint.ts';
@@ -110,13 +110,13 @@ export class RigSection {
   }
 
   /** One undo step. */
-  private apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+  private apply<Args>(command: Command<Args, Document | Change>, args: Args): void {
     pausePlayback(this.wb);
     attempt(this.wb.messages, () => this.wb.store.apply(command, args));
   }
 
   /** Part of an undo step: a dragged slider or a number being typed. */
-  private preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+  private preview<Args>(command: Command<Args, Document | Change>, args: Args): void {
     pausePlayback(this.wb);
     this.edit.preview(command, args);
   }

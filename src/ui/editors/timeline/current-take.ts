@@ -7,7 +7,7 @@
  * selecting something else deselects them with the rest.
  */
 
-import type { Edit } from '../../../edit/change.ts';
+import type { Change, Edit } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
@@ -57,7 +57,7 @@ export function selectedKeysInView(wb: Uses<'store' | 'timeline'>): readonly Cha
 }
 
 /** Wraps a command on the visible selected keys so that the invisible ones stay selected. */
-export function aboutKeysInHand<A, R extends Document | Edit>(
+export function aboutKeysInHand<A, R extends Document | Change>(
   wb: Uses<'store' | 'timeline'>,
   command: Command<A, R>,
 ): Command<A, R | Edit> {
@@ -69,7 +69,7 @@ export function aboutKeysInHand<A, R extends Document | Edit>(
     run(document, args) {
       // They belong to other channels than the command changes, so their indices stay valid.
       const edit = command.run(document, args);
-      return 'document' in edit ? { document: edit.document, keys: unionKeys(edit.keys, unseen) } : edit;
+      return 'document' in edit ? { ...edit, keys: unionKeys(edit.keys ?? [], unseen) } : edit;
     },
   };
 }

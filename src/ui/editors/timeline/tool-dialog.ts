@@ -3,7 +3,7 @@
  * applied, nothing when closed.
  */
 
-import type { Edit } from '../../../edit/change.ts';
+import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { EditPreview } from '../../../edit/edit-preview.ts';
 import type { Steps } from '../../../evaluate/steps.ts';
@@ -22,7 +22,7 @@ export interface ToolDialog<A> extends Pick<FormParts, 'about' | 'asked' | 'butt
   readonly title: string;
   /** Further CSS classes of the dialog. */
   readonly kind?: string;
-  readonly command: Command<A, Document | Edit>;
+  readonly command: Command<A, Document | Change>;
   args(answers: Form): A;
   /**
    * The command in steps, if it may take long: yields its progress, and returns the change with a summary. Changing an
@@ -51,7 +51,7 @@ export interface OtherEnd<A> {
 
 /** A change made in steps, and its summary. */
 export interface Stepped {
-  readonly change: Document | Edit;
+  readonly change: Document | Change;
   readonly text: string;
   /** A warning shown before applying, and repeated afterwards. */
   readonly warning?: string;
@@ -69,7 +69,7 @@ export function toolDialog<A>(wb: Parts, close: () => void, tool: ToolDialog<A>)
 
 class Tool<A> {
   readonly form: Form;
-  private readonly command: Command<A, Document | Edit>;
+  private readonly command: Command<A, Document | Change>;
   private readonly preview: EditPreview;
   /** The original document is the reference, whatever is previewed. */
   private readonly base: Document;

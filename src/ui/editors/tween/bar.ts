@@ -3,7 +3,7 @@
  * drag of the slider, a button or a typed number is one step; Escape gives up a drag, and closes the bar.
  */
 
-import type { Edit } from '../../../edit/change.ts';
+import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { easeKeys, relaxKeys, SCALE_ABOUT, scaleKeys, tweenKeys } from '../../../edit/commands/keys.ts';
 import { relaxPose, tweenPose } from '../../../edit/commands/pose.ts';
@@ -11,6 +11,7 @@ import { countKeys } from '../../../edit/keys/selection.ts';
 import { keysWithin } from '../../../edit/keys/tween.ts';
 import { tweenedPose } from '../../../edit/pose/tween.ts';
 import type { Document } from '../../../model/document.ts';
+import { lockedDofs } from '../../../model/sets.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
@@ -196,7 +197,7 @@ function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefin
     const characterId = currentTake(wb)?.character.id;
     if (!keys.length || characterId === undefined) return undefined;
     const apply =
-      <A>(command: Command<A, Document | Edit>, args: (value: number) => A): Preview =>
+      <A>(command: Command<A, Document | Change>, args: (value: number) => A): Preview =>
       (edit, value) =>
         edit.preview(command, args(value));
     const of = { characterId, keys };
@@ -235,6 +236,8 @@ function targetText(wb: Parts, way: TweenWay): string {
   if (!character) return '';
   const { values, leftAlone } = tweenedPose(character, wb.transport.get().timeSeconds, { kind: 'keys', u: 0 }, dofs);
   if (values.size === 0) return 'No DOF here has a key on both sides.';
+  const locks = lockedDofs(character);
+  const locked = [...values.keys()].filter((dof) => locks.has(dof)).length;
   const alone = leftAlone > 0 ? `; ${leftAlone} without keys on both sides left alone` : '';
-  return `${plural(values.size, 'DOF')}${alone}`;
+  return `${plural(values.size - locked, 'DOF')}${alone}${locked > 0 ? `; ${locked} locked` : ''}`;
 }

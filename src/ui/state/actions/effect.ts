@@ -43,6 +43,7 @@ function noticeable({
     posing.mode.get(),
     posing.chosenDof.get(),
     posing.copied.get(),
+    posing.mirrored.get(),
     posing.rigSkin.get(),
     posing.rig.adding.get(),
     posing.rig.children.get(),

@@ -6,7 +6,7 @@
  * the same, so it continues in a new step. A drag of keys can't: it knows them by index in the old document, and its
  * amounts count from the press. Such an edit ends there, with its result so far as a step.
  */
-import type { Edit } from '../../../edit/change.ts';
+import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { CommandError } from '../../../edit/command-error.ts';
 import type { Gesture, Store } from '../../../edit/store.ts';
@@ -40,7 +40,7 @@ export class HandEdit {
    * Shows the document as the command would change it.
    * @param anew of one that adds keys: applies it by `add-keys.ts`, in place of what is shown, if it changes a cycle
    */
-  preview<Args>(command: Command<Args, Document | Edit>, args: Args, anew?: () => void): void {
+  preview<Args>(command: Command<Args, Document | Change>, args: Args, anew?: () => void): void {
     if (!this.gesture && this.stillHolds?.() === false) this.wasCancelled = true;
     const { cancelled } = this;
     if (this.gesture?.closed) this.end();
