@@ -6,14 +6,14 @@
 import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
-import type { Steps } from '../evaluate/steps.ts';
-import { skeletonKindFor } from '../files/kinds.ts';
-import { type DumpFile, type OpenResult, openFiles, openInSteps } from '../files/open/open-files.ts';
+import { runToEnd, type Steps } from '../evaluate/steps.ts';
+import { openingOf, skeletonKindFor } from '../files/kinds.ts';
+import { type DumpFile, type OpenResult, openInSteps } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownTake } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
-import type { ParsedFile, SourceFile } from '../model/files.ts';
+import { byFileName, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import type { Observable } from '../ui/widgets/observable.ts';
@@ -193,12 +193,15 @@ export class Opener {
     const { store } = this.parts;
     store.settle();
     const { document, selection } = store;
-    const steps = openInSteps(document, files, broken, reloads ?? selection.characterId);
-    const result = await runInSlices(this.withViews(steps), signal);
+    const beside = await openerBeside([...files, ...document.unused.map(({ file }) => file)]);
+    signal.throwIfAborted();
+    const open = (into: Document, selectedId = selection.characterId) =>
+      openInSteps(into, files, broken, reloads ?? selectedId, byFileName, beside);
+    const result = await runInSlices(this.withViews(open(document)), signal);
     signal.throwIfAborted();
     if (result && store.document === document) return result;
     store.settle();
-    return openFiles(store.document, files, broken, reloads ?? store.selection.characterId);
+    return runToEnd(open(store.document, store.selection.characterId));
   }
 
   /** Goes on with the views of new characters. */
@@ -305,4 +308,10 @@ function failure(error: unknown): Diagnostic {
   const message = sentenceOf(error);
   const code = error instanceof WorkerError ? 'worker-failed' : 'open-failed';
   return withoutPlace('error', code, `Nothing was opened. ${message}`, '');
+}
+
+/** What opens JSON beside other files, if any of these is such: of most there is none. */
+async function openerBeside(files: readonly ParsedFile[]) {
+  if (!files.some(({ kind }) => openingOf(kind).as === 'beside')) return undefined;
+  return (await import('../files/open/beside-files.ts')).openBeside;
 }

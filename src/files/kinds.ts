@@ -4,7 +4,6 @@
  * `writers.ts`, with an entry per kind: the page's first script includes neither, since it reads in a worker and loads
  * the writers when something is saved.
  */
-import { withMarkers } from '../edit/markers.ts';
 import { withoutUnkeyed } from '../edit/unkeyed.ts';
 import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
 import { TEXTURE_EXTENSIONS } from '../formats/texture/extensions.ts';
@@ -22,8 +21,6 @@ import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { keysOf, type Take } from '../model/takes/take.ts';
 import { type PartOrigin, withAcclaimTake, withMorph, withSkin, withTake } from './open/assemble.ts';
-import type { BesideOpening } from './open/beside.ts';
-import { givenSets } from './open/sets.ts';
 
 /** One kind of file: its names, its content, and how it is saved. */
 export interface Kind {
@@ -323,7 +320,7 @@ export function isBuffer(path: string): boolean {
 }
 
 /** The result of opening the content of a file (`open/open-files.ts`). */
-export type Opening<C> = CharacterOpening<C> | PartOpening<C> | BesideOpening<C> | OtherOpening;
+export type Opening<C> = CharacterOpening<C> | PartOpening<C> | OtherOpening;
 
 /** It has skeletons: each is a character. */
 export interface CharacterOpening<C> {
@@ -348,11 +345,11 @@ export interface PartOpening<C> {
 }
 
 /**
- * A list of other files; poses for a library; an image for a skin; numbers to compare with a character: opened by rules
+ * A list of other files; JSON beside one (`Kind.beside`, `open/beside-files.ts`); poses for a library; an image for a skin; numbers to compare with a character: opened by rules
  * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
  */
 export interface OtherOpening {
-  readonly as: 'rig' | 'poses' | 'texture' | 'dump';
+  readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'beside';
 }
 
 /** The role of a file in an opening. */
@@ -404,13 +401,8 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
   texture: { as: 'texture' },
   dump: { as: 'dump' },
-  markers: {
-    as: 'beside',
-    give: (character, take, { markers }) => ({
-      character: { ...character, takes: character.takes.with(take, withMarkers(character.takes[take], markers)) },
-    }),
-  },
-  sets: { as: 'beside', give: (character, _take, { sets }, source) => givenSets(character, sets, source) },
+  markers: { as: 'beside' },
+  sets: { as: 'beside' },
 };
 
 function bare(skeleton: Skeleton, take?: Take): WholeCharacter {

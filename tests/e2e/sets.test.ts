@@ -37,10 +37,12 @@ it('a set is made of selected joints, selects them by button and by key, and com
       await expect.poll(() => selected(page).then((all) => all.join())).toContain('upper_arm_l');
       await page.keyboard.press('Alt+y');
       await expect.poll(() => undoLabel(page)).toBe('Lock upper_arm_l');
-      await expect.poll(() => saved(page)).toMatchObject({
-        sets: [{ name: 'Set 1', joints: ['upper_arm_l'] }],
-        locked: [{ joint: 'upper_arm_l', dofs: ['rx', 'ry', 'rz'] }],
-      });
+      await expect
+        .poll(() => saved(page))
+        .toMatchObject({
+          sets: [{ name: 'Set 1', joints: ['upper_arm_l'] }],
+          locked: [{ joint: 'upper_arm_l', dofs: ['rx', 'ry', 'rz'] }],
+        });
       await kept(page);
       const before = await saved(page);
       await page.reload();
@@ -65,7 +67,10 @@ it('locked DOFs stay while the whole pose is reset, how many is said, and the ma
       await page.locator('.message-line', { hasText: '3 locked DOFs left alone' }).waitFor();
       const after = await dofs(page);
       expect(after.slice(first, first + 3)).toEqual(before.slice(first, first + 3));
-      await page.getByRole('button', { name: /^Unlock r\w of upper_arm_l/ }).first().click();
+      await page
+        .getByRole('button', { name: /^Unlock r\w of upper_arm_l/ })
+        .first()
+        .click();
       await expect.poll(() => undoLabel(page)).toMatch(/^Unlock r\w of upper_arm_l/);
     },
     { walking: true },
@@ -78,10 +83,7 @@ it('with live mirror, what is set on one side is set on the other in the same st
       const [left, right] = [await firstDof(page, 'upper_arm_l'), await firstDof(page, 'upper_arm_r')];
       await page.evaluate(() => window.marrow.run('pose.liveMirror', { on: true }));
       const before = await dofs(page);
-      await page.evaluate(
-        (index) => window.marrow.run('pose.setDofs', { dofs: [{ index, value: 0.6 }] }),
-        left,
-      );
+      await page.evaluate((index) => window.marrow.run('pose.setDofs', { dofs: [{ index, value: 0.6 }] }), left);
       const both = await dofs(page);
       expect(both[left]).toBeCloseTo(0.6, 9);
       expect(both[right]).not.toBe(before[right]);

@@ -2,10 +2,10 @@
 import { hasErrors } from '../../model/diagnostic.ts';
 import { findCharacter } from '../../model/document.ts';
 import { type ParsedFile, type SourceFile, stemOf } from '../../model/files.ts';
-import { besideOf, formatKindOf, KINDS, openingOf } from '../kinds.ts';
+import { openingOf } from '../kinds.ts';
 import { checkParts, withTextures } from './assemble.ts';
 import { partOpening, withFile } from './contents.ts';
-import { besidePlace, bySkinName } from './matching.ts';
+import { bySkinName } from './matching.ts';
 import type { Opening } from './opening.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 import { settle } from './settle.ts';
@@ -67,28 +67,6 @@ export function openPoses(opening: Opening, file: PoseFile): void {
   opening.used.add(file);
 }
 
-/** Gives JSON to the skeleton or the take that it is beside: one from the same folder, just opened, or any. */
-export function openBeside(opening: Opening, file: ParsedFile): void {
-  const role = openingOf(file.kind);
-  const format = formatKindOf(file.source.name);
-  const of = format && besideOf(format);
-  if (role.as !== 'beside' || !of) return;
-  const { called } = opening;
-  const characters = opening.characters.all;
-  const known = opening.characters.withFile(file.source);
-  const fresh = characters.filter((c) => opening.opened.has(c.id));
-  const found = besidePlace(of, file.source, [...known, ...fresh, ...characters]);
-  if (!found) {
-    opening.unused.push({ file, why: `No open ${of} has the name of this ${KINDS[format].label} file.` });
-    return;
-  }
-  const { character, diagnostics } = role.give(found.character, found.take, file, file.source);
-  opening.diagnostics.push(...(diagnostics?.(called(file.source)) ?? []));
-  opening.characters.replace(character);
-  opening.opened.add(character.id);
-  opening.used.add(file);
-}
-
 /** Gives files that waited to characters that were just opened, matched by name; the others keep waiting. */
 export function takeUpWaiting(opening: Opening): void {
   for (const waiting of opening.waiting) {
@@ -99,7 +77,7 @@ export function takeUpWaiting(opening: Opening): void {
       continue;
     }
     if (openingOf(file.kind).as === 'beside') {
-      openBeside(opening, file);
+      opening.openBeside?.(opening, file);
       continue;
     }
     const fresh = opening.characters.all.filter((c) => opening.opened.has(c.id));

@@ -13,12 +13,13 @@ import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Document, UnusedFile } from '../../model/document.ts';
 import { type BrokenFile, byFileName, type ParsedFile } from '../../model/files.ts';
 import { adoptTakes } from './adopted-takes.ts';
+import { openBeside } from './beside-files.ts';
 import { groupFiles, isRead, type LooseRole, namesFile } from './grouping.ts';
 import { openGroup } from './groups.ts';
-import { dressAll, openBeside, openParts, openPoses, takeUpWaiting } from './loose-files.ts';
+import { dressAll, openParts, openPoses, takeUpWaiting } from './loose-files.ts';
 import { isSameFile } from './matching.ts';
 import { nameApart } from './names-apart.ts';
-import { Opening } from './opening.ts';
+import { type OpenBeside, Opening } from './opening.ts';
 
 /** A file with numbers of another program. */
 export type DumpFile = Extract<ParsedFile, { readonly kind: 'dump' }>;
@@ -50,18 +51,23 @@ export function openFiles(
   selectedId?: string,
   called = byFileName,
 ): OpenResult {
-  return runToEnd(openInSteps(document, files, broken, selectedId, called));
+  return runToEnd(openInSteps(document, files, broken, selectedId, called, openBeside));
 }
 
-/** `openFiles` in steps, one for each file of a character: there may be thousands. */
+/**
+ * `openFiles` in steps, one for each file of a character: there may be thousands.
+ *
+ * @param beside `openBeside`; not needed if none of the files, nor of those that wait, is JSON beside another one
+ */
 export function* openInSteps(
   document: Document,
   files: readonly ParsedFile[],
   broken: readonly BrokenFile[] = [],
   selectedId?: string,
   called = byFileName,
+  beside?: OpenBeside,
 ): Steps<OpenResult> {
-  const opening = new Opening(document, files, broken, selectedId, called);
+  const opening = new Opening(document, files, broken, selectedId, called, beside);
   const wanted = opening.waiting.filter((waiting) => isCalledFor(files, waiting)).map(({ file }) => file);
   const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...wanted], called);
   opening.diagnostics.push(...grouping.diagnostics);
@@ -76,7 +82,7 @@ export function* openInSteps(
     },
     // After all characters, each of which they can apply to.
     beside: (loose) => {
-      for (const file of loose) openBeside(opening, file);
+      for (const file of loose) beside?.(opening, file);
     },
     poses: (loose) => {
       for (const file of loose) if (file.kind === 'pose') openPoses(opening, file);

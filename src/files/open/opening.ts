@@ -8,6 +8,9 @@ import { openingOf } from '../kinds.ts';
 import { OpenCharacters } from './open-characters.ts';
 import { OpenSpaces } from './open-spaces.ts';
 
+/** Opens JSON beside another file (`beside-files.ts`). */
+export type OpenBeside = (opening: Opening, file: ParsedFile) => void;
+
 /** The state of one opening, which the steps of `open-files.ts` add to. */
 export class Opening {
   /**
@@ -35,6 +38,7 @@ export class Opening {
     readonly broken: readonly BrokenFile[],
     readonly selectedId: string | undefined,
     readonly called: FileNaming,
+    readonly openBeside: OpenBeside | undefined,
   ) {
     const { unused, charactersMade, review } = document;
     const makesWay = document.isOpeningSample && !isForCharacters([...files, ...broken]);
