@@ -7,21 +7,28 @@ import { followWithNumbers } from '../../state/follow-time.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
-import { element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
-import { focusPanel, HAS_KEYS } from '../../widgets/focus/focus.ts';
-import { oncePerFrame } from '../../widgets/frame.ts';
+import { element, keepsFocusElsewhere, setText, write } from '../../widgets/dom.ts';
+import { focusPanel } from '../../widgets/focus/focus.ts';
 import { icon } from '../../widgets/icons.ts';
 import { menuButton } from '../../widgets/menu.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { snapTime, timeAt } from '../../widgets/time/time-window.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import type { TimeView } from '../timeline/time-ground.ts';
-import { type ChartPoint, type TimeChart, TimeInput } from '../timeline/time-input.ts';
-import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
+import { TimeChart, type TimeScene } from '../timeline/time-chart.ts';
+import { type Readable, valueY } from '../timeline/time-plot.ts';
 import { framesIn } from '../timeline/trace-frames.ts';
 import { Measuring } from './measuring.ts';
-import { barY, dashOf, PlotPicture, type PlotScene, valueY } from './picture.ts';
+import {
+  barY,
+  colourOf,
+  dashOf,
+  drawSeries,
+  drawValuesAt,
+  MARGINS,
+  type PlotScene,
+  readColours,
+  type SeriesColours,
+} from './picture.ts';
 import {
   emptyText,
   isTooLong,
@@ -40,8 +47,6 @@ import {
 
 type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'files'>;
 
-/** Distance within which the pointer reads a line; CSS pixels. */
-const REACH_PIXELS = 14;
 const SUBJECT_LABELS: Readonly<Record<Subject, string>> = {
   joints: 'Selected joints',
   feet: 'Feet',
@@ -52,42 +57,39 @@ export function measurePanel(wb: Parts): TimelineTab {
   return new MeasurePanel(wb);
 }
 
-class MeasurePanel implements TimelineTab, TimePlot {
+class MeasurePanel implements TimelineTab {
   readonly element = element('div', { class: 'measure', 'data-panel': 'measure' });
   readonly tools: HTMLElement;
-  private readonly chart = element('div', {
-    class: 'time-chart',
-    role: 'application',
-    'aria-roledescription': 'chart',
-    tabindex: 0,
-    [HAS_KEYS]: true,
-  });
+  private readonly chart: TimeChart<PlotScene, SeriesColours>;
   private readonly legend = element('ul', { class: 'measure-legend', 'aria-label': 'Values at the playhead' });
   private readonly note = element('p', { class: 'measure-note' });
   private readonly empty = element('p', { class: 'empty time-note', role: 'status', hidden: true });
-  private readonly picture = new PlotPicture();
   private readonly measuring: Measuring;
   private readonly exports: HTMLButtonElement;
-  readonly drawSoon = oncePerFrame(() => this.draw());
   private quantity: Quantity;
   private subject: Subject;
   private series: readonly Series[] = [];
   private values: HTMLElement[] = [];
   private unit = '';
-  private scene: PlotScene | undefined;
-  size = { width: 0, height: 0 };
-  private pointer: ChartPoint | undefined;
-  visible = false;
+  private visible = false;
 
   constructor(private readonly wb: Parts) {
     this.measuring = new Measuring(wb);
     const { measured } = wb.settings.get();
     this.quantity = QUANTITIES.find((known) => known === measured.quantity) ?? 'speed';
     this.subject = SUBJECTS.find((known) => known === measured.subject) ?? 'joints';
-    this.chart.append(this.picture.element);
+    this.chart = new TimeChart<PlotScene, SeriesColours>(wb, {
+      readColours,
+      sceneOf: (ground) => this.sceneOf(ground),
+      draw: drawSeries,
+      drawAt: drawValuesAt,
+      readableAt: (scene, timeSeconds) => this.readableAt(scene, timeSeconds),
+      labelOf: ({ series }) => this.labelOf(series),
+      extent: () => spanOf(this.series),
+    });
     this.element.append(
       element('div', { class: 'measure-side' }, this.legend, this.note),
-      element('div', { class: 'time-plot' }, this.chart, this.empty),
+      element('div', { class: 'time-plot' }, this.chart.element, this.empty),
     );
     const quantities = choice('Quantity', QUANTITIES, (quantity) => QUANTITY_LABELS[quantity].label, this.quantity);
     quantities.onChoice((quantity) => {
@@ -108,18 +110,6 @@ class MeasurePanel implements TimelineTab, TimePlot {
       { kind: 'item', label: 'Save as CSV', enabled: true, run: () => this.saveValues() },
     ]);
     this.tools = element('div', { class: 'measure-tools' }, quantities.element, subjects.element, this.exports);
-    const chart: TimeChart = {
-      element: this.chart,
-      timeView: () => this.timeView(),
-      scrubbedTime: (x, snapsTo) => this.scrubbedTime(x, snapsTo),
-      fitAll: () => this.fitAll(),
-      hoverAt: (at) => {
-        this.pointer = at;
-        this.drawSoon();
-      },
-    };
-    new TimeInput(wb, chart);
-    followTime(wb, this.chart, this);
     followWithNumbers(wb.transport, () => this.showValues());
     this.measuring.result.subscribe(() => this.show());
   }
@@ -127,14 +117,12 @@ class MeasurePanel implements TimelineTab, TimePlot {
   setVisible(visible: boolean): void {
     this.visible = visible;
     this.measuring.setVisible(visible);
-    if (!visible) return;
+    this.chart.setVisible(visible);
     this.showValues();
-    this.redraw();
   }
 
   fitAll(): void {
-    const span = spanOf(this.series);
-    if (span) this.wb.timeline.fit(span);
+    this.chart.fitAll();
   }
 
   fitSelected(): void {
@@ -142,18 +130,8 @@ class MeasurePanel implements TimelineTab, TimePlot {
   }
 
   recolour(): void {
-    this.picture.recolour();
+    this.chart.recolour();
     this.show();
-  }
-
-  private timeView(): TimeView {
-    return timeViewOf(this.wb, this.size.width);
-  }
-
-  private scrubbedTime(x: number, snapsTo: number | undefined): number {
-    const view = this.timeView();
-    const within = Math.min(view.width, Math.max(0, x));
-    return snapTime(timeAt(view, within), (view.window.to - view.window.from) / view.width, snapsTo);
   }
 
   /** Another quantity, or other tracks. */
@@ -174,17 +152,14 @@ class MeasurePanel implements TimelineTab, TimePlot {
     setText(this.note, notes.join('. '));
     write(this.note, 'hidden', notes.length === 0);
     this.showLegend(all.length > 1);
-    const names = this.series.map(({ label }) => label).join(', ');
-    const what = `${QUANTITY_LABELS[quantity].label} over time${names && `: ${names}`}. Drag to scrub.`;
-    setAttribute(this.chart, 'aria-label', what);
-    this.redraw();
+    this.chart.redraw();
   }
 
   private showLegend(byCharacter: boolean): void {
     this.values = this.series.map(() => element('span', { class: 'measure-value' }));
     const rows = this.series.map((series, i) => {
       const swatch = element('span', { class: 'measure-swatch', 'aria-hidden': 'true' });
-      swatch.style.borderTopColor = this.picture.colourOf(series, byCharacter);
+      swatch.style.borderTopColor = colourOf(series, byCharacter, this.chart.colours);
       swatch.style.borderTopStyle = SWATCHES[dashOf(series, byCharacter) % SWATCHES.length];
       const name = middleCut('measure-name');
       name.show(series.label);
@@ -193,21 +168,6 @@ class MeasurePanel implements TimelineTab, TimePlot {
     });
     this.legend.replaceChildren(...rows);
     this.showValues();
-  }
-
-  redraw(): void {
-    this.scene = undefined;
-    this.drawSoon();
-  }
-
-  private draw(): void {
-    if (!this.visible || !this.size.width || !this.size.height) return;
-    if (!this.scene) {
-      this.scene = this.makeScene();
-      this.picture.draw(this.scene);
-    }
-    const { timeSeconds } = this.wb.transport.get();
-    this.picture.drawOverlay(this.scene, timeSeconds, this.readout(this.scene));
   }
 
   private showValues(): void {
@@ -225,8 +185,7 @@ class MeasurePanel implements TimelineTab, TimePlot {
     return `${shown(value)}${isDegrees ? '' : ' '}${this.unit}`;
   }
 
-  private makeScene(): PlotScene {
-    const view = this.timeView();
+  private sceneOf({ view, height }: TimeScene): PlotScene {
     const { series, unit, quantity } = this;
     let least = Number.POSITIVE_INFINITY;
     let most = Number.NEGATIVE_INFINITY;
@@ -247,29 +206,32 @@ class MeasurePanel implements TimelineTab, TimePlot {
     const sources = new Set(series.map(({ source }) => source));
     const byCharacter = sources.size > 1 || series.some(({ source }) => source > 0);
     return {
-      ...{ view, height: this.size.height, series, least, most, unit },
+      ...{ view, height, series, unit },
+      axis: { height, ...MARGINS, least, most },
       isBars: quantity === 'contact',
       byCharacter,
     };
   }
 
-  /** The value under the pointer, at its frame. */
-  private readout(scene: PlotScene): PlotReadout | undefined {
-    const { pointer } = this;
-    if (!pointer) return undefined;
-    let found: (PlotReadout & { readonly away: number }) | undefined;
-    for (const [row, series] of scene.series.entries()) {
+  private readableAt(scene: PlotScene, timeSeconds: number): readonly Readable[] {
+    return scene.series.flatMap((series, row): Readable[] => {
       const { startSeconds, frameSeconds, frameCount } = series.frames;
-      const f = Math.round((timeAt(scene.view, pointer.x) - startSeconds) / frameSeconds);
-      if (f < 0 || f >= frameCount) continue;
-      const y = scene.isBars ? barY(scene, row) : valueY(scene, series.values[f]);
-      const away = Math.abs(y - pointer.y);
-      if (away > REACH_PIXELS || (found && found.away <= away)) continue;
-      const timeSeconds = startSeconds + f * frameSeconds;
-      const when = whenText(scene.view, timeSeconds);
-      found = { timeSeconds, y, away, text: `${series.label}  ${this.valueText(series.values[f])}  at ${when}` };
-    }
-    return found;
+      const f = Math.round((timeSeconds - startSeconds) / frameSeconds);
+      if (f < 0 || f >= frameCount) return [];
+      const value = series.values[f];
+      return [
+        {
+          timeSeconds: startSeconds + f * frameSeconds,
+          y: scene.isBars ? barY(scene, row) : valueY(scene.axis, value),
+          text: () => `${series.label}  ${this.valueText(value)}`,
+        },
+      ];
+    });
+  }
+
+  private labelOf(series: readonly Series[]): string {
+    const names = series.map(({ label }) => label).join(', ');
+    return `${QUANTITY_LABELS[this.quantity].label} over time${names && `: ${names}`}`;
   }
 
   private csv(): string {

@@ -1,125 +1,73 @@
 /**
- * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A drag scrubs, the wheel
- * and two fingers zoom in time, the wheel with Shift pans. Uses the timeline's time window, like curves and dope sheet.
+ * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. Uses the timeline's time
+ * window, like curves and dope sheet.
  */
 
 import type { Uses } from '../../state/workbench.ts';
-import { element, setAttribute } from '../../widgets/dom.ts';
-import { HAS_KEYS } from '../../widgets/focus/focus.ts';
-import { oncePerFrame } from '../../widgets/frame.ts';
-import { timeAt } from '../../widgets/time/time-window.ts';
-import type { TimeView } from '../timeline/time-ground.ts';
-import { type ChartPoint, TimeInput } from '../timeline/time-input.ts';
-import { followTime, type PlotReadout, type TimePlot, timeViewOf, whenText } from '../timeline/time-plot.ts';
+import { TimeChart, type TimeScene } from '../timeline/time-chart.ts';
+import { type Readable, valueY } from '../timeline/time-plot.ts';
 import { framesIn } from '../timeline/trace-frames.ts';
-import { type ChartLine, ChartPicture, type ChartScene, yAt } from './chart-picture.ts';
+import { type ChartColours, type ChartLine, type ChartScene, drawDistances, readColours } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
 import type { Measured } from './measuring.ts';
 import { scrubbedTime } from './scrub-time.ts';
 
-/** Distance within which the pointer reads a line. */
-const REACH_PIXELS = 14;
+/** Margins of the plot, the upper one for its label; CSS pixels. */
+const MARGINS = { head: 18, foot: 8 };
 const NO_UNIT: DistanceUnit = { factor: 1, symbol: '' };
 
-export class DistanceChart implements TimePlot {
-  readonly element = element('div', {
-    class: 'time-chart',
-    role: 'application',
-    'aria-roledescription': 'chart',
-    tabindex: 0,
-    [HAS_KEYS]: true,
-  });
-  private readonly picture = new ChartPicture();
-  readonly drawSoon = oncePerFrame(() => this.draw());
-  size = { width: 0, height: 0 };
+export class DistanceChart {
+  readonly chart: TimeChart<ChartScene, ChartColours>;
   private measured: Measured | undefined;
   private unit = NO_UNIT;
   private hovered: number | undefined;
-  private pointer: ChartPoint | undefined;
-  private scene: ChartScene | undefined;
-  visible = false;
 
   constructor(private readonly wb: Uses<'transport' | 'timeline' | 'settings'>) {
-    this.element.append(this.picture.element);
-    followTime(wb, this.element, this);
-    wb.timeline.takes.distances.subscribe(() => this.redraw());
-    new TimeInput(wb, {
-      element: this.element,
-      timeView: () => this.timeView(),
-      scrubbedTime: (x, snapsTo) => scrubbedTime(x, this.timeView(), this.measured?.distances, snapsTo),
-      fitAll: () => this.fitAll(),
-      hoverAt: (at) => {
-        this.pointer = at;
-        this.drawSoon();
-      },
+    this.chart = new TimeChart<ChartScene, ChartColours>(wb, {
+      readColours,
+      sceneOf: (ground) => this.sceneOf(ground),
+      draw: drawDistances,
+      readableAt: (scene, timeSeconds) => this.readableAt(scene, timeSeconds),
+      labelOf,
+      extent: () => this.extent(),
+      scrubbedTime: (x, view, snapsTo) => scrubbedTime(x, view, this.measured?.distances, snapsTo),
     });
+    wb.timeline.takes.distances.subscribe(() => this.chart.redraw());
   }
 
   show(measured: Measured | undefined, unit: DistanceUnit): void {
     this.measured = measured;
     this.unit = unit;
     this.hovered = undefined;
-    this.redraw();
-  }
-
-  setVisible(visible: boolean): void {
-    this.visible = visible;
-    if (visible) this.redraw();
+    this.chart.redraw();
   }
 
   /** Also draws this pair's line, while its row is hovered. */
   hover(pair: number | undefined): void {
     if (pair === this.hovered) return;
     this.hovered = pair;
-    this.redraw();
+    this.chart.redraw();
   }
 
-  recolour(): void {
-    this.picture.recolour();
-    this.redraw();
-  }
-
-  /** Fits all measured time; false if nothing was measured. */
-  fitAll(): boolean {
+  private extent(): readonly [number, number] | undefined {
     const distances = this.measured?.distances;
-    if (!distances) return false;
+    if (!distances) return undefined;
     const { startSeconds, frameSeconds, frameCount } = distances;
-    this.wb.timeline.fit([startSeconds, startSeconds + (frameCount - 1) * frameSeconds]);
-    return true;
+    return [startSeconds, startSeconds + (frameCount - 1) * frameSeconds];
   }
 
-  redraw(): void {
-    this.scene = undefined;
-    this.drawSoon();
-  }
-
-  private draw(): void {
-    if (!this.visible || !this.size.width || !this.size.height) return;
-    if (!this.scene) {
-      this.scene = this.makeScene();
-      this.picture.draw(this.scene);
-      this.describe(this.scene);
-    }
-    const { timeSeconds } = this.wb.transport.get();
-    this.picture.drawOverlay(this.scene, timeSeconds, this.readout(this.scene));
-  }
-
-  private timeView(): TimeView {
-    return timeViewOf(this.wb, this.size.width);
-  }
-
-  private makeScene(): ChartScene {
-    const view = this.timeView();
+  private sceneOf({ view, height }: TimeScene): ChartScene {
     const lines = this.lines();
     const distances = this.measured?.distances;
-    let top = 0;
+    let most = 0;
     if (distances) {
       const [first, end] = framesIn(distances, view.window);
-      for (const { values } of lines) for (let f = first; f < end; f++) if (values[f] > top) top = values[f];
+      for (const { values } of lines) for (let f = first; f < end; f++) if (values[f] > most) most = values[f];
       // Nothing in view, or identical takes: use the overall scale, or any.
-      if (top === 0) top = distances.most.reduce((most, value) => Math.max(most, value), 0) || 1 / this.unit.factor;
+      if (most === 0) most = distances.most.reduce((all, value) => Math.max(all, value), 0) || 1 / this.unit.factor;
     }
-    return { view, height: this.size.height, distances, unit: this.unit, lines, top };
+    const axis = { height, ...MARGINS, least: 0, most };
+    return { view, height, distances, unit: this.unit, lines, axis };
   }
 
   private lines(): ChartLine[] {
@@ -145,33 +93,17 @@ export class DistanceChart implements TimePlot {
     return lines;
   }
 
-  /** Readout of the line under the pointer, at its frame. */
-  private readout(scene: ChartScene): PlotReadout | undefined {
-    const { pointer } = this;
-    const { distances, view } = scene;
-    if (!pointer || !distances) return undefined;
+  /** Lines that are drawn later lie on top, and come first. */
+  private readableAt({ distances, lines, axis, unit }: ChartScene, timeSeconds: number): readonly Readable[] {
+    if (!distances) return [];
     const { startSeconds, frameSeconds, frameCount } = distances;
-    const frame = Math.round((timeAt(view, pointer.x) - startSeconds) / frameSeconds);
-    if (frame < 0 || frame >= frameCount) return undefined;
-    let nearest: ChartLine | undefined;
-    let reach = REACH_PIXELS;
-    for (const line of scene.lines) {
-      const away = Math.abs(yAt(scene, line.values[frame]) - pointer.y);
-      // Of coincident lines the picked one, which is drawn on top.
-      if (away <= reach) {
-        reach = away;
-        nearest = line;
-      }
-    }
-    if (!nearest) return undefined;
-    const timeSeconds = startSeconds + frame * frameSeconds;
-    const distance = nearest.values[frame];
-    const who = nearest.kind === 'most' ? `Max: ${this.farthest(frame)}` : nearest.label;
-    return {
-      timeSeconds,
-      y: yAt(scene, distance),
-      text: `${who}  ${distanceText(distance, this.unit)}  at ${whenText(view, timeSeconds)}`,
-    };
+    const frame = Math.round((timeSeconds - startSeconds) / frameSeconds);
+    if (frame < 0 || frame >= frameCount) return [];
+    return lines.toReversed().map(({ values, kind, label }) => ({
+      timeSeconds: startSeconds + frame * frameSeconds,
+      y: valueY(axis, values[frame]),
+      text: () => `${kind === 'most' ? `Max: ${this.farthest(frame)}` : label}  ${distanceText(values[frame], unit)}`,
+    }));
   }
 
   /** The joint with the largest distance in a frame. */
@@ -185,10 +117,9 @@ export class DistanceChart implements TimePlot {
     }
     return this.measured?.first.skeleton?.joints[match.first[found]]?.name ?? '';
   }
+}
 
-  private describe(scene: ChartScene): void {
-    const names = scene.lines.filter((l) => l.kind === 'joint').map((l) => l.label);
-    const lines = ['mean', 'largest', ...names].join(', ');
-    setAttribute(this.element, 'aria-label', `Distance of the joints over time: ${lines}. Drag to scrub.`);
-  }
+function labelOf({ lines }: ChartScene): string {
+  const names = lines.filter((l) => l.kind === 'joint').map((l) => l.label);
+  return `Distance of the joints over time: ${['mean', 'largest', ...names].join(', ')}`;
 }

@@ -24,7 +24,8 @@ import { type Measured, Measuring } from './measuring.ts';
 export class DistancePane {
   readonly element: HTMLElement;
   private readonly measuring: Measuring;
-  private readonly chart: DistanceChart;
+  private readonly distances: DistanceChart;
+  private readonly chart: DistanceChart['chart'];
   private readonly list: DistanceList;
   private readonly names = [middleCut('compared-name'), middleCut('compared-name')];
   private readonly facts = element('div', { class: 'distance-facts', hidden: true });
@@ -42,10 +43,11 @@ export class DistancePane {
   constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'actions'>) {
     const { takes } = wb.timeline;
     this.measuring = new Measuring(wb);
-    this.chart = new DistanceChart(wb);
+    this.distances = new DistanceChart(wb);
+    this.chart = this.distances.chart;
     this.list = new DistanceList({
       pick: (pair, adds) => this.pick(pair, adds),
-      hover: (pair) => this.chart.hover(pair),
+      hover: (pair) => this.distances.hover(pair),
       goTo: (pair) => this.goTo(pair),
       order: (order) => takes.distances.update((now) => ({ ...now, order })),
     });
@@ -113,7 +115,7 @@ export class DistancePane {
     }
     const largest = distances ? distances.jointMost.reduce((most, d) => Math.max(most, d), 0) : 0;
     if (measured) this.unit = distanceUnit(measured.first, measured.second, largest);
-    this.chart.show(measured, this.unit);
+    this.distances.show(measured, this.unit);
     this.showHead(measured);
     if (measured) this.pickSelected();
     this.showList();

@@ -26,7 +26,7 @@ export interface ChartPoint {
   readonly y: number;
 }
 
-export interface TimeChart {
+export interface ScrubbedChart {
   readonly element: HTMLElement;
   timeView(): TimeView;
   /** @param snapsTo frames per second; undefined: to no frame */
@@ -45,7 +45,7 @@ export class TimeInput {
 
   constructor(
     private readonly wb: Uses<'transport' | 'timeline'>,
-    private readonly chart: TimeChart,
+    private readonly chart: ScrubbedChart,
   ) {
     this.listen();
   }
