@@ -18,8 +18,9 @@ import { icon } from '../../widgets/icons.ts';
 import { asksForMenu, openMenu } from '../../widgets/menu.ts';
 import { type MiddleCut, middleCut } from '../../widgets/middle-cut.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
+import { isCommand, RowSelection } from '../../widgets/table/row-selection.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { rowAfterKey, WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
+import { WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
 import { channelCount, channelName, isAnimated, type ListedChannel, selectedChannels } from '../timeline/channels.ts';
 import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
@@ -78,8 +79,8 @@ export class ChannelList {
   private channels: readonly ListedChannel[] = [];
   private active = 0;
   private activeCell: Cell = 'name';
-  /** Index from which Shift+click extends. */
-  private anchor = 0;
+  /** Those that are isolated are selected. */
+  private readonly picks: RowSelection<ListedChannel>;
   private visible = false;
   readonly showSoon = oncePerFrame(() => this.show());
 
@@ -103,6 +104,13 @@ export class ChannelList {
       else if (event.key === 'ArrowDown' || event.key === 'Enter') this.grid.focus();
       else return;
       event.preventDefault();
+    });
+    this.picks = new RowSelection<ListedChannel>({
+      keyOf: ({ channel }) => String(channel),
+      keysOnlyFocus: true,
+      selectOnly: (one) => this.isolate([one], false),
+      toggle: (one) => this.isolate([one], true),
+      selectRange: (all, _, adds) => this.isolate(all.filter(isAnimated), adds),
     });
     this.list = new WindowedList({
       scroller: this.grid,
@@ -140,7 +148,8 @@ export class ChannelList {
     write(this.empty, 'hidden', count > 0);
     write(grid, 'hidden', count === 0);
     setText(this.empty, emptyText(wb, view.list, view.filter));
-    this.active = Math.max(0, Math.min(this.active, count - 1));
+    this.picks.show(this.channels);
+    this.goTo(Math.max(0, Math.min(this.active, count - 1)));
     this.state = {
       hidden: new Set(view.hidden),
       isolated: view.isolated && new Set(view.isolated),
@@ -230,40 +239,37 @@ export class ChannelList {
   private onClick(event: MouseEvent): void {
     const at = this.indexAt(event);
     if (!at?.cell) return;
-    this.active = at.index;
     this.activeCell = at.cell;
     const box = event.target instanceof Element ? event.target.getBoundingClientRect() : undefined;
-    this.press(at.index, at.cell, event.shiftKey, isMac ? event.metaKey : event.ctrlKey, box, false);
+    this.press(at.index, event, box);
   }
 
-  /** Runs a control. */
-  private press(
-    index: number,
-    cell: Cell,
-    shift: boolean,
-    ctrl: boolean,
-    box: DOMRect | undefined,
-    byKeyboard: boolean,
-  ) {
-    const { wb } = this;
+  /** Gives a row the keyboard. */
+  private goTo(index: number): void {
+    this.active = index;
+    this.picks.focusedKey = this.channels[index] && String(this.channels[index].channel);
+  }
+
+  /** Runs the current control of a row. @param box of the control */
+  private press(index: number, event: MouseEvent | KeyboardEvent, box: DOMRect | undefined): void {
+    const { wb, activeCell: cell } = this;
     const { channel } = this.channels[index];
     if (cell === 'eye') toggleIn(wb, 'hidden', channel);
     else if (cell === 'pin') toggleIn(wb, 'pinned', channel);
     else if (cell === 'name') {
-      if (!isAnimated(this.channels[index])) return this.showSoon();
-      const range = shift ? this.between(this.anchor, index) : [channel];
-      if (!shift) this.anchor = index;
-      wb.timeline.isolate(isolatedAfter(wb.timeline.view.get().isolated, range, ctrl));
+      if (isAnimated(this.channels[index])) this.picks.pressed(this.channels[index], event);
     } else if (box) {
       const label = cell === 'in' ? 'Before the keys' : 'After the keys';
-      openMenu(box, extrapolationEntries(wb, channel, cell), { label, focusFirst: byKeyboard });
+      openMenu(box, extrapolationEntries(wb, channel, cell), { label, focusFirst: event instanceof KeyboardEvent });
     }
+    this.goTo(index);
     this.showSoon();
   }
 
-  private between(a: number, b: number): number[] {
-    const rows = this.channels.slice(Math.min(a, b), Math.max(a, b) + 1);
-    return rows.filter(isAnimated).map((c) => c.channel);
+  private isolate(all: readonly ListedChannel[], ctrl: boolean): void {
+    const { timeline } = this.wb;
+    const channels = all.map(({ channel }) => channel);
+    timeline.isolate(isolatedAfter(timeline.view.get().isolated, channels, ctrl));
   }
 
   private onDoubleClick(event: MouseEvent): void {
@@ -282,7 +288,7 @@ export class ChannelList {
     }
     const index = this.indexAt(event)?.index;
     if (index === undefined || !this.channels[index]) return;
-    this.active = index;
+    this.goTo(index);
     openChannelMenu(this.wb, this.channels[index].channel, { x: event.clientX, y: event.clientY });
     this.showSoon();
   }
@@ -302,18 +308,15 @@ export class ChannelList {
       this.openMenuByKey();
       return;
     }
-    const ctrl = isMac ? event.metaKey : event.ctrlKey;
-    const to = rowAfterKey(event.key, this.active, this.channels.length, this.list.page);
     const side = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
     if (event.key === 'Enter' || event.key === ' ') {
       const box = this.list.row(this.active)?.cells[this.activeCell].getBoundingClientRect();
-      this.press(this.active, this.activeCell, event.shiftKey, ctrl, box, true);
-    } else if (ctrl || event.shiftKey) return;
-    else if (to !== undefined) {
-      this.active = to;
-      this.list.reveal(to);
+      this.press(this.active, event, box);
+    } else if (this.picks.takesKey(event, this.list.page)) {
+      this.active = this.picks.place;
+      this.list.reveal(this.active);
       this.showSoon();
-    } else if (side) {
+    } else if (side && !event.shiftKey && !isCommand(event)) {
       const next = CELLS.indexOf(this.activeCell) + side;
       this.activeCell = CELLS[Math.max(0, Math.min(CELLS.length - 1, next))];
       this.showSoon();

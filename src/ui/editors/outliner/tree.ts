@@ -3,9 +3,10 @@ import { element, setAttribute, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { continuesTyping, isCharacter, noteTyped } from '../../widgets/focus/typing.ts';
 import { icon } from '../../widgets/icons.ts';
-import type { MenuPlace } from '../../widgets/menu.ts';
+import { asksForMenu, type MenuPlace } from '../../widgets/menu.ts';
+import { RowSelection } from '../../widgets/table/row-selection.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { rowAfterKey, WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
+import { WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
 import type { OutlineRow } from './outline-rows.ts';
 
 export interface TreeEvents {
@@ -54,14 +55,10 @@ export class Tree {
     [HAS_KEYS]: true,
   });
   private readonly space = element('div', { class: 'tree-space', role: 'presentation' });
-  private rows: readonly OutlineRow[] = [];
-  private places = new Map<string, number>();
+  private readonly picks: RowSelection<OutlineRow>;
   private readonly list: WindowedList<WindowedRow>;
   private selected: ReadonlySet<string> = new Set();
   private activeKey: string | undefined;
-  /** Where a range begins. */
-  private anchorKey: string | undefined;
-  private focusedKey: string | undefined;
   private meantKey: string | undefined;
   private litKey: string | undefined;
   /** Letters go to rows while the focus came by keyboard; after a click they are the page's shortcuts. */
@@ -76,6 +73,12 @@ export class Tree {
   ) {
     setAttribute(this.element, 'aria-label', label);
     this.element.append(this.space);
+    this.picks = new RowSelection({
+      keyOf: ({ key }) => key,
+      selectOnly: (row) => events.select(row),
+      toggle: (row) => events.toggleSelected(row),
+      selectRange: (rows, to) => events.selectRange(rows[0] === to ? rows.toReversed() : rows),
+    });
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('click', (event) => this.onClick(event));
     this.element.addEventListener('dblclick', (event) => this.onDoubleClick(event));
@@ -87,7 +90,7 @@ export class Tree {
     });
     this.element.addEventListener('focus', () => {
       this.takesLetters = !this.isPressed;
-      if (this.takesLetters && this.focusedKey !== undefined) this.reveal(this.focusedKey);
+      if (this.takesLetters) this.list.reveal(this.picks.place);
     });
     for (const type of ['click', 'pointercancel']) {
       this.element.addEventListener(type, () => {
@@ -110,8 +113,7 @@ export class Tree {
   }
 
   show(rows: readonly OutlineRow[]): void {
-    this.rows = rows;
-    this.places = new Map(rows.map((row, i) => [row.key, i]));
+    this.picks.show(rows);
     const deepest = rows.reduce((depth, row) => Math.max(depth, row.depth), 0);
     this.space.style.setProperty('--deepest', String(Math.max(1, deepest)));
     this.space.classList.toggle('is-deep', deepest > MAX_LINES);
@@ -121,20 +123,21 @@ export class Tree {
   /** Selects rows, and scrolls to the active one, the last. */
   select(keys: readonly string[]): void {
     const before = this.activeKey;
-    const isRange = this.anchorKey !== undefined && keys.length > 1 && keys.includes(this.anchorKey);
+    const { picks } = this;
+    const isRange = picks.anchor !== undefined && keys.length > 1 && keys.includes(picks.anchor);
     this.selected = new Set(keys);
     this.activeKey = keys.at(-1);
-    if (!isRange) this.anchorKey = this.activeKey;
+    if (!isRange) picks.anchor = this.activeKey;
     if (this.activeKey !== undefined && this.activeKey !== before) {
-      this.focusedKey = this.activeKey;
-      this.reveal(this.activeKey);
+      picks.focusedKey = this.activeKey;
+      this.list.reveal(picks.place);
     }
     this.mark();
   }
 
   /** Scrolls to the active row, if there is one. */
   revealActive(): void {
-    if (this.placeOf(this.activeKey) >= 0 && this.activeKey !== undefined) this.reveal(this.activeKey);
+    this.list.reveal(this.picks.placeOf(this.activeKey));
   }
 
   /** Marks a row faintly: the current character when nothing is selected. */
@@ -158,19 +161,19 @@ export class Tree {
   }
 
   get focused(): OutlineRow | undefined {
-    return this.rows[this.placeOf(this.focusedKey)];
+    return this.picks.focused;
   }
 
   /** Redraws the same rows, since something that `draw` reads has changed. */
   drawAnew(): void {
     this.list.show(this.rows.length);
-    this.list.focus(this.placeOf(this.focusedKey));
+    this.list.focus(this.picks.place);
   }
 
   /** Updates selection and focus of existing rows: a double click needs both clicks on one element. */
   private mark(): void {
     this.list.each(({ element: made }, index) => this.markRow(made, this.rows[index]));
-    this.list.focus(this.placeOf(this.focusedKey));
+    this.list.focus(this.picks.place);
   }
 
   private markRow(made: HTMLElement, { key }: OutlineRow): void {
@@ -195,8 +198,8 @@ export class Tree {
     this.markRow(made, row);
   }
 
-  private placeOf(key: string | undefined): number {
-    return key === undefined ? -1 : (this.places.get(key) ?? -1);
+  private get rows(): readonly OutlineRow[] {
+    return this.picks.rows;
   }
 
   /** The row at a client height, with its element; undefined below the last. */
@@ -215,9 +218,10 @@ export class Tree {
     if (!row) return;
     const onTwisty = event.target instanceof Element && event.target.closest('.twisty') !== null;
     if (row.expandable && (onTwisty || row.kind === 'group')) this.events.toggle(row, !row.expanded);
-    else if (event.shiftKey) this.extendTo(row);
-    else if (event.ctrlKey || event.metaKey) this.toggleSelected(row);
-    else this.moveTo(row);
+    else {
+      this.picks.pressed(row, event);
+      this.moved();
+    }
     // A click activates an alternative; arrow keys only move to it.
     if (row.shown === false) this.events.activate(row);
   }
@@ -232,43 +236,23 @@ export class Tree {
     if (!row) return;
     event.preventDefault();
     // The menu of one of several selected rows is for all of them.
-    if (this.selected.has(row.key)) this.focusOn(row);
-    else this.moveTo(row);
+    if (this.selected.has(row.key)) {
+      this.picks.focusedKey = row.key;
+      this.moved();
+    } else this.moveTo(row);
     this.events.menu(row, { x: event.clientX, y: event.clientY });
   }
 
   private moveTo(row: OutlineRow | undefined): void {
     if (!row) return;
-    this.events.select(row);
-    this.anchorKey = row.key;
-    this.focusOn(row);
+    this.picks.goTo(row);
+    this.moved();
   }
 
-  /** Selects the rows from where the range began. */
-  private extendTo(row: OutlineRow | undefined): void {
-    if (!row) return;
-    const anchor = this.placeOf(this.anchorKey);
-    const [from, to] = [anchor < 0 ? this.placeOf(row.key) : anchor, this.placeOf(row.key)];
-    const rows = this.rows.slice(Math.min(from, to), Math.max(from, to) + 1);
-    this.events.selectRange(from > to ? rows.reverse() : rows);
-    this.focusOn(row);
-  }
-
-  private toggleSelected(row: OutlineRow): void {
-    this.events.toggleSelected(row);
-    this.anchorKey = row.key;
-    this.focusOn(row);
-  }
-
-  /** After selecting, since the selection may be another row: the character of a skin. */
-  private focusOn(row: OutlineRow): void {
-    this.focusedKey = row.key;
-    this.reveal(row.key);
+  /** Another row has the focus. */
+  private moved(): void {
+    this.list.reveal(this.picks.place);
     this.mark();
-  }
-
-  private reveal(key: string): void {
-    this.list.reveal(this.placeOf(key));
   }
 
   /** Goes to a row by its name, which begins with a letter; what else is in names types on. */
@@ -285,26 +269,19 @@ export class Tree {
 
   private onKey(event: KeyboardEvent): void {
     if (event.target !== this.element || event.altKey) return;
-    const index = Math.max(0, this.placeOf(this.focusedKey));
+    const index = Math.max(0, this.picks.place);
     const row = this.rows[index];
     if (!row) return;
-    const to = rowAfterKey(event.key, index, this.rows.length, this.list.page);
-    if (event.ctrlKey || event.metaKey) {
-      if (to !== undefined && event.key.startsWith('Arrow')) this.focusOn(this.rows[to]);
-      else if (event.key === ' ') this.toggleSelected(row);
-      else return;
-      event.preventDefault();
-      return;
-    }
-    if (to !== undefined) {
-      if (event.shiftKey) this.extendTo(this.rows[to]);
-      else this.moveTo(this.rows[to]);
-      event.preventDefault();
-      return;
-    }
-    if (this.type(event, index)) {
-      event.preventDefault();
-      return;
+    if (this.picks.place < 0) this.picks.focusedKey = row.key;
+    if (this.picks.takesKey(event, this.list.page)) this.moved();
+    else if (event.ctrlKey || event.metaKey || !(this.type(event, index) || this.takesKey(event, row, index))) return;
+    event.preventDefault();
+  }
+
+  private takesKey(event: KeyboardEvent, row: OutlineRow, index: number): boolean {
+    if (asksForMenu(event)) {
+      this.openMenuAt(row, index);
+      return true;
     }
     switch (event.key) {
       case 'ArrowRight':
@@ -320,17 +297,10 @@ export class Tree {
         if (row.kind === 'group') this.events.toggle(row, !row.expanded);
         else this.events.activate(row);
         break;
-      case 'ContextMenu':
-        this.openMenuAt(row, index);
-        break;
-      case 'F10':
-        if (!event.shiftKey) return;
-        this.openMenuAt(row, index);
-        break;
       default:
-        return;
+        return false;
     }
-    event.preventDefault();
+    return true;
   }
 
   private openMenuAt(row: OutlineRow, index: number): void {

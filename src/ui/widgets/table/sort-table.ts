@@ -1,17 +1,13 @@
 /**
  * A table of rows that can be selected: a windowed grid with a header that sorts. What is selected, and the order, are
- * the owner's. The focus is on the table, except for fields and buttons in a row.
- *
- *     ↑ ↓ Home End     to a row, which is selected; Shift extends the selection, Ctrl keeps it
- *     Ctrl+Space       toggles a row in it           Ctrl+A   all
- *
- * Space alone plays, as everywhere; other keys are the owner's.
+ * the owner's. The focus is on the table, except for fields and buttons in a row. Clicks and keys select as in all lists
+ * (`RowSelection`), but for page keys where several rows can be selected; those and other keys are the owner's.
  */
 import { element, setAttribute } from '../dom.ts';
 import { HAS_KEYS } from '../focus/focus.ts';
-import { isMac } from '../focus/keyboard.ts';
 import { asksForMenu, type MenuPlace } from '../menu.ts';
-import { rowAfterKey, WindowedList, type WindowedListOptions, type WindowedRow } from '../windowed-list.ts';
+import { WindowedList, type WindowedListOptions, type WindowedRow } from '../windowed-list.ts';
+import { RowSelection } from './row-selection.ts';
 import { type SortColumn, SortHeads, type SortOrder } from './sort-heads.ts';
 
 /** What a table shows beside its rows. */
@@ -53,11 +49,8 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
   private readonly space = element('div', { class: 'sort-space', role: 'rowgroup' });
   private readonly heads: SortHeads<C>;
   private readonly list: WindowedList<View>;
-  private rows: readonly Row[] = [];
-  private places = new Map<string, number>();
+  private readonly picks: RowSelection<Row>;
   private state: SortTableState<C> = { chosen: new Set() };
-  /** Row from which Shift extends. */
-  private anchor: string | undefined;
 
   constructor(private readonly parts: SortTableParts<Row, View, C>) {
     const { kind, label, columns, lead, rowHeight } = parts;
@@ -73,6 +66,17 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
     const first = lead === undefined ? undefined : { label: lead };
     this.heads = new SortHeads(`${kind}-head`, columns, (column) => parts.sort(this.orderAfter(column)), first);
     this.element.append(this.heads.element, this.space);
+    const { keyOf, choose } = parts;
+    this.picks = new RowSelection({
+      keyOf,
+      selectOnly: (row) => choose(new Set([keyOf(row)]), row),
+      focus: (row) => choose(this.state.chosen, row),
+      ...(parts.isMultiple && {
+        toggle: (row: Row) => this.toggle(row),
+        selectRange: (rows: readonly Row[], to: Row) => choose(new Set(rows.map(keyOf)), to),
+        selectAll: (rows: readonly Row[]) => choose(new Set(rows.map(keyOf)), this.focused ?? rows[0]),
+      }),
+    });
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.space.addEventListener('click', (event) => this.onClick(event));
     if (parts.menu) this.space.addEventListener('contextmenu', (event) => this.onMenu(event));
@@ -89,18 +93,16 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
   }
 
   get focused(): Row | undefined {
-    return this.rows[this.placeOf(this.state.focused)];
+    return this.picks.focused;
   }
 
   /** Reveals the focused row if it is another one, or if asked to. */
   show(rows: readonly Row[], state: SortTableState<C>, reveals = state.focused !== this.state.focused): void {
-    if (rows !== this.rows) {
-      this.rows = rows;
-      this.places = new Map(rows.map((row, i) => [this.parts.keyOf(row), i]));
-    }
+    this.picks.show(rows);
+    this.picks.focusedKey = state.focused;
     this.state = state;
     this.heads.show(state.order);
-    const focused = this.placeOf(state.focused);
+    const focused = this.picks.place;
     this.list.show(rows.length, reveals ? focused : undefined);
     this.list.focus(focused);
   }
@@ -115,7 +117,7 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
   }
 
   viewOf(row: Row): View | undefined {
-    return this.list.row(this.placeOf(this.parts.keyOf(row)));
+    return this.list.row(this.picks.placeOf(this.parts.keyOf(row)));
   }
 
   /** All rows in the page. */
@@ -134,16 +136,15 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
 
   /** Selects only this row. */
   goTo(row: Row): void {
-    this.anchor = this.parts.keyOf(row);
-    this.parts.choose(new Set([this.anchor]), row);
+    this.picks.goTo(row);
   }
 
   private fill(view: View, row: Row | undefined): void {
     if (row) this.parts.fill(view, row, this.state.chosen.has(this.parts.keyOf(row)));
   }
 
-  private placeOf(key: string | undefined): number {
-    return key === undefined ? -1 : (this.places.get(key) ?? -1);
+  private get rows(): readonly Row[] {
+    return this.picks.rows;
   }
 
   /** One way, the other, then the owner's order. */
@@ -158,21 +159,7 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
 
   private onClick(event: MouseEvent): void {
     const row = this.rowAt(event);
-    if (!row) return;
-    const { isMultiple } = this.parts;
-    if (isMultiple && event.shiftKey) this.extendTo(row);
-    else if (isMultiple && (isMac ? event.metaKey : event.ctrlKey)) {
-      this.anchor = this.parts.keyOf(row);
-      this.toggle(row);
-    } else this.goTo(row);
-  }
-
-  private extendTo(row: Row): void {
-    const { keyOf } = this.parts;
-    const from = Math.max(0, this.placeOf(this.anchor ?? this.state.focused ?? keyOf(row)));
-    const to = this.placeOf(keyOf(row));
-    const between = this.rows.slice(Math.min(from, to), Math.max(from, to) + 1);
-    this.parts.choose(new Set(between.map(keyOf)), row);
+    if (row) this.picks.pressed(row, event);
   }
 
   private toggle(row: Row): void {
@@ -204,24 +191,11 @@ export class SortTable<Row, View extends WindowedRow, C extends string> {
   }
 
   private takesKey(event: KeyboardEvent): boolean {
-    const { rows, parts, focused: row, state } = this;
-    const place = this.placeOf(state.focused);
-    const command = isMac ? event.metaKey : event.ctrlKey;
-    if (!parts.isMultiple && (event.ctrlKey || event.metaKey)) return false;
-    // Where several can be selected, pages are the owner's.
-    const isOwners = event.altKey || (parts.isMultiple && event.key.startsWith('Page'));
-    const to = isOwners ? undefined : rowAfterKey(event.key, place, rows.length, this.list.page);
-    const next = to === undefined ? undefined : rows[to];
-    if (next && event.shiftKey && parts.isMultiple) this.extendTo(next);
-    else if (next && command) parts.choose(state.chosen, next);
-    else if (next) this.goTo(next);
-    else if (command && !event.shiftKey && event.key.toLowerCase() === 'a' && rows.length > 0) {
-      parts.choose(new Set(rows.map(parts.keyOf)), row ?? rows[0]);
-    } else if (command && event.key === ' ' && row) this.toggle(row);
-    else if (parts.menu && asksForMenu(event) && row) {
-      const { left, bottom } = (this.list.row(place)?.element ?? this.element).getBoundingClientRect();
-      this.openMenu(row, { x: left + (parts.menuLeft ?? 0), y: bottom, byKeyboard: true });
-    } else return false;
+    const { parts, picks, list, focused } = this;
+    if (picks.takesKey(event, parts.isMultiple ? undefined : list.page)) return true;
+    if (!parts.menu || !asksForMenu(event) || !focused) return false;
+    const { left, bottom } = (list.row(picks.place)?.element ?? this.element).getBoundingClientRect();
+    this.openMenu(focused, { x: left + (parts.menuLeft ?? 0), y: bottom, byKeyboard: true });
     return true;
   }
 }
