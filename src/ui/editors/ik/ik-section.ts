@@ -17,6 +17,7 @@ import { icon } from '../../widgets/icons.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
+import { contentOf } from '../../widgets/section.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { changePin, freeRoot, selectPin, stiffen, unpinByHand } from './pin-edits.ts';
 import { pointName } from './pin-picture.ts';
@@ -79,7 +80,7 @@ export class IkSection {
     this.hold = button('Hold pins over range', { class: 'plain ik-hold' }, undefined, () => tryById(wb, 'ik.holdPins'));
     this.hold.textContent = 'Hold pins over range…';
     const rootRow = element('label', { class: 'ik-row', for: 'ik-root' }, this.root, 'Allow root to move');
-    section.$children.append(
+    contentOf(section).append(
       element('div', { class: 'ik-section' }, rootRow, this.jointRow, this.list, this.empty, this.note, this.hold),
     );
     this.root.addEventListener('change', () => {

@@ -1,4 +1,5 @@
 /** The character's section: name, take, limits, placement and start time. */
+
 import type { GUI } from 'lil-gui';
 import { placeCharacter, removeCopy, renameCharacter, setTimeOffset } from '../../../edit/commands/characters.ts';
 import { setClamping } from '../../../edit/commands/pose.ts';
@@ -15,10 +16,11 @@ import { tryById } from '../../state/actions/action.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/joints/angles.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, setText } from '../../widgets/dom.ts';
 import type { Units } from '../../widgets/numbers/arithmetic.ts';
 import { exact } from '../../widgets/numbers/number-text.ts';
 import { removeControllers, Slider, showIn } from '../../widgets/numbers/slider.ts';
+import { contentOf } from '../../widgets/section.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { movedButtons } from '../retarget/moved.ts';
 import { followsText } from '../retarget/moved-text.ts';
@@ -66,7 +68,7 @@ export class CharacterSection {
     this.addStart(character);
     this.addPlacement(character);
     this.rows.push(addSpaceRows(this.wb, this.edit, this.section, character));
-    this.section.$children.append(this.buttons);
+    contentOf(this.section).append(this.buttons);
     this.buttons.classList.toggle('single', character.placements.length === 1);
   }
 
@@ -127,7 +129,7 @@ export class CharacterSection {
       text,
       movedButtons(this.wb, () => this.character?.id),
     );
-    this.section.$children.append(line);
+    contentOf(this.section).append(line);
     this.lines.push(line);
     this.rows.push(() => {
       const follows = this.character ? followsText(this.character) : '';
@@ -226,10 +228,7 @@ export class CharacterSection {
       const start = read(this.placement)[axis] * factor;
       const options = { step, decimals, suffix, ...(units && { units }) };
       const row = new Slider(this.section, `${label} ${letter}`, start, options, this.refuse);
-      row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
-      // The letter alone wouldn't identify the row.
-      row.$input.removeAttribute('aria-labelledby');
-      setAttribute(row.$input, 'aria-label', `${label} ${letter}`);
+      row.showName(`${label} ${letter}`, element('span', { class: `dof-name axis-${letter}` }, letter));
       line.append(row.domElement);
       row.onChange((value: number) => {
         const now = read(this.placement);
@@ -239,7 +238,7 @@ export class CharacterSection {
       row.onTakenBack(() => this.edit.cancel()).onFinishChange(() => this.finish());
       this.rows.push(() => row.showValue(withoutNoise(read(this.placement)[axis] * factor)));
     }
-    this.section.$children.append(line);
+    contentOf(this.section).append(line);
     this.lines.push(line);
   }
 

@@ -35,7 +35,7 @@ export class DifferMark {
     if (text === this.text) return;
     this.text = text;
     setTooltip(this.element, text || undefined);
-    setAttribute(this.slider.$input, 'aria-description', text || undefined);
+    setAttribute(this.slider.field, 'aria-description', text || undefined);
   }
 
   private valueText(value: number): string {

@@ -37,9 +37,9 @@ export function openDofMenu(
   const label = dofs.length === 1 ? dof.name : `${dof.name} of ${dofs.length} joints`;
   if (at) openMenu(at, list, { label });
   else {
-    openMenu(slider.$name.getBoundingClientRect(), list, {
+    openMenu(slider.nameElement.getBoundingClientRect(), list, {
       label,
-      opener: slider.$input,
+      opener: slider.field,
       focusFirst: true,
     });
   }

@@ -67,15 +67,13 @@ export function addDofRow(
   const name = element('span', { class: `dof-name ${axisClass(dof, character)}` }, shortName(dof, character));
   const names = [...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []), name];
   const differ = new DifferMark(slider, dof, angles);
-  slider.$name.replaceChildren(mark.element, ...names, ...(isForSeveral ? [differ.element] : []));
   const unit = { angle: angles, length: lengthUnit(character), factor: '', weight: '' }[dof.unit];
-  // Instead of the row's name, which has the mark's label too.
-  slider.$input.removeAttribute('aria-labelledby');
-  setAttribute(slider.$input, 'aria-label', unit ? `${spoken}, ${unit}` : spoken);
+  const shownAs = [mark.element, ...names, ...(isForSeveral ? [differ.element] : [])];
+  slider.showName(unit ? `${spoken}, ${unit}` : spoken, ...shownAs);
   const title = `${prefix ? `${prefix} ` : ''}${dof.name}`;
   const couple = coupleOf(character.skeleton, index);
   const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
-  setTooltip(slider.$name, `${title}: ${held}`);
+  setTooltip(slider.nameElement, `${title}: ${held}`);
   if (couple) disable(slider, `${title}: ${held}`, held, channelName(namedChannel(character, couple.follows)));
   slider.domElement.classList.add('dof');
   write(slider.domElement.dataset, 'dof', String(index));
@@ -93,7 +91,7 @@ export function addDofRow(
   slider.domElement.addEventListener('contextmenu', (event) => {
     // While a number is edited, keep the browser's menu with Paste.
     const byMouse = event.button === 2;
-    if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
+    if (byMouse && event.target === slider.field && document.activeElement === slider.field) return;
     event.preventDefault();
     openDofMenu(wb, slider, id, together, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
   });
@@ -172,8 +170,8 @@ function hold(slider: Slider, isLocked: boolean): void {
 function disable(slider: Slider, tooltip: string, description: string, followed: string): void {
   slider.disable();
   setTooltip(slider.domElement, tooltip);
-  setAttribute(slider.$input, 'aria-description', description);
-  slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
+  setAttribute(slider.field, 'aria-description', description);
+  slider.field.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
 }
 
 /**

@@ -1,4 +1,5 @@
 /** Sections of DOFs: the selected joints', the root translation, the morphs, and the list of all. */
+
 import type { GUI } from 'lil-gui';
 import { cutName } from '../../../edit/cut-name.ts';
 import { matchingDofs } from '../../../edit/pose/same-change.ts';
@@ -11,6 +12,7 @@ import { jointsText } from '../../state/joints/selected-joint.ts';
 import { element, setText, write } from '../../widgets/dom.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { removeControllers } from '../../widgets/numbers/slider.ts';
+import { contentOf, isOpen, titleOf } from '../../widgets/section.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { isSampled } from '../posing/pose-edits.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
@@ -47,7 +49,7 @@ export class DofSections {
       (entries) => {
         if (entries.some((e) => e.isIntersecting)) this.listMore();
       },
-      { root: gui.$children, rootMargin: '200px 0px' },
+      { root: contentOf(gui), rootMargin: '200px 0px' },
     );
     this.endObserver.observe(this.end);
   }
@@ -76,10 +78,10 @@ export class DofSections {
     this.all.show(character.skeleton !== undefined);
     this.all.title(`All DOFs (${dofs.length})`);
     this.listed = { character, dofs, next: 0 };
-    this.all.$children.append(this.end);
+    contentOf(this.all).append(this.end);
     // As many rows as before, so that the scroll position can be restored.
     const until = listed?.character.id === character.id ? Math.min(listed.next, dofs.length) : 0;
-    while (this.listed.next < until && !this.all._closed) this.listMore();
+    while (this.listed.next < until && isOpen(this.all)) this.listMore();
   }
 
   /** Shows at the bottom that unkeyed changes will be lost. */
@@ -104,15 +106,15 @@ export class DofSections {
     this.joint.show(skeleton !== undefined);
     const title = joint ? jointsText(skeleton, joints) : 'Joint';
     this.joint.title(cutName(title));
-    setTooltip(this.joint.$title, cutName(title) === title ? undefined : title);
+    setTooltip(titleOf(this.joint), cutName(title) === title ? undefined : title);
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
-    write(this.joint.$children.dataset, 'empty', 'Select a joint in the viewport or outliner to see its DOFs.');
+    write(contentOf(this.joint).dataset, 'empty', 'Select a joint in the viewport or outliner to see its DOFs.');
     if (!joint || !skeleton || index === undefined) return;
     const heading = motionHeading(joint.motion, shown);
     const note = others.length ? `active: ${jointName(skeleton, index)}` : heading;
     // Also with a picked vertex, whose details replace the joint's below.
-    this.joint.$title.append(element('span', { class: 'title-note' }, note));
-    this.joint.$children.dataset.empty = others.length
+    titleOf(this.joint).append(element('span', { class: 'title-note' }, note));
+    contentOf(this.joint).dataset.empty = others.length
       ? 'The selected joints have no degree of freedom in common.'
       : `${motionText(joint.motion, shown)}: no degrees of freedom.`;
     const first = firstDofs(skeleton)[index];
@@ -136,7 +138,7 @@ export class DofSections {
 
   private listMore(): void {
     const { listed } = this;
-    if (!listed || this.all._closed) return;
+    if (!listed || !isOpen(this.all)) return;
     const { character, dofs } = listed;
     const joints = character.skeleton?.joints ?? [];
     const until = Math.min(dofs.length, listed.next + CHUNK);
@@ -149,6 +151,6 @@ export class DofSections {
     }
     // The end element stays last; moving it makes the observer check again.
     this.end.remove();
-    if (listed.next < dofs.length) this.all.$children.append(this.end);
+    if (listed.next < dofs.length) contentOf(this.all).append(this.end);
   }
 }

@@ -2,6 +2,7 @@
  * The right panel: lil-gui, styled like the rest of the page. Compares by identity: rows are rebuilt for another
  * character, joint, unit or other limits, and only updated while a character plays or a slider is dragged.
  */
+
 import { GUI } from 'lil-gui';
 import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
@@ -16,6 +17,7 @@ import { element, setAttribute, write } from '../../widgets/dom.ts';
 import { isTextField, leaveField } from '../../widgets/focus/focus.ts';
 import { SECTION } from '../../widgets/focus/focus-regions.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
+import { contentOf, isOpen } from '../../widgets/section.ts';
 import { IkSection } from '../ik/ik-section.ts';
 import type { RigSection } from '../rig/rig-section.ts';
 import { CharacterSection } from './character-section.ts';
@@ -29,11 +31,11 @@ import { displaySection, playbackSection } from './page-sections.ts';
 export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
   const empty = element('p', { class: 'empty' }, 'Open a character to see its DOFs, morphs and details.');
-  gui.$children.prepend(empty);
+  contentOf(gui).prepend(empty);
 
   const section = (id: string, title: string, open: boolean): GUI => rememberedSection(wb, gui, id, title, open);
   const edit = new HandEdit(wb.store, wb.messages);
-  const live = new LiveRows(gui.$children);
+  const live = new LiveRows(contentOf(gui));
   const rig = rigSection(wb, edit, section('rig', 'Rig', true));
   const dofs = new DofSections({ wb, edit, live }, gui, section);
   const ik = new IkSection(wb, section('ik', 'IK', true));
@@ -52,7 +54,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     const next = whatIsShown(wb);
     const target = findCharacter(wb.store.document, next.id);
     const isSame = shown?.id === next.id && shown !== undefined && sameJoints(shown, next);
-    const goBack = isSame ? placeIn(gui.$children) : undefined;
+    const goBack = isSame ? placeIn(contentOf(gui)) : undefined;
     if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joints);
     if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
     write(empty, 'hidden', target !== undefined);
@@ -208,12 +210,12 @@ function rememberedSection(wb: Uses<'settings'>, gui: GUI, id: string, title: st
   section.open(wb.settings.get().folds[key] ?? open);
   setAttribute(section.domElement, SECTION, id);
   wb.settings.subscribe(({ folds }, before) => {
-    const isOpen = folds[key] ?? open;
-    if (folds[key] !== before.folds[key] && section._closed === isOpen) section.open(isOpen);
+    const opens = folds[key] ?? open;
+    if (folds[key] !== before.folds[key] && isOpen(section) !== opens) section.open(opens);
   });
   section.onOpenClose((changed) => {
     if (changed !== section) return;
-    wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: !section._closed } }));
+    wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: isOpen(section) } }));
   });
   return section;
 }

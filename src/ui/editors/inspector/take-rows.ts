@@ -1,4 +1,5 @@
 /** The shown take, in the character's section: its name and playback range. */
+
 import type { GUI } from 'lil-gui';
 import { renameTake, setInterpolation, setTakeRange } from '../../../edit/commands/take.ts';
 import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
@@ -12,6 +13,7 @@ import { element, setText } from '../../widgets/dom.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { showIn } from '../../widgets/numbers/slider.ts';
+import { contentOf } from '../../widgets/section.ts';
 
 const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
   'Nearest frame': 'nearest',
@@ -65,7 +67,7 @@ export function addTakeRows(
     to.element,
     unit,
   );
-  section.$children.append(line);
+  contentOf(section).append(line);
 
   const between = { interpolation: first.samples?.interpolation ?? 'linear' };
   const interpolation =

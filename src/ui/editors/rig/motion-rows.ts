@@ -1,4 +1,5 @@
 /** Parameters of a joint's type: order, axis, pitch, mode, DOFs. */
+
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Parameter, ParameterValues } from '../../../model/joint-types/parameters.ts';
 import {
@@ -14,6 +15,7 @@ import {
 } from '../../../model/skeleton/joint-types.ts';
 import type { Motion } from '../../../model/skeleton/skeleton.ts';
 import { button, element } from '../../widgets/dom.ts';
+import { contentOf } from '../../widgets/section.ts';
 import { choiceRow, numberRow, type SectionContext, type SectionRow, textRow, vectorRow } from './section-rows.ts';
 import { typedList } from './typed-list.ts';
 
@@ -107,7 +109,7 @@ function presetRow({ section }: SectionContext, set: (axis: Vec3) => void): Sect
     ),
   );
   const line = element('div', { class: 'rig-row is-second' }, ...presets);
-  section.$children.append(line);
+  contentOf(section).append(line);
   return { line, update() {} };
 }
 

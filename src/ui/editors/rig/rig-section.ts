@@ -4,6 +4,7 @@
  * Every change is one undo step, and every number can be typed. Rows are rebuilt if their set
  * changes; numbers are only updated, also while dragging.
  */
+
 import type { GUI } from 'lil-gui';
 import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
@@ -24,6 +25,7 @@ import type { Uses, Workbench } from '../../state/workbench.ts';
 import { button, element, write } from '../../widgets/dom.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { removeControllers } from '../../widgets/numbers/slider.ts';
+import { contentOf } from '../../widgets/section.ts';
 import { whyNoCorner } from './box-order.ts';
 import { addCoupleRow, coupleRow } from './couple-rows.ts';
 import { nameNote } from './joint-names.ts';
@@ -58,7 +60,7 @@ export class RigSection {
     private readonly section: GUI,
   ) {
     this.context = { wb, edit, section };
-    write(section.$children.dataset, 'empty', 'Select a joint in the viewport or outliner to edit it.');
+    write(contentOf(section).dataset, 'empty', 'Select a joint in the viewport or outliner to edit it.');
   }
 
   /** Call after an edit or a change of selection. @param joints the active one last */
@@ -129,7 +131,7 @@ export class RigSection {
   private append(line: HTMLElement): void {
     this.lines.push(line);
     // lil-gui's own are already there: move them behind the others.
-    this.section.$children.append(line);
+    contentOf(this.section).append(line);
   }
 
   private addPlace(character: Character, own: Joint, joint: number): void {

@@ -1,12 +1,14 @@
 /** Rows of the rig section: three numbers side by side, and lines of small controls. */
+
 import type { GUI } from 'lil-gui';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
 import { withoutNoise } from '../../state/joints/angles.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
+import { element, setText, write } from '../../widgets/dom.ts';
 import { leaveField } from '../../widgets/focus/focus.ts';
 import { Slider } from '../../widgets/numbers/slider.ts';
+import { contentOf } from '../../widgets/section.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 
 export interface SectionContext {
@@ -49,10 +51,7 @@ export function vectorRow(
   const sliders = AXES.map((axis) => {
     const letter = 'xyz'[axis];
     const slider = new Slider(section, `${label} ${letter}`, read()?.[axis] ?? 0, { step, decimals }, refuse);
-    slider.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
-    // The letter alone wouldn't identify the row.
-    slider.$input.removeAttribute('aria-labelledby');
-    setAttribute(slider.$input, 'aria-label', `${label} ${letter}`);
+    slider.showName(`${label} ${letter}`, element('span', { class: `dof-name axis-${letter}` }, letter));
     line.append(slider.domElement);
     slider.onChange((value: number) => {
       const now = read();
@@ -79,7 +78,7 @@ export function vectorRow(
     });
     return slider;
   });
-  section.$children.append(line);
+  contentOf(section).append(line);
   return { update, line };
 }
 

@@ -5,11 +5,13 @@
  * lil-gui reads and writes `object[property]`; here that is the slider's own binding, which the inspector updates from
  * the pose every frame.
  */
+
 import type { Controller, GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
 import { element, setAttribute, setStyle } from '../dom.ts';
 import { leaveField } from '../focus/focus.ts';
 import { isTypedIn } from '../focus/typing.ts';
+import { contentOf } from '../section.ts';
 import { setTooltip } from '../tooltip.ts';
 import type { Units } from './arithmetic.ts';
 import { exact, notANumber, parseNumber, shown } from './number-text.ts';
@@ -137,6 +139,23 @@ export class Slider extends NumberController {
     });
   }
 
+  /** Where the number is typed. */
+  get field(): HTMLInputElement {
+    return this.$input;
+  }
+
+  /** Contains the name. */
+  get nameElement(): HTMLElement {
+    return this.$name;
+  }
+
+  /** Shows its name as these, which alone don't identify it to screen readers. @param spoken name for them */
+  showName(spoken: string, ...shownAs: Node[]): void {
+    this.$name.replaceChildren(...shownAs);
+    this.$input.removeAttribute('aria-labelledby');
+    setAttribute(this.$input, 'aria-label', spoken);
+  }
+
   /**
    * Called instead of setting the previous number when the input is invalid: lets the owner cancel its edit, so that
    * nothing is left of it.
@@ -213,7 +232,7 @@ export class Slider extends NumberController {
 
   /** lil-gui expects it where it was put; it may have moved to a row with others. */
   override destroy(): void {
-    this.parent.$children.append(this.domElement);
+    contentOf(this.parent).append(this.domElement);
     super.destroy();
   }
 
