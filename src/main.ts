@@ -34,7 +34,7 @@ import { onDemand, whenIdle } from './ui/state/on-demand.ts';
 import { Posing } from './ui/state/posing.ts';
 import { rememberedSettings } from './ui/state/settings.ts';
 import { Timeline } from './ui/state/timeline.ts';
-import type { Action, DialogName, Loading, Workbench } from './ui/state/workbench.ts';
+import type { ActionList, DialogName, Loading, Workbench } from './ui/state/workbench.ts';
 import { oncePerFrame } from './ui/widgets/frame.ts';
 import { observable } from './ui/widgets/observable.ts';
 import { Viewport } from './view/viewport.ts';
@@ -54,7 +54,7 @@ const worker = new WorkerPool(() => new Worker(new URL('./worker/entry.ts', impo
 const reducesMotion = () => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const offerSpaces = async (opened: readonly Character[]) => {
   const offers = await import('./app/space-offers.ts').catch(() => undefined);
-  offers?.offerSpaces({ store, messages, viewport }, opened);
+  offers?.offerSpaces({ store, messages, camera: viewport.camera }, opened);
 };
 const opener = new Opener({
   store,
@@ -62,6 +62,7 @@ const opener = new Opener({
   messages,
   loading,
   viewport,
+  camera: viewport.camera,
   worker,
   reducesMotion,
   compare,
@@ -87,15 +88,19 @@ const settings = rememberedSettings(
 const sampleDisplay = new SampleDisplay(settings, store);
 
 /** What the page can do once everything is loaded. */
-let actions = (): readonly Action[] => [];
+let actions: ActionList = {
+  all: () => [],
+  label: () => '',
+  refusal: () => undefined,
+  checked: () => undefined,
+  run: () => undefined,
+  attempt: () => undefined,
+};
 
 const workbench: Workbench = {
   store,
-  actions: {
-    all: () => actions(),
-    get page() {
-      return workbench;
-    },
+  get actions() {
+    return actions;
   },
   viewport,
   viewportElement,
@@ -162,7 +167,7 @@ const named = filesInQuery(location.search);
 const fetchNamed = async (signal: AbortSignal) =>
   (await import('./io/fetch-files.ts')).fetchFiles(named, document.baseURI, signal);
 const opening = named.length ? opener.open(fetchNamed) : openSample();
-const setActions = (all: typeof actions) => {
+const setActions = (all: ActionList) => {
   actions = all;
 };
 const rest = restOfPage(root, opening, {
@@ -175,7 +180,8 @@ const rest = restOfPage(root, opening, {
 fillPanels(rest.filled);
 window.marrow = scriptingApi(workbench, opener, rest);
 onLaunched((files) => void opener.open(() => files), window);
-void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles, timeline.review) }, opening);
+const saving = savingMarks(unsaved, handles, timeline.review);
+void beginAutosave({ ...workbench, camera: viewport.camera, opener, worker, saving }, opening);
 
 // Only the built page has a service worker.
 if (import.meta.env.PROD && 'serviceWorker' in navigator) void opening.then(() => whenIdle(workbench, storePage));

@@ -17,6 +17,7 @@ import { byFileName, type ParsedFile, type SourceFile } from '../model/files.ts'
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import type { Observable } from '../ui/widgets/observable.ts';
+import type { ViewCamera } from '../view/camera/view-camera.ts';
 import { runInSlices } from '../view/slices.ts';
 import { type Runs, WorkerError } from '../worker/client.ts';
 import type { GivenBlob, ParseOutput } from '../worker/protocol.ts';
@@ -26,7 +27,8 @@ export interface OpeningParts {
   readonly transport: Observable<Playback>;
   readonly messages: Messages;
   readonly loading: Observable<Loading | undefined>;
-  readonly viewport: Pick<WorkbenchStage, 'frameAll' | 'prepare'>;
+  readonly viewport: Pick<WorkbenchStage, 'prepare'>;
+  readonly camera: Pick<ViewCamera, 'frameAll'>;
   readonly worker: Runs<'parse'>;
   /** Whether the user wants less motion: then new takes don't start to play. */
   reducesMotion(): boolean;
@@ -237,7 +239,7 @@ export class Opener {
 
   /** Adds what was opened as one step, selected and framed if it is new. */
   put(document: Document, opened: readonly string[], label: string, options: OpenOptions = {}): void {
-    const { store, transport, viewport } = this.parts;
+    const { store, transport, camera } = this.parts;
     const before = store.document;
     if (document === before) return;
     const { characterId } = store.selection;
@@ -248,7 +250,7 @@ export class Opener {
       store.amend({ document: { ...document, isOpeningSample: true }, ...(selected && { selected }) });
     } else store.replace(label, { document, ...(selected && { selected }) });
     // A replaced part keeps time and camera: someone is editing a file on disk. New content may be of another size.
-    if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) viewport.frameAll();
+    if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) camera.frameAll();
     // The range already follows the takes (`follow-range.ts`); new ones play from the start, if motion is welcome.
     if (opened.some((id) => hasNewTake(before, document, id))) {
       transport.update((now) => {

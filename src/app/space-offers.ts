@@ -2,6 +2,7 @@
  * Tells how characters that were just opened were taken where their file states no unit and no up axis, or a unit that
  * can hardly be, and offers each other way as a button.
  */
+
 import { setSpace } from '../edit/commands/spaces.ts';
 import type { Store } from '../edit/store.ts';
 import { metresPerUnit } from '../evaluate/space/metres.ts';
@@ -12,13 +13,13 @@ import { skeletonKey } from '../model/skeleton/skeleton-key.ts';
 import type { Space } from '../model/space.ts';
 import { attempt } from '../ui/state/actions/attempt.ts';
 import type { Messages, Offer } from '../ui/state/messages.ts';
-import type { WorkbenchStage } from '../ui/state/workbench.ts';
 import { shown } from '../ui/widgets/numbers/number-text.ts';
+import type { ViewCamera } from '../view/camera/view-camera.ts';
 
 interface Parts {
   readonly store: Store;
   readonly messages: Messages;
-  readonly viewport: Pick<WorkbenchStage, 'reveal'>;
+  readonly camera: Pick<ViewCamera, 'reveal'>;
 }
 
 /** Skeletons told of; what is wrong with thousands is seen in a few. */
@@ -49,7 +50,7 @@ export function offerSpaces(parts: Parts, opened: readonly Character[]): void {
 }
 
 function offerOf(
-  { store, messages, viewport }: Parts,
+  { store, messages, camera }: Parts,
   character: Character,
   space: Space,
   { height }: SpaceChoices,
@@ -65,7 +66,7 @@ function offerOf(
       }
       attempt(messages, () => store.apply(setSpace, { characterId: id, space, ofSkeleton: true }));
       messages.withdraw(text);
-      viewport.reveal(id);
+      camera.reveal(id);
     },
   };
 }

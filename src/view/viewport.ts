@@ -5,37 +5,35 @@
  *     every frame       seek()    poses characters; draw() fills matrices and draws, only if something changed
  *
  * It reports facts (what was hit, where joints are) and never edits the document. Its parts, each of which knows only
- * those before it:
+ * those before it; the page has `camera` and `pointing`:
  *
  *     Screen          the canvas, its size and its context
  *     ShownDocument   what is drawn
- *     CameraRig       from where; Framer and JointFollower move it
+ *     CameraRig       from where; Framer, JointFollower and ViewCamera move it
  *     Pointing        what is under the pointer
  *     Redraw          when
  */
 import { Box3, Vector3 } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Character, Document } from '../model/document.ts';
-import { characterIdOf } from '../model/drawn-id.ts';
 import type { Texture } from '../model/files.ts';
 import type { Display, Selection } from '../model/session.ts';
-import { CameraRig, type CameraView, type ViewDirection } from './camera/camera.ts';
+import { CameraRig } from './camera/camera.ts';
 import { Eye } from './camera/eye.ts';
 import { Framer } from './camera/framer.ts';
 import { JointFollower } from './camera/joint-follower.ts';
 import { Orientation } from './camera/orientation.ts';
 import type { ShotParts } from './camera/shots.ts';
+import { ViewCamera } from './camera/view-camera.ts';
 import { type CharacterFacts, factsOf } from './character-facts.ts';
 import type { Look } from './look.ts';
 import type { Annotations } from './names/annotations.ts';
 import type { Overlay } from './overlay.ts';
-import type { Hit } from './picking/picking.ts';
 import { Pointing } from './picking/pointing.ts';
 import { Redraw } from './redraw.ts';
 import { type FrameStats, Screen } from './screen.ts';
 import { type ShownCharacter, vertexPosition } from './shown-characters.ts';
 import { ShownDocument } from './shown-document.ts';
-import type { JointRef } from './skeleton/drawn-skeletons.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName } from './theme.ts';
 
 export interface ViewportEvents {
@@ -49,13 +47,14 @@ export class Viewport {
   readonly canvas: HTMLCanvasElement;
   /** Converts between points of the page and of the scene. */
   readonly eye: Eye;
+  readonly camera: ViewCamera;
+  readonly pointing: Pointing;
   private readonly screen: Screen;
   private readonly shown: ShownDocument;
   private readonly rig: CameraRig;
   private readonly framer: Framer;
   private readonly follower = new JointFollower();
   private readonly orientation: Orientation;
-  private readonly pointing: Pointing;
   private readonly redraw: Redraw;
   private readonly box = new Box3();
   private readonly point = new Vector3();
@@ -98,8 +97,10 @@ export class Viewport {
     this.rig = new CameraRig(this.canvas, redraw);
     this.eye = new Eye(this.canvas, this.rig);
     this.framer = new Framer(this.rig, shown.characters, shown.skeletons, shown.picked);
-    this.orientation = new Orientation((side) => this.lookFrom(side));
-    this.pointing = new Pointing(screen, shown, this.rig, { update: () => this.update(), redraw });
+    const frame = { update: () => this.update(), redraw };
+    this.camera = new ViewCamera(this.rig, this.framer, shown, frame);
+    this.orientation = new Orientation((side) => this.camera.lookFrom(side));
+    this.pointing = new Pointing(screen, shown, this.rig, frame);
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
     container.append(this.canvas, this.orientation.element);
     this.setTheme('dark');
@@ -139,32 +140,6 @@ export class Viewport {
     this.redraw.request();
   }
 
-  /** What is under a point of the page, by the document's ids; a character alone under its name. */
-  pick(clientX: number, clientY: number): Hit | undefined {
-    return this.pointing.pick(clientX, clientY);
-  }
-
-  /** Highlights a joint as if under the pointer, for rows of lists; undefined for none. */
-  hover(joint: JointRef | undefined): void {
-    this.pointing.hover(joint);
-  }
-
-  /** The highlighted joint, by the document's ids. */
-  get hovered(): JointRef | undefined {
-    const { joint } = this.shown.highlighted;
-    return joint && { ...joint, characterId: characterIdOf(joint.characterId) };
-  }
-
-  /** Calls back when `hovered` changes. Returns an unsubscribe function. */
-  onHover(listener: () => void): () => void {
-    return this.shown.highlighted.subscribe(listener);
-  }
-
-  /** Whether a tool has captured the pointer: no joint is highlighted meanwhile. */
-  takePointer(isTaken: boolean): void {
-    this.pointing.take(isTaken);
-  }
-
   /** Draws names, motion paths and ghosts from now on. Given, not made here: the first picture does without. */
   annotate(create: (...parts: ConstructorParameters<typeof Annotations>) => Annotations): void {
     const { shown, screen } = this;
@@ -177,61 +152,6 @@ export class Viewport {
   /** Takes the size of its element at once: framing that waits for the next frame is then for that size. */
   fitScreen(): void {
     this.screen.fit();
-  }
-
-  /** Sets the function that returns how many CSS pixels at the top are covered by overlays, for framing. */
-  keepClear(coveredTop: () => number): void {
-    this.framer.coveredTop = coveredTop;
-  }
-
-  /** Frames everything. */
-  frameAll(): void {
-    this.framer.frameAll();
-    this.requestRender();
-  }
-
-  /** Frames the selected vertex or joint of the picked instance, or the character with its motion; else everything. */
-  frameSelection(selection: Selection): void {
-    this.update();
-    this.framer.frameSelection(selection, this.shown.playedRange, this.shown.timeSeconds);
-    this.requestRender();
-  }
-
-  /** Frames these characters with the next frame, with room for their motion, unless they are well in view. */
-  reveal(...characterIds: readonly string[]): void {
-    this.framer.reveal(characterIds);
-    this.requestRender();
-  }
-
-  lookFrom(side: ViewDirection): void {
-    this.rig.lookFrom(side);
-  }
-
-  /** Orbits about the target; radians, positive moves the camera to the right and down. */
-  turnView(azimuth: number, polar = 0): void {
-    this.rig.turn(azimuth, polar);
-  }
-
-  /**
-   * Orbits so that a visible character seems to turn where it is; of another, as `turnView` does.
-   *
-   * @param angle radians, positive turns its near side to the right
-   */
-  turnCharacter(characterId: string, angle: number): void {
-    const box = this.shown.characters.seen(characterId)?.view.bounds(this.box);
-    const about = box && !box.isEmpty() ? box.getCenter(this.point) : undefined;
-    this.rig.turn(-angle, 0, about);
-  }
-
-  /** The current view, or the one being moved to. */
-  get cameraView(): CameraView {
-    return this.rig.view;
-  }
-
-  /** Sets the view at once and cancels pending framing. */
-  set cameraView(view: CameraView) {
-    this.framer.leave();
-    this.rig.view = view;
   }
 
   setTheme(name: ThemeName): void {

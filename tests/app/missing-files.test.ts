@@ -22,7 +22,8 @@ function page() {
     messages,
     transport: observable(DEFAULT_PLAYBACK),
     loading: observable(undefined),
-    viewport: { frameAll: () => undefined, prepare: () => undefined },
+    viewport: { prepare: () => undefined },
+    camera: { frameAll: () => undefined },
     worker: new InThisThread(),
     reducesMotion: () => true,
   });

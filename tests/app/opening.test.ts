@@ -28,7 +28,8 @@ function openerOf(
     transport,
     messages,
     loading,
-    viewport: { frameAll: () => undefined, prepare },
+    viewport: { prepare },
+    camera: { frameAll: () => undefined },
     worker: new InThisThread(),
     reducesMotion: () => reducesMotion,
   });

@@ -28,7 +28,8 @@ async function page(texts: Readonly<Record<string, string>> = HERO) {
     transport,
     messages,
     loading: observable<Loading | undefined>(undefined),
-    viewport: { frameAll: () => void framed++, prepare: () => undefined },
+    viewport: { prepare: () => undefined },
+    camera: { frameAll: () => void framed++ },
     worker: new InThisThread(),
     reducesMotion: () => false,
   });

@@ -32,7 +32,7 @@ function opened(...files: readonly ParsedFile[]) {
   const store = new Store(openFiles(EMPTY_DOCUMENT, files).document);
   const messages = new Messages();
   const revealed: string[] = [];
-  offerSpaces({ store, messages, viewport: { reveal: (id) => void revealed.push(id) } }, store.document.characters);
+  offerSpaces({ store, messages, camera: { reveal: (id) => void revealed.push(id) } }, store.document.characters);
   const press = (label: string) =>
     messages.list
       .get()

@@ -61,7 +61,8 @@ class Opened {
     const opener = new Opener({
       ...{ store, messages, worker: new InThisThread(), transport: observable(DEFAULT_PLAYBACK) },
       ...{ loading: observable<Loading | undefined>(undefined), reducesMotion: () => true },
-      viewport: { frameAll: () => void this.framed++, prepare: () => undefined },
+      viewport: { prepare: () => undefined },
+      camera: { frameAll: () => void this.framed++ },
     });
     this.edits = new FileEdits({ store, unsaved, texts, messages, opener, worker: new InThisThread() });
   }

@@ -13,6 +13,7 @@ import {
 import type { Samples } from '../../src/model/takes/samples.ts';
 import { type Channel, type KeyedChannel, SAMPLED, type Take } from '../../src/model/takes/take.ts';
 import { pageActions } from '../../src/ui/shell/actions.ts';
+import { PageActions } from '../../src/ui/state/actions/page-actions.ts';
 import type { DumpComparison } from '../../src/ui/state/dump-comparison.ts';
 import type { GuideName } from '../../src/ui/state/guide.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
@@ -114,13 +115,15 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     seek: (seconds: number) => void seeks.push(seconds),
     setFloor: (y: number) => void floors.push(y),
     show: () => {},
-    pick: () => undefined,
-    frameAll: () => {},
-    frameSelection: () => {},
-    reveal: (id: string) => void revealed.push(id),
-    lookFrom: () => {},
-    turnView: () => {},
-    turnCharacter: () => {},
+    camera: {
+      frameAll: () => {},
+      frameSelection: () => {},
+      reveal: (id: string) => void revealed.push(id),
+      lookFrom: () => {},
+      turn: () => {},
+      turnCharacter: () => {},
+    },
+    pointing: { pick: () => undefined },
     setTheme: () => {},
     character: () => undefined,
     freezeRootMotion: () => () => {},
@@ -128,12 +131,10 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
   };
   // The canvas and its element need a browser, and no test uses them.
   const wb: Workbench = {
-    actions: {
-      all: () => pageActions(wb),
-      get page() {
-        return wb;
-      },
-    },
+    actions: new PageActions(
+      () => pageActions(wb),
+      () => wb,
+    ),
     store: new Store(document),
     transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
     timeline: new Timeline(),

@@ -15,8 +15,9 @@ import { sentenceOf } from '../../model/failure.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import type { Messages } from '../../ui/state/messages.ts';
 import type { Timeline } from '../../ui/state/timeline.ts';
-import type { Loading, WorkbenchStage } from '../../ui/state/workbench.ts';
+import type { Loading } from '../../ui/state/workbench.ts';
 import type { Observable } from '../../ui/widgets/observable.ts';
+import type { ViewCamera } from '../../view/camera/view-camera.ts';
 import type { Runs } from '../../worker/client.ts';
 import type { OpenedFiles, Opener } from '../opening.ts';
 import { isFull, Keeper } from './keeper.ts';
@@ -31,7 +32,7 @@ export interface AutosaveParts {
   readonly store: Store;
   readonly transport: Observable<Playback>;
   readonly timeline: Timeline;
-  readonly viewport: Pick<WorkbenchStage, 'cameraView'>;
+  readonly camera: Pick<ViewCamera, 'view'>;
   readonly messages: Messages;
   readonly loading: Observable<Loading | undefined>;
   readonly kept: Observable<KeptOffer | undefined>;
@@ -160,14 +161,14 @@ export class Autosave {
   }
 
   private state(): SessionState {
-    const { store, transport, timeline, viewport, saving } = this.parts;
+    const { store, transport, timeline, camera, saving } = this.parts;
     const { document, selection } = store.confirmed;
     return {
       document,
       selection,
       transport: transport.get(),
       timeline: timeline.view.get(),
-      camera: viewport.cameraView,
+      camera: camera.view,
       saving: saving.snapshot(document),
     };
   }

@@ -1,16 +1,17 @@
 /** Restores a kept session into the page. */
+
 import { DEFAULT_PLAYBACK, type Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import { DEFAULT_TIMELINE_VIEW, type Timeline } from '../../ui/state/timeline.ts';
-import type { WorkbenchStage } from '../../ui/state/workbench.ts';
 import type { Observable } from '../../ui/widgets/observable.ts';
+import type { ViewCamera } from '../../view/camera/view-camera.ts';
 import type { SessionState } from './session-state.ts';
 
 interface PutBackParts {
   readonly store: Store;
   readonly transport: Observable<Playback>;
   readonly timeline: Timeline;
-  readonly viewport: Pick<WorkbenchStage, 'cameraView'>;
+  readonly camera: Pick<ViewCamera, 'view'>;
   readonly saving: { restore(kept: unknown): void };
 }
 
@@ -20,7 +21,7 @@ interface PutBackParts {
  * @param asStep what is open now is work too, and undo restores it
  */
 export function putBack(state: SessionState, parts: PutBackParts, asStep: boolean): void {
-  const { store, transport, timeline, viewport, saving } = parts;
+  const { store, transport, timeline, camera, saving } = parts;
   const { document, selection } = state;
   // Fields that the record doesn't have get their defaults.
   const then: Playback = { ...DEFAULT_PLAYBACK, ...state.transport, playing: false };
@@ -31,5 +32,5 @@ export function putBack(state: SessionState, parts: PutBackParts, asStep: boolea
   saving.restore(state.saving);
   transport.set(then);
   timeline.view.set({ ...DEFAULT_TIMELINE_VIEW, ...state.timeline });
-  viewport.cameraView = state.camera;
+  camera.view = state.camera;
 }

@@ -127,7 +127,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
       const character = currentCharacter(wb);
       if (!character) return;
       wb.store.apply(sameHeight, { characterIds: idsOf(wb), like: character.id });
-      wb.viewport.frameAll();
+      wb.viewport.camera.frameAll();
     },
   },
   {
@@ -144,7 +144,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
       const character = currentCharacter(wb);
       if (!character) return;
       wb.store.apply(sameUnit, { characterIds: idsOf(wb), like: character.id });
-      wb.viewport.frameAll();
+      wb.viewport.camera.frameAll();
     },
   },
   {
@@ -158,7 +158,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     refuses: needsSeveral,
     run(wb) {
       wb.store.apply(ownHeights, { characterIds: idsOf(wb) });
-      wb.viewport.frameAll();
+      wb.viewport.camera.frameAll();
     },
   },
   {

@@ -34,7 +34,7 @@ export function startFirstPicture(
   viewportElement.classList.add('viewport');
   root.querySelector('.stage')?.prepend(viewportElement);
   // Read only when something is framed: doing so every frame would force a layout.
-  viewport.keepClear(() => {
+  viewport.camera.keepClear(() => {
     const head = root.querySelector<HTMLElement>('.stage-head');
     return head ? head.offsetTop + head.offsetHeight : 0;
   });

@@ -15,9 +15,10 @@ import { followPeriods } from '../editors/timeline/period.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
 import { transport } from '../editors/transport/transport.ts';
 import { listenToKeys } from '../state/actions/keys.ts';
+import { PageActions } from '../state/actions/page-actions.ts';
 import { onDemand } from '../state/on-demand.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
-import type { Action, Workbench } from '../state/workbench.ts';
+import type { ActionList, Workbench } from '../state/workbench.ts';
 import type { Observable } from '../widgets/observable.ts';
 import { openSelectsAsMenus } from '../widgets/select-menu.ts';
 import { startTooltips } from '../widgets/tooltip/tooltip-layer.ts';
@@ -43,7 +44,7 @@ export interface Beginnings {
   /** The current theme. */
   readonly theme: Observable<ThemeName>;
   /** Sets the actions, for `Workbench.actions`. */
-  setActions(all: () => readonly Action[]): void;
+  setActions(all: ActionList): void;
 }
 
 /** The page once it is built. */
@@ -67,7 +68,11 @@ export function mountWorkbench(
   signal: AbortSignal,
 ): MountedPage {
   // Before anything that shows actions.
-  setActions(() => pageActions(wb));
+  const actions = new PageActions(
+    () => pageActions(wb),
+    () => wb,
+  );
+  setActions(actions);
   const scrubber = new Scrubber(wb);
   const tabs: TimelineTab[] = [];
   const loadTab = async (name: TimelineTabName) => {

@@ -89,7 +89,7 @@ export function statusBar(
     { signal, capture: true, passive: true },
   );
   const stops = [
-    wb.viewport.onHover(showSoon),
+    wb.viewport.pointing.onHover(showSoon),
     wb.posing.mode.subscribe(showSoon),
     wb.posing.rig.adding.subscribe(showSoon),
     wb.timeline.view.subscribe(showSoon),
@@ -110,7 +110,7 @@ function placeAt(
   if (!found) return undefined;
   const { area } = found;
   const cursor = target instanceof HTMLElement ? target.style.cursor : '';
-  const hovered = area === 'viewport' ? viewport.hovered : undefined;
+  const hovered = area === 'viewport' ? viewport.pointing.hovered : undefined;
   const skeleton = hovered && findCharacter(store.document, hovered.characterId)?.skeleton;
   const place: MousePlace = {
     area,

@@ -27,7 +27,7 @@ import { shown } from '../widgets/numbers/number-text.ts';
 /** What a menu is about. */
 export type MenuSubject = 'joint' | 'character' | 'background';
 
-type Hit = ReturnType<Workbench['viewport']['pick']>;
+type Hit = ReturnType<Workbench['viewport']['pointing']['pick']>;
 
 /**
  * Selects what was hit, unless it is selected already; one of several selected joints becomes active. Nothing hit: the
@@ -53,7 +53,7 @@ export function subjectOf(wb: Uses<'store'>): MenuSubject {
 export function openMenuAt(wb: Workbench, at: CanvasPointer, isSelected: boolean): void {
   const { clientX: x, clientY: y } = at;
   const before = wb.store.selection;
-  const subject = isSelected ? subjectOf(wb) : selectForMenu(wb, wb.viewport.pick(x, y));
+  const subject = isSelected ? subjectOf(wb) : selectForMenu(wb, wb.viewport.pointing.pick(x, y));
   open(wb, subject, { x, y }, false, before);
 }
 

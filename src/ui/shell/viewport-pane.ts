@@ -114,14 +114,14 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
     { signal },
   );
   const pick = (at: CanvasPointer) => {
-    if (!isReviewing()) selectHit(wb, wb.viewport.pick(at.clientX, at.clientY), addsToSelection(wb, at));
+    if (!isReviewing()) selectHit(wb, wb.viewport.pointing.pick(at.clientX, at.clientY), addsToSelection(wb, at));
   };
   listenToCanvas(
     canvas,
     withBoxSelect(wb, tool, pick),
     {
       pick,
-      claim: (isTools) => wb.viewport.takePointer(isTools),
+      claim: (isTools) => wb.viewport.pointing.take(isTools),
       menu(at) {
         const isSelected = tool()?.menu?.(at) ?? false;
         void menus().then((module) => module?.openMenuAt(wb, at, isSelected));

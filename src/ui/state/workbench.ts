@@ -33,21 +33,10 @@ export type WorkbenchStage = Pick<
   | 'prepare'
   | 'setLook'
   | 'seek'
-  | 'pick'
-  | 'frameAll'
-  | 'frameSelection'
-  | 'reveal'
   | 'fitScreen'
-  | 'keepClear'
   | 'annotate'
-  | 'lookFrom'
-  | 'cameraView'
   | 'setTheme'
   | 'character'
-  | 'hover'
-  | 'hovered'
-  | 'onHover'
-  | 'takePointer'
   | 'requestRender'
   | 'addOverlay'
   | 'placementOf'
@@ -56,8 +45,8 @@ export type WorkbenchStage = Pick<
   | 'freezeRootMotion'
   | 'vertexAt'
   | 'withDrawnSkin'
-  | 'turnView'
-  | 'turnCharacter'
+  | 'camera'
+  | 'pointing'
   | 'eye'
   | 'gridStep'
   | 'setFloor'
@@ -103,12 +92,19 @@ export interface Workbench {
  */
 export type Uses<Members extends keyof Workbench> = Pick<Workbench, Members>;
 
-/** All current actions. Only `action.ts` looks inside, to find, inspect and run them. */
+/** The page's actions, which may use all of it; their callers may not. `action.ts` finds them by id. */
 export interface ActionList {
-  /** In the order of the menus. */
+  /** All current ones, in the order of the menus. */
   all(): readonly Action[];
-  /** What the actions operate on: they may use all of it, their callers may not. */
-  readonly page: Workbench;
+  label(action: Action): string;
+  /** Why it can't be done now, as a sentence; undefined if it can. */
+  refusal(action: Action): string | undefined;
+  /** Undefined if it isn't checkable. */
+  checked(action: Action): boolean | 'mixed' | undefined;
+  /** Returns a promise if its script is loaded first. */
+  run(action: Action, args?: unknown): Promise<void> | undefined;
+  /** Runs it if enabled. A refusal becomes a message, and so does the reason if it is disabled or changes nothing. */
+  attempt(action: Action, args?: unknown): void;
 }
 
 /** The single record behind a menu entry, a shortcut, a line of the `?` page and a scripted call. */

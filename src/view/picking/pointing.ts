@@ -35,7 +35,7 @@ export class Pointing {
     canvas.addEventListener('pointerleave', () => this.leave(), { signal });
   }
 
-  /** What is under a point of the page, by the document's ids. */
+  /** What is under a point of the page, by the document's ids; a character alone under its name. */
   pick(clientX: number, clientY: number): Hit | undefined {
     const scene = this.scene();
     if (!scene) return undefined;
@@ -48,7 +48,18 @@ export class Pointing {
     return hit && { ...hit, characterId: characterIdOf(hit.characterId) };
   }
 
-  /** Highlights a joint as if under the pointer; undefined: none. */
+  /** The highlighted joint, by the document's ids. */
+  get hovered(): JointRef | undefined {
+    const { joint } = this.shown.highlighted;
+    return joint && { ...joint, characterId: characterIdOf(joint.characterId) };
+  }
+
+  /** Calls back when `hovered` changes. Returns an unsubscribe function. */
+  onHover(listener: () => void): () => void {
+    return this.shown.highlighted.subscribe(listener);
+  }
+
+  /** Highlights a joint as if under the pointer, for rows of lists; undefined: none. */
   hover(joint: JointRef | undefined): void {
     if (this.shown.highlight(joint)) this.events.redraw();
   }

@@ -112,7 +112,7 @@ const STATES: Readonly<Record<string, Given>> = {
 
 /** What the page has that the document doesn't: drawing, files and the tab below. Asking it something is no effect. */
 const QUESTIONS =
-  /^(character|placementOf|sizeOf|freezeRootMotion|cameraView|pickedCopy|canReload|samples|unsaved|stats|canvas|eye)$/;
+  /^(character|placementOf|sizeOf|freezeRootMotion|pickedCopy|canReload|samples|unsaved|stats|canvas|eye)$/;
 
 function recorded(target: object, calls: string[]): object {
   return new Proxy(target, {
@@ -140,7 +140,9 @@ function observed(part: object): readonly unknown[] {
 async function outcome({ document, prepare }: Given, id: string): Promise<string | undefined> {
   const { wb } = workbench(document);
   const calls: string[] = [];
-  Object.assign(wb, { viewport: recorded(wb.viewport, calls), files: recorded(wb.files, calls) });
+  const { viewport } = wb;
+  const [camera, pointing] = [viewport.camera, viewport.pointing].map((part) => recorded(part, calls));
+  Object.assign(wb, { viewport: recorded({ ...viewport, camera, pointing }, calls), files: recorded(wb.files, calls) });
   Object.assign(wb.timeline, { tab: recorded({}, calls) });
   prepare?.(wb);
   const action: Action | undefined = actionsOf(wb).find((a) => a.id === id);

@@ -86,7 +86,7 @@ class ComparisonDrawing {
       wb.settings.subscribe((now, before) => {
         if (now.display.skin !== before.display.skin) this.draw();
       }),
-      wb.viewport.onHover(() => this.overlay?.hover(this.hovered())),
+      wb.viewport.pointing.onHover(() => this.overlay?.hover(this.hovered())),
       wb.transport.subscribe((now, before) => {
         if (now.playing !== before.playing) this.draw();
       }),
@@ -231,7 +231,7 @@ class ComparisonDrawing {
   };
 
   private hovered() {
-    const { hovered } = this.wb.viewport;
+    const { hovered } = this.wb.viewport.pointing;
     return hovered?.characterId === this.character?.id ? hovered : undefined;
   }
 
@@ -253,9 +253,9 @@ class ComparisonDrawing {
     if (!sphere) return;
     const { viewport } = wb;
     const { clientWidth, clientHeight } = viewport.canvas;
-    const view = viewport.cameraView;
+    const view = viewport.camera.view;
     const across = viewport.eye.unitsPerPixel(view.target) * Math.min(clientWidth, clientHeight);
-    viewport.cameraView = viewOf(sphere, view, across);
+    viewport.camera.view = viewOf(sphere, view, across);
   }
 
   private selectWorst(): void {

@@ -47,7 +47,7 @@ class FkTool implements ModeTool {
     this.listening = new AbortController();
     const { signal } = this.listening;
     const stops = [
-      wb.viewport.onHover(() => {
+      wb.viewport.pointing.onHover(() => {
         if (this.over && !this.gizmo.isDragged) wb.viewport.canvas.style.cursor = this.light() ?? '';
       }),
       wb.posing.chosenDof.subscribe(() => wb.viewport.requestRender()),
@@ -88,7 +88,7 @@ class FkTool implements ModeTool {
     const handle = this.gizmo.at(at);
     let hit: Hit | undefined;
     const under = () => {
-      hit = wb.viewport.pick(at.clientX, at.clientY);
+      hit = wb.viewport.pointing.pick(at.clientX, at.clientY);
       return this.whose(hit);
     };
     const grab = grabOf(handle, under, at);
@@ -99,7 +99,11 @@ class FkTool implements ModeTool {
 
   /** Handles are the selected joint's. */
   menu(at: CanvasPointer): boolean {
-    const grab = grabOf(this.gizmo.at(at), () => this.whose(this.wb.viewport.pick(at.clientX, at.clientY)), at);
+    const grab = grabOf(
+      this.gizmo.at(at),
+      () => this.whose(this.wb.viewport.pointing.pick(at.clientX, at.clientY)),
+      at,
+    );
     return grab === 'handle' || grab === 'ball';
   }
 
@@ -193,7 +197,7 @@ class FkTool implements ModeTool {
   private light(): string | undefined {
     const { wb, over } = this;
     const handle = over && this.gizmo.at(over);
-    const grab = over && grabOf(handle, () => this.whose(wb.viewport.hovered), over);
+    const grab = over && grabOf(handle, () => this.whose(wb.viewport.pointing.hovered), over);
     const id = grab === 'handle' || grab === 'ball' ? handle?.id : undefined;
     this.gizmo.light(id, over);
     // "grab" claims the pointer: a handle that yields must leave the viewport looking for joints.

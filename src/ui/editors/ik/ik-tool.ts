@@ -84,7 +84,7 @@ class IkTool implements ModeTool {
     const axis = this.axes.press(at);
     if (axis) return axis;
     const { viewport } = this.wb;
-    const ring = this.ringUnder(at, () => viewport.pick(at.clientX, at.clientY)?.joint !== undefined);
+    const ring = this.ringUnder(at, () => viewport.pointing.pick(at.clientX, at.clientY)?.joint !== undefined);
     const selected = selectedJoint(this.wb);
     if (ring && selected) return this.turn(ring.id, selected, at);
     // Shift selects, and pans.
@@ -134,7 +134,7 @@ class IkTool implements ModeTool {
       return 'grab';
     }
     const pin = at && pinUnder(this.wb, at);
-    const ring = at && this.ringUnder(at, () => this.wb.viewport.hovered?.joint !== undefined);
+    const ring = at && this.ringUnder(at, () => this.wb.viewport.pointing.hovered?.joint !== undefined);
     this.rings.light(ring?.id, at);
     if (ring) {
       hand.show(undefined, undefined);

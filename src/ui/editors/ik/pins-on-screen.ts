@@ -114,7 +114,7 @@ export function heldPoint(wb: Uses<'store'>, { characterId, joint, natural, poin
 
 /** The point of a character under the pointer. */
 export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: CanvasPointer): SeenPoint | undefined {
-  const hit = wb.viewport.pick(at.clientX, at.clientY);
+  const hit = wb.viewport.pointing.pick(at.clientX, at.clientY);
   const character = findCharacter(wb.store.document, hit?.characterId);
   if (!hit || hit.joint === undefined || !character?.skeleton) return undefined;
   const { placement } = hit;

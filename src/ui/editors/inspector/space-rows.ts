@@ -46,7 +46,7 @@ export function addSpaceRows(
     if (now()) attempt(wb.messages, () => wb.store.apply(setSpace, args));
     update();
     // A hundred times larger it is out of view, a hundred times smaller a speck.
-    wb.viewport.reveal(id);
+    wb.viewport.camera.reveal(id);
   };
   const binding: { up: Space['up']; unit: LengthUnit | 'automatic'; positions: Positions; all: boolean } = {
     up: spaceNow().up,
@@ -80,7 +80,7 @@ export function addSpaceRows(
   lift.onFinishChange(() => {
     edit.commit();
     update();
-    wb.viewport.reveal(id);
+    wb.viewport.camera.reveal(id);
   });
   const character = now();
   if (character?.skeleton) {

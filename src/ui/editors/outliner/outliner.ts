@@ -76,8 +76,8 @@ class Outliner {
       const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
       if (now.selection !== before.selection || others) this.showSelection(now);
     });
-    wb.viewport.onHover(() => {
-      const { hovered } = wb.viewport;
+    wb.viewport.pointing.onHover(() => {
+      const { hovered } = wb.viewport.pointing;
       tree.light(hovered && jointKey(hovered.characterId, hovered.joint));
     });
     wb.posing.rig.renameAsked.subscribe(() => {

@@ -37,8 +37,8 @@ export function activate(wb: Uses<'store' | 'viewport'>, row: OutlineRow): void 
   const { kind, characterId, index } = row;
   if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
   else if (kind === 'take') wb.store.apply(showTake, { characterId, take: index });
-  else if (kind === 'character') wb.viewport.frameSelection({ characterId });
-  else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
+  else if (kind === 'character') wb.viewport.camera.frameSelection({ characterId });
+  else if (kind === 'joint') wb.viewport.camera.frameSelection({ characterId, joint: index });
 }
 
 export function canRename({ kind }: OutlineRow): boolean {

@@ -147,7 +147,7 @@ class PoseTool implements ModeTool {
     this.gizmo.light(undefined, undefined);
     return this.hand.begin({ characterId, placement, joint, point: heldPoint(wb, seen) }, at, () => {
       wb.posing.ik.selected.set(undefined);
-      const hit = wb.viewport.pick(at.clientX, at.clientY);
+      const hit = wb.viewport.pointing.pick(at.clientX, at.clientY);
       const skeleton = findCharacter(wb.store.document, characterId)?.skeleton;
       const isOnIt = hit?.characterId === characterId && hit.joint !== undefined && skeleton !== undefined;
       const meant = isOnIt ? { ...hit, joint: meantJoint(skeleton, joint, hit.joint) } : hit;

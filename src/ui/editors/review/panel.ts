@@ -98,7 +98,7 @@ class ReviewPanel implements TimelineTab {
   }
 
   fitAll(): void {
-    this.wb.viewport.frameAll();
+    this.wb.viewport.camera.frameAll();
   }
 
   fitSelected(): void {

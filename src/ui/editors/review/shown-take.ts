@@ -32,11 +32,11 @@ export class ShownTake {
       shown.set(undefined);
       const range = rangeOfTakes(store.document) ?? DEFAULT_PLAYBACK.range;
       transport.update((now) => pause({ ...now, range, timeSeconds: range[0] }, false));
-      if (store.document.characters.length > 0) viewport.frameAll();
+      if (store.document.characters.length > 0) viewport.camera.frameAll();
       return;
     }
     shown.set(found);
-    viewport.frameAll();
+    viewport.camera.frameAll();
     const take = shownTake(found);
     if (!take) return;
     const isStill = window.matchMedia('(prefers-reduced-motion: reduce)').matches;

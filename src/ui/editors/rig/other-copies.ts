@@ -19,7 +19,7 @@ export function jointOfOtherCopy(
   at: CanvasPointer,
 ): JointOfCopy | undefined {
   if (character.placements.length < 2 || character.isHidden) return undefined;
-  const hit = viewport.pick(at.clientX, at.clientY);
+  const hit = viewport.pointing.pick(at.clientX, at.clientY);
   if (!hit || hit.vertex !== undefined || hit.characterId !== character.id) return undefined;
   const { placement } = hit;
   const toScene = viewport.placementOf(character.id, placement);

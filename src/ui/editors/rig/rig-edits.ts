@@ -41,9 +41,9 @@ export function newSkeleton(wb: Workbench): void {
   wb.posing.mode.set('rig');
   wb.posing.rig.adding.set(true);
   const rigged = riggedNow(wb);
-  if (waiting) wb.viewport.reveal(waiting.id);
+  if (waiting) wb.viewport.camera.reveal(waiting.id);
   // At once: a click during an animated move would place a joint by the wrong view.
-  else if (rigged) wb.viewport.cameraView = { ...FIRST_VIEW, target: scenePivot(rigged, 0) };
+  else if (rigged) wb.viewport.camera.view = { ...FIRST_VIEW, target: scenePivot(rigged, 0) };
 }
 
 /** Centre of its skin, rounded. */

@@ -125,7 +125,7 @@ class RigTool implements ModeTool {
       this.select(at, part.joint);
       return true;
     }
-    const hit = wb.viewport.pick(at.clientX, at.clientY);
+    const hit = wb.viewport.pointing.pick(at.clientX, at.clientY);
     const current = currentCharacter(wb);
     const adds = addsToSelection(wb, at);
     if (hit?.joint !== undefined) {
@@ -154,7 +154,7 @@ class RigTool implements ModeTool {
     const adds = at !== undefined && this.wantsJoint(at);
     if (isLit && currentCharacter(wb)) {
       const joint = part?.kind === 'joint' || part?.kind === 'bone' ? part.joint : undefined;
-      wb.viewport.hover(joint === undefined ? undefined : this.pickOf(joint));
+      wb.viewport.pointing.hover(joint === undefined ? undefined : this.pickOf(joint));
     }
     this.showGhost();
     if (isLit || wb.posing.rig.adding.get() || adds) wb.viewport.requestRender();

@@ -38,7 +38,7 @@ export class FormulaView {
   lightNothing(): void {
     if (!this.isLit) return;
     this.isLit = false;
-    this.wb.viewport.hover(undefined);
+    this.wb.viewport.pointing.hover(undefined);
     this.wb.posing.litDof.set(undefined);
   }
 
@@ -47,7 +47,7 @@ export class FormulaView {
     this.isLit = true;
     const { id: characterId } = character;
     if (means.kind === 'dof') posing.litDof.set({ characterId, dof: means.dof });
-    else viewport.hover({ characterId, placement: viewport.pickedCopy(character), joint: means.joint });
+    else viewport.pointing.hover({ characterId, placement: viewport.pickedCopy(character), joint: means.joint });
   }
 
   private choose(means: Meaning, character: Character): void {

@@ -62,7 +62,7 @@ export function playAlone(wb: Uses<'store' | 'viewport' | 'transport' | 'timelin
     wb.timeline.takes.change({ chosen: new Set([row.key]), focused: row.key });
     selectCharacter(wb, row.characterId);
     playRange(wb, [row.range[0] - row.offsetSeconds, row.range[1] - row.offsetSeconds]);
-    wb.viewport.reveal(row.characterId);
+    wb.viewport.camera.reveal(row.characterId);
   });
 }
 
@@ -76,7 +76,7 @@ export function playTogether(
     wb.store.apply(showTakes, { takes: rows, alone: true });
     const range = takesRange(wb.store.document);
     if (range) playRange(wb, range);
-    wb.viewport.reveal(...rows.map((row) => row.characterId));
+    wb.viewport.camera.reveal(...rows.map((row) => row.characterId));
   });
 }
 
@@ -160,7 +160,7 @@ export function startAt(wb: Uses<'store' | 'messages'>, row: TakeRow, atSeconds:
 export function putTakes(wb: Uses<'store' | 'viewport' | 'timeline' | 'messages'>, how: Arrangement): void {
   const characterIds = charactersMeant(wb);
   attempt(wb.messages, () => wb.store.apply(arrange, { characterIds, how }));
-  wb.viewport.frameAll();
+  wb.viewport.camera.frameAll();
 }
 
 /**

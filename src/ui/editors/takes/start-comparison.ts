@@ -56,7 +56,7 @@ export function compareTakes(
     if (after !== before) followOverlay(wb, overlay);
     wb.timeline.change({ tab: 'takes' });
     wb.timeline.fit(both);
-    wb.viewport.reveal(first.characterId, second.characterId);
+    wb.viewport.camera.reveal(first.characterId, second.characterId);
   });
 }
 

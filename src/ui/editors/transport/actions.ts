@@ -201,7 +201,7 @@ function step(id: string, icon: 'back' | 'forward', key: 'Left' | 'Right', way: 
     repeats: true,
     run(wb, how) {
       const character = how === 'button' || !hasNothingToPlay(wb) ? undefined : currentCharacter(wb);
-      if (character) wb.viewport.turnCharacter(character.id, way * TURN);
+      if (character) wb.viewport.camera.turnCharacter(character.id, way * TURN);
       else wb.transport.update((p) => stepFrames(p, way));
     },
   };

@@ -84,7 +84,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
     menu: 'View',
     shortcuts: ['F'],
     icon: 'frame',
-    run: (wb) => wb.viewport.frameSelection(wb.store.selection),
+    run: (wb) => wb.viewport.camera.frameSelection(wb.store.selection),
   },
   {
     id: 'view.frameAll',
@@ -93,7 +93,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
     menu: 'View',
     shortcuts: ['A'],
     also: 'zoom fit home everything',
-    run: (wb) => wb.viewport.frameAll(),
+    run: (wb) => wb.viewport.camera.frameAll(),
   },
   look('front', 'Front', '1'),
   look('back', 'Back', 'Shift+1'),
@@ -197,7 +197,7 @@ function look(from: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom', labe
     group: 'Camera',
     menu: 'View/Camera',
     shortcuts: [key],
-    run: (wb) => wb.viewport.lookFrom(from),
+    run: (wb) => wb.viewport.camera.lookFrom(from),
   };
 }
 
@@ -210,7 +210,7 @@ function orbit(way: 'Left' | 'Right' | 'Up' | 'Down', azimuth: number, polar: nu
     section: 3,
     shortcuts: [`Ctrl+${way}`],
     repeats: true,
-    run: (wb) => wb.viewport.turnView(azimuth * TURN, polar * TURN),
+    run: (wb) => wb.viewport.camera.turn(azimuth * TURN, polar * TURN),
   };
 }
 

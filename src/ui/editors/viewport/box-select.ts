@@ -45,7 +45,7 @@ export function withBoxSelect(
 function asksForBox({ viewport }: Uses<'viewport'>, at: CanvasPointer): boolean {
   const { button, ctrlKey, metaKey, shiftKey, altKey, pointerType } = at;
   if (button !== 0 || !(ctrlKey || metaKey) || shiftKey || altKey || pointerType !== 'mouse') return false;
-  return viewport.pick(at.clientX, at.clientY) === undefined;
+  return viewport.pointing.pick(at.clientX, at.clientY) === undefined;
 }
 
 function drag(wb: Workbench, from: CanvasPointer, clicked: (at: CanvasPointer) => void): CanvasDrag {

@@ -13,13 +13,13 @@ export function selectTool(wb: Workbench): ModeTool {
   back.addEventListener('click', () => tryById(wb, 'posing.selectTool'));
   setActionTooltip(wb, back, 'posing.selectTool', 'Leave the select tool');
   const group = element('div', { class: 'leave-select tools' }, back);
-  const cursor = () => (wb.viewport.hovered ? 'pointer' : undefined);
+  const cursor = () => (wb.viewport.pointing.hovered ? 'pointer' : undefined);
   let stop = () => {};
   return {
     enter() {
       back.textContent = BACK[wb.posing.modeBeforeSelect];
       wb.posing.controls.set(group);
-      stop = wb.viewport.onHover(() => {
+      stop = wb.viewport.pointing.onHover(() => {
         wb.viewport.canvas.style.cursor = cursor() ?? '';
       });
     },

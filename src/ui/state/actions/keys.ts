@@ -9,7 +9,7 @@ import type { Action, Uses } from '../workbench.ts';
 import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';
 
 /** Listens until aborted. */
-export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal: AbortSignal): void {
+export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog' | 'messages'>, signal: AbortSignal): void {
   rescueFocus(signal);
   watchTyping(signal);
   watchActivePanel(signal);
@@ -18,7 +18,7 @@ export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal
 }
 
 /** Runs the key's action, unless the focused control, a panel or a dialog uses the key. */
-export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: KeyboardEvent): void {
+export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog' | 'messages'>, event: KeyboardEvent): void {
   if (event.defaultPrevented || event.isComposing) return;
   const target = event.target instanceof Element ? event.target : document.body;
   if (wb.dialog.get() !== undefined || target.closest('[role=menu],dialog')) {
@@ -92,10 +92,10 @@ function ofAnotherPanel(
 }
 
 /** A key of a panel that isn't the active one does nothing there unseen. */
-function tellElsewhere(wb: Uses<'actions'>, action: Action): void {
+function tellElsewhere(wb: Uses<'actions' | 'messages'>, action: Action): void {
   const name = action.panel === 'viewport' ? 'viewport' : action.panel === 'outliner' ? 'outliner' : 'timeline';
   const how = `point at the ${name}, or press F6 until it has the focus, to use this key.`;
-  wb.actions.page.messages.note(`${actionLabel(wb, action)}: ${how}`);
+  wb.messages.note(`${actionLabel(wb, action)}: ${how}`);
 }
 
 /** Whether the focus is in text meant to be copied, or some of it is selected. */

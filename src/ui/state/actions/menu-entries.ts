@@ -81,7 +81,7 @@ export function sectionsOf(
 
 export function itemOf(wb: Uses<'actions' | 'settings'>, action: Action): MenuItem {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
-  const reason = action.refuses?.(wb.actions.page);
+  const reason = wb.actions.refusal(action);
   return {
     kind: 'item',
     label: actionLabel(wb, action),

@@ -19,7 +19,7 @@ function pickedAt(place: Vec3, more: Partial<Character> = {}, of = ARM_L) {
   const { wb } = page;
   const viewport = {
     ...wb.viewport,
-    pick: () => ({ characterId: 'c1', placement: 0, joint: of, vertex: 0 }),
+    pointing: { pick: () => ({ characterId: 'c1', placement: 0, joint: of, vertex: 0 }) },
     vertexAt: () => place,
   };
   const at = { clientX: PIXELS_PER_UNIT * place[0], clientY: -PIXELS_PER_UNIT * place[1] };

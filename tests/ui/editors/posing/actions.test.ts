@@ -10,8 +10,8 @@ const armature = skeleton(['hips', -1], ['leg', 0], ['foot', 1]);
 function posing(more: Parameters<typeof character>[0] = {}) {
   const made = workbench(documentOf(character({ skeleton: armature, ...more })));
   const turns: (readonly [what: string, ...by: number[]])[] = [];
-  Object.assign(made.wb.viewport, {
-    turnView: (azimuth: number, polar: number) => void turns.push(['view', Math.sign(azimuth), Math.sign(polar)]),
+  Object.assign(made.wb.viewport.camera, {
+    turn: (azimuth: number, polar: number) => void turns.push(['view', Math.sign(azimuth), Math.sign(polar)]),
     turnCharacter: (id: string, angle: number) => void turns.push([id, angle]),
   });
   const press = (key: string, panel?: string) => {

@@ -16,9 +16,9 @@ function clicked(hit: Hit | undefined, keys: Partial<CanvasPointer> = {}) {
   const { wb } = workbench(documentOf(character({ skeleton: bones }), second));
   wb.posing.mode.set('rig');
   wb.store.select({ characterId: 'c1', joint: 1 });
-  const viewport = { ...wb.viewport, pick: () => hit };
+  const viewport = { ...wb.viewport, pointing: { pick: () => hit } };
   // The rest of the viewport needs a browser.
-  rigTool({ ...wb, viewport: viewport as typeof wb.viewport }).click?.({ ...AT, ...keys });
+  rigTool({ ...wb, viewport: viewport as unknown as typeof wb.viewport }).click?.({ ...AT, ...keys });
   return wb.store.selection;
 }
 
