@@ -4,8 +4,9 @@
  *
  *     PAR1    page header, values; of each column    metadata, their length    PAR1
  *
- * (`hyparquet-writer` can do more: nested and empty values, encodings, compression. None is of use for motion, whose
- * numbers hardly repeat.)
+ * `hyparquet-writer` can do more: nested and empty values, encodings, compression, of which none is of use for motion,
+ * whose numbers hardly repeat. The same table it writes in fifteen times the time, from copies of
+ * all columns at once.
  */
 
 import type { TableColumn } from './table.ts';
