@@ -1,0 +1,4 @@
+import { testAll } from '../helpers/check.ts';
+import { CURVES } from './checks/curves.ts';
+
+testAll(CURVES);
