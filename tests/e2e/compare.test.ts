@@ -1,21 +1,24 @@
 /** Another program's numbers on the page: dropped, pasted, at several times, and wrong ones. */
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { Evaluator } from '../../src/teaching/program/evaluator.ts';
-import { RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
+import { type Program, RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import { COMPARE_COLOURS } from '../../src/view/compare/compare-colours.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
-import { describeShared, sharedBytes } from '../helpers/shared.ts';
-import { characterOf, SHARED } from '../teaching/lesson-files.ts';
+import { characterOf, OWN, ownBytes } from '../teaching/lesson-files.ts';
 
-const WASP = ['wasp.skel', 'wasp_walk.anim'];
+const given = (...names: readonly string[]) => names.map((name) => ({ name, bytes: ownBytes(name) }));
+const evaluator = new Evaluator(characterOf(...OWN.crawler));
 
-/** World matrices of the wasp at some times, the joints moved that are given. */
-function printed(times: readonly (number | undefined)[], moved: readonly number[] = []): string {
-  const evaluator = new Evaluator(characterOf(...SHARED.wasp));
+/** World matrices of the crawler at some times, as a program prints them, the joints moved that are given. */
+function printed(
+  times: readonly (number | undefined)[],
+  moved: readonly number[] = [],
+  program: Program = RIGHT_PROGRAM,
+): string {
   return times
     .map((time) => {
-      const { world } = evaluator.frame(RIGHT_PROGRAM, time, { local: false, vertices: false, normals: false });
+      const { world } = evaluator.frame(program, time, { local: false, vertices: false, normals: false });
       const rows = Array.from({ length: world.length / 16 }, (_, j) => {
         const row = [...world.subarray(16 * j, 16 * j + 16)];
         if (moved.includes(j)) row[12] += 1;
@@ -26,10 +29,26 @@ function printed(times: readonly (number | undefined)[], moved: readonly number[
     .join('\n');
 }
 
+/** By a program that multiplies the rotations of balls in the reverse order. */
+const REVERSED: Program = { ...RIGHT_PROGRAM, joints: { ...RIGHT_PROGRAM.joints, order: { is: 'zyx', for: 'balls' } } };
+
+/** Vertices at 0.8 s by a program that leaves out the bindings, and which of them is farthest from where it should be. */
+function unbound(): { readonly text: string; readonly worst: number } {
+  const only = { local: false, vertices: true, normals: false };
+  const program: Program = { ...RIGHT_PROGRAM, skin: { ...RIGHT_PROGRAM.skin, binding: 'none' } };
+  const right = evaluator.frame(RIGHT_PROGRAM, 0.8, only).vertices.slice();
+  const wrong = evaluator.frame(program, 0.8, only).vertices;
+  const away = Array.from({ length: right.length / 3 }, (_, v) =>
+    Math.hypot(...[0, 1, 2].map((k) => wrong[3 * v + k] - right[3 * v + k])),
+  );
+  const rows = away.map((_, v) => wrong.subarray(3 * v, 3 * v + 3).join(' '));
+  return { text: `# time 0.8\n${rows.join('\n')}\n`, worst: away.indexOf(Math.max(...away)) };
+}
+
 const legend = (page: Page) => page.locator('.compare-legend');
 const choose = (page: Page, name: string) => legend(page).getByRole('radio', { name, exact: true }).click();
 /** The theme of the tests is light. */
-const OWN = COMPARE_COLOURS.light.own;
+const OWN_ERROR = COMPARE_COLOURS.light.own;
 
 /** The colour of the page at a place in the character's space. */
 async function colourAt(page: Page, place: ArrayLike<number>): Promise<string> {
@@ -51,8 +70,8 @@ async function colourAt(page: Page, place: ArrayLike<number>): Promise<string> {
 
 /** What is drawn is where theirs and ours are, and nothing of it is left on the GPU. */
 async function expectDrawn(page: Page): Promise<void> {
-  await dropFiles(page, [{ name: 'wasp.skin', bytes: sharedBytes('data/cse169/wasp.skin') }]);
-  await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
+  await dropFiles(page, given('crawler.skin', 'crawler.png'));
+  await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 484);
   await page.evaluate(() => window.marrow.seek(0.8));
   await page.evaluate(() => window.marrow.run('page.tab.curves'));
   const onGpu = async () => {
@@ -62,7 +81,7 @@ async function expectDrawn(page: Page): Promise<void> {
   };
   const before = await onGpu();
 
-  const moved = 6;
+  const moved = 3;
   await dropFiles(page, [{ name: 'moved.txt', bytes: printed([0.8], [moved]) }]);
   await legend(page).getByText('own error').waitFor();
   await choose(page, 'Marrow’s');
@@ -70,7 +89,7 @@ async function expectDrawn(page: Page): Promise<void> {
   const theirs = [ours[12] + 1, ours[13], ours[14]];
   const drawn = bytesOf(await colourAt(page, ours.slice(12)));
   // Slightly shaded.
-  bytesOf(OWN).forEach((byte, i) => void expect(Math.abs(byte - drawn[i])).toBeLessThan(12));
+  bytesOf(OWN_ERROR).forEach((byte, i) => void expect(Math.abs(byte - drawn[i])).toBeLessThan(12));
   const alone = await colourAt(page, theirs);
   await choose(page, 'Yours');
   const ghost = await colourAt(page, theirs);
@@ -81,11 +100,12 @@ async function expectDrawn(page: Page): Promise<void> {
   await legend(page).waitFor({ state: 'detached' });
   await expect.poll(() => onGpu()).toEqual(before);
 
-  await dropFiles(page, [{ name: 'skin.txt', bytes: sharedBytes('conformance/compare/d009.txt') }]);
+  const { text, worst } = unbound();
+  await dropFiles(page, [{ name: 'skin.txt', bytes: text }]);
   await legend(page)
-    .getByRole('button', { name: /^Worst: vertex 332/ })
+    .getByRole('button', { name: new RegExp(`^Worst: vertex ${worst}\\b`) })
     .click();
-  await page.locator('.facts-head .label', { hasText: 'Vertex 332' }).waitFor();
+  await page.locator('.facts-head .label', { hasText: `Vertex ${worst}` }).waitFor();
 }
 
 const bytesOf = (colour: string) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
@@ -96,58 +116,58 @@ const says = (page: Page, text: string | RegExp) => banner(page).getByText(text)
 const marked = (page: Page, joint: string, mark: string) =>
   page.locator(`.row-joint:has-text("${joint}") .compare-swatch[aria-label="${mark}"]`).waitFor();
 
-describeShared('another program’s numbers', () => {
+describe('another program’s numbers', () => {
   it('dropped numbers get a banner, marks of joints, causes, and theirs beside ours; time moves between those compared', () =>
     withPage(async ({ page }) => {
       await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
       await dropFiles(page, [
-        ...WASP.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
-        { name: 'mine@1.5.txt', bytes: sharedBytes('conformance/compare/d008.txt') },
+        ...given('crawler.skel', 'crawler_walk.anim'),
+        { name: 'mine@1.5.txt', bytes: printed([1.5], [], REVERSED) },
       ]);
       await says(
         page,
-        'First wrong: hip_03_r. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 16 wrong joints.',
+        'First wrong: body. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 25 wrong joints.',
       );
       const { undo } = await page.evaluate(() => window.marrow.steps());
-      await marked(page, 'tail_04', 'agrees');
-      await marked(page, 'hip_03_r', 'own error');
+      await marked(page, 'root', 'agrees');
+      await marked(page, 'body', 'own error');
       const panel = page.locator('.compare');
       await panel.getByText('rotation-order', { exact: true }).waitFor();
 
-      await panel.locator('.compare-row', { hasText: 'knee_03_r' }).click();
-      await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'knee_03_r' }).waitFor();
+      await panel.locator('.compare-row', { hasText: 'femur_l1' }).click();
+      await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'femur_l1' }).waitFor();
       const ours = panel.locator('section[aria-label=Marrow’s] .number');
-      const drawn = await page.evaluate(() => window.marrow.worldMatrices()[8]);
+      const drawn = await page.evaluate(() => window.marrow.worldMatrices()[9]);
       const numbers = (await ours.allTextContents()).map((text) => Number(text.replace('−', '-')));
       numbers.forEach((number, i) => {
         expect(number).toBeCloseTo(drawn[4 * (i % 4) + Math.floor(i / 4)], 2);
       });
       await panel.getByRole('button', { name: /^See its steps/ }).click();
-      await page.locator('.step-card[aria-label="W₈"]').waitFor();
+      await page.locator('.step-card[aria-label="W₉"]').waitFor();
 
       // Another time: nothing is marked, and the banner leads back.
       await page.evaluate(() => window.marrow.seek(0.4));
       await page.locator('.row-joint .compare-swatch').first().waitFor({ state: 'detached' });
       await legend(page).waitFor({ state: 'detached' });
       await banner(page).getByRole('button', { name: 'Go to 1.5 s' }).click();
-      await marked(page, 'hip_03_r', 'own error');
+      await marked(page, 'body', 'own error');
 
       // Of the same name: in its place.
       await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
-      await says(page, /^All agree: 23 world matrices at 1.5 s/);
+      await says(page, /^All agree: 26 world matrices at 1.5 s/);
       await page.getByText('mine@1.5.txt replaced the earlier numbers of that name.').waitFor();
-      await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [7, 8]) }]);
-      await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: hip_03_r\. No known mistake/);
+      await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [8, 9, 10]) }]);
+      await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: coxa_l1\. No known mistake/);
       await banner(page).getByRole('button', { name: 'Details' }).click();
-      await panel.getByText('What differs: Joint hip_03_r and all below it at 2 of 3 times').waitFor();
+      await panel.getByText('What differs: Joint coxa_l1 and all below it at 2 of 3 times').waitFor();
       await panel.getByRole('button', { name: '1 s, differs' }).click();
-      await marked(page, 'knee_03_r', 'inherited');
+      await marked(page, 'femur_l1', 'inherited');
 
       // An edit compares again.
       await page.evaluate(() => window.marrow.run('pose.resetToZero'));
       await says(page, /^First wrong in more\.txt at 1 s: root/);
       await page.keyboard.press('ControlOrMeta+z');
-      await says(page, /^First wrong in more\.txt at 1 s: hip_03_r/);
+      await says(page, /^First wrong in more\.txt at 1 s: coxa_l1/);
 
       await panel.getByRole('grid', { name: 'Joints' }).focus();
       await page.keyboard.press('Escape');
@@ -158,28 +178,28 @@ describeShared('another program’s numbers', () => {
       const pasted = printed([1.5], [22]);
       await panel.getByLabel(/^Print your world matrices/).fill(pasted);
       await panel.getByRole('button', { name: 'Compare', exact: true }).click();
-      await says(page, /^First wrong: wing_/);
+      await says(page, /^First wrong: tibia_r2/);
       // By keys too, in the place of what was pasted before.
       await page.evaluate((text) => navigator.clipboard.writeText(text), printed([1.5]));
       await panel.getByRole('grid', { name: 'Joints' }).focus();
       await page.keyboard.press('ControlOrMeta+v');
-      await says(page, /^All agree: 23 world matrices/);
+      await says(page, /^All agree: 26 world matrices/);
       await dropFiles(page, [{ name: 'short.txt', bytes: 'time 1.5\n1 2 3\n' }]);
       const line = page.locator('.message-line');
-      await line.getByText(/^short\.txt:2: not compared\. Expected 12 or 16 numbers for each of 23 joints/).waitFor();
+      await line.getByText(/^short\.txt:2: not compared\. Expected 12 or 16 numbers for each of 26 joints/).waitFor();
       await line.getByRole('button', { name: 'Show line 2 of short.txt in Source' }).click();
       await page.locator('.source-lines').getByText('1 2 3').waitFor();
       await page.evaluate(() => window.marrow.run('compare.stop'));
 
       // Steps of the pose that was compared, not of the one shown.
       await dropFiles(page, [{ name: 'still.txt', bytes: printed([undefined]) }]);
-      await says(page, /^All agree: 23 world matrices in the file pose/);
+      await says(page, /^All agree: 26 world matrices in the file pose/);
       await page.evaluate(() => window.marrow.run('page.tab.compare'));
-      await panel.locator('.compare-row', { hasText: 'knee_03_r' }).click();
+      await panel.locator('.compare-row', { hasText: 'femur_l1' }).click();
       await panel.getByRole('button', { name: /^See its steps/ }).click();
       await page.getByRole('button', { name: 'File pose', pressed: true }).waitFor();
-      const still = printed([undefined]).split('\n')[8].split(' ').map(Number);
-      const steps = page.locator('.step-card[aria-label="W₈"] .grid').first().locator('.number');
+      const still = printed([undefined]).split('\n')[9].split(' ').map(Number);
+      const steps = page.locator('.step-card[aria-label="W₉"] .grid').first().locator('.number');
       await expect
         .poll(async () => (await steps.allTextContents()).map((text) => Number(text.replace('−', '-'))).slice(0, 4))
         .toEqual([0, 4, 8, 12].map((at) => expect.closeTo(still[at], 2)));
@@ -187,7 +207,7 @@ describeShared('another program’s numbers', () => {
 
       // Of the same times under another name: which is compared is said.
       await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
-      await says(page, /^All agree: 23 world matrices/);
+      await says(page, /^All agree: 26 world matrices/);
       await dropFiles(page, [{ name: 'other.txt', bytes: printed([1.5], [8]) }]);
       await says(page, /^other\.txt instead of mine@1\.5\.txt\. First wrong: /);
       await page.evaluate(() => window.marrow.run('page.tab.compare'));
@@ -205,10 +225,10 @@ describeShared('another program’s numbers', () => {
         await page.keyboard.press('ControlOrMeta+v');
       };
       await dropFiles(page, [
-        { name: 'wasp.skel', bytes: sharedBytes('data/cse169/wasp.skel') },
+        ...given('crawler.skel'),
         { name: 'mine.txt', bytes: `time 0\n${printed([undefined], [22])}` },
       ]);
-      await says(page, /^First wrong: wing_/);
+      await says(page, /^First wrong: tibia_r2/);
       await legend(page).getByText('own error').waitFor();
       await expect
         .poll(() =>
@@ -219,7 +239,7 @@ describeShared('another program’s numbers', () => {
         .toBe(0);
 
       const panel = page.locator('.compare');
-      const selected = page.locator('[role=treeitem][aria-selected=true]', { hasText: 'wing_' });
+      const selected = page.locator('[role=treeitem][aria-selected=true]', { hasText: 'tibia_r2' });
       const grid = panel.getByRole('grid', { name: 'Joints' });
       for (const key of ['Enter', 'Space']) {
         await page.evaluate(() => window.marrow.run('select.nothing'));
@@ -237,7 +257,7 @@ describeShared('another program’s numbers', () => {
       await asks.click();
       await asks.click();
       await paste(printed([undefined], [22]));
-      await says(page, /^First wrong: wing_/);
+      await says(page, /^First wrong: tibia_r2/);
       await paste('x');
       const refusal = 'Expected numbers to compare on the clipboard, found other text.';
       await page.locator('.message-line').getByText(refusal).waitFor();

@@ -10,18 +10,29 @@ import { sharedPath } from '../helpers/shared.ts';
 
 const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url));
 
+/** The bytes of one of our examples. */
+export function ownBytes(name: string): Uint8Array {
+  return new Uint8Array(readFileSync(SAMPLES + name));
+}
+
 /** The first character of files: paths in `../shared/`, or names of our examples. */
 export function characterOf(...paths: readonly string[]): Character {
   const files = paths.map((path): ParsedFile => {
     const name = path.slice(path.lastIndexOf('/') + 1);
-    return parsed(name, new Uint8Array(readFileSync(path.includes('/') ? sharedPath(path) : SAMPLES + path)));
+    return parsed(name, path.includes('/') ? new Uint8Array(readFileSync(sharedPath(path))) : ownBytes(path));
   });
   return openFiles(EMPTY_DOCUMENT, files).document.characters[0];
 }
 
 /** The character of one file. */
 export function characterFrom(name: string, text: string): Character {
-  return openFiles(EMPTY_DOCUMENT, [parsed(name, new TextEncoder().encode(text))]).document.characters[0];
+  return characterOfTexts({ [name]: text });
+}
+
+/** The character of files by their names. */
+export function characterOfTexts(texts: Readonly<Record<string, string>>): Character {
+  const files = Object.entries(texts).map(([name, text]) => parsed(name, new TextEncoder().encode(text)));
+  return openFiles(EMPTY_DOCUMENT, files).document.characters[0];
 }
 
 function parsed(name: string, bytes: Uint8Array): ParsedFile {
