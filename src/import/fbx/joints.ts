@@ -54,11 +54,15 @@ export function jointsOf(nodes: readonly FbxNode[], takes: readonly FbxTake[], f
 /** Times of a take at which stretches are compared, at most. */
 const MAX_TIMES = 5000;
 
-/** Whether each node is ever stretched by different factors along its axes, as far as its keys say. */
+/**
+ * Whether nodes are ever stretched by different factors along their axes, as far as their keys say: those whose children
+ * inherit it in another way than usual, which alone depend on it.
+ */
 function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): boolean[] {
   const uneven = nodes.map(() => false);
   // Most files have none that depends on it.
-  if (nodes.every(({ inherits }) => inherits === 'normal')) return uneven;
+  const asked = nodes.flatMap(({ inherits, parent }) => (inherits === 'normal' || parent < 0 ? [] : [parent]));
+  if (asked.length === 0) return uneven;
   const sources = nodes.map((_, i) => stretchSource(nodes, i));
   const stretches = new Float64Array(3 * nodes.length);
   for (const take of [undefined, ...takes]) {
@@ -75,6 +79,7 @@ function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): 
         const size = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
         if (Math.abs(x - y) + Math.abs(x - z) > 1e-5 * size || x === 0) uneven[i] = true;
       }
+      if (asked.every((i) => uneven[i])) return uneven;
     }
   }
   return uneven;
