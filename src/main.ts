@@ -17,7 +17,6 @@ import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
 import type { DumpFile } from './files/open/open-files.ts';
 import { filesInQuery } from './io/address.ts';
-import { asksWhereToSave, pickTarget, versionOnDisk, writeTo } from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
 import { trustOwnScripts } from './io/trusted-scripts.ts';
@@ -120,7 +119,7 @@ const workbench: Workbench = {
     showSample: (shows) => sampleDisplay.show(shows),
     unsaved,
     handles,
-    disk: { asksWhereToSave, pickTarget, writeTo, versionOnDisk, download },
+    disk: { download },
     framesPerSecond: () => transport.get().framesPerSecond,
     timeline,
     settings,

@@ -1,6 +1,6 @@
 /** Actions on files in the menus, over dialogs, drops, examples and the disk. */
 import { isReviewable } from '../files/kinds.ts';
-import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
+import { pickFiles, pickFolder } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
 import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MAX_OPENED } from '../ui/state/review.ts';
@@ -26,7 +26,7 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts 
   readonly showSample: (shows: SampleSwitches | undefined) => void;
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
-  readonly disk: Disk;
+  readonly disk: Pick<Disk, 'download'>;
   readonly framesPerSecond: () => number;
   readonly loading: Uses<'loading'>['loading'];
   /** What is in pictures. */
@@ -54,10 +54,13 @@ export function fileActions(parts: Parts): FileActions {
   let saver: Saver | undefined;
   /** Loaded on the first save, with everything that writes files. */
   const saving = async (save: (saver: Saver) => Promise<void>) => {
-    const module = await onDemand(parts.messages, 'File saving', () => import('./saver.ts'));
-    if (!module) return;
-    saver ??= new module.Saver({
+    const scripts = () => Promise.all([import('./saver.ts'), import('../io/disk-access.ts')]);
+    const loaded = await onDemand(parts.messages, 'File saving', scripts);
+    if (!loaded) return;
+    const [{ Saver }, access] = loaded;
+    saver ??= new Saver({
       ...parts,
+      disk: { ...access, ...parts.disk },
       onWritten: (path, content) => source.noteWritten(path, content, parts.store.document),
     });
     await save(saver);
@@ -112,7 +115,8 @@ export function fileActions(parts: Parts): FileActions {
 }
 
 /** A file whose address is relative to the page. */
-const readHere: ReloadParts['readAgain'] = (file, signal) => readAgain(file, document.baseURI, signal);
+const readHere: ReloadParts['readAgain'] = async (file, signal) =>
+  (await import('../io/disk-access.ts')).readAgain(file, document.baseURI, signal);
 
 async function reload(parts: Parts, characterId: string): Promise<void> {
   const module = await onDemand(parts.messages, 'Reloading', () => import('./reload.ts'));

@@ -9,7 +9,7 @@ import type { DiskHandles } from './disk-handles.ts';
 export interface TextParts {
   readonly worker: Runs<'source'>;
   readonly handles: Pick<DiskHandles, 'at'>;
-  /** `readAgain` of `io/disk-files.ts`. */
+  /** `readAgain` of `io/disk-access.ts`. */
   readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
 }
 

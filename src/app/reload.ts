@@ -22,7 +22,7 @@ export interface ReloadParts {
   readonly opener: Pick<Opener, 'open'>;
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
-  /** `readAgain` of `io/disk-files.ts`. */
+  /** `readAgain` of `io/disk-access.ts`. */
   readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
 }
 

@@ -4,7 +4,7 @@ import { type Disk, Saver } from '../../src/app/saver.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
 import { Store } from '../../src/edit/store.ts';
 import { openFiles } from '../../src/files/open/open-files.ts';
-import { DiskError, NotNowError } from '../../src/io/disk-files.ts';
+import { DiskError, NotNowError } from '../../src/io/disk-access.ts';
 import type { GivenFile } from '../../src/io/given.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';

@@ -2,14 +2,13 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import {
   asksWhereToSave,
   DiskError,
-  diskFileOf,
   NotNowError,
-  pickFiles,
   pickTarget,
   readAgain,
   versionOnDisk,
   writeTo,
-} from '../../src/io/disk-files.ts';
+} from '../../src/io/disk-access.ts';
+import { diskFileOf, pickFiles } from '../../src/io/disk-files.ts';
 import { fromDataTransfer } from '../../src/io/given.ts';
 
 afterEach(() => vi.unstubAllGlobals());
