@@ -163,8 +163,8 @@ function letChange(
 function hold(slider: Slider, isLocked: boolean): void {
   if (slider.domElement.classList.contains('locked') === isLocked) return;
   slider.domElement.classList.toggle('locked', isLocked);
-  write(slider.$input, 'disabled', isLocked);
-  setAttribute(slider.$input, 'aria-description', isLocked ? 'locked' : undefined);
+  write(slider.field, 'disabled', isLocked);
+  setAttribute(slider.field, 'aria-description', isLocked ? 'locked' : undefined);
 }
 
 function disable(slider: Slider, tooltip: string, description: string, followed: string): void {

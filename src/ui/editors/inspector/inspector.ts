@@ -41,7 +41,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const ik = new IkSection(wb, section('ik', 'IK', true));
   const facts = jointFacts(wb);
   const factsSection = section('facts', 'Details', true);
-  factsSection.$children.append(facts.element);
+  contentOf(factsSection).append(facts.element);
   const character = new CharacterSection(wb, edit, section('character', 'Character', false));
   const display = section('display', 'Bones and onion skin', false);
   const playback = section('playback', 'Playback and units', false);
