@@ -3,7 +3,7 @@
  * browser's own storage: nothing is copied until lines are shown. After a restored session the file is read from disk.
  */
 
-import { formatKindOf } from '../files/kinds.ts';
+import { formatKindOf, KINDS, type Kind } from '../files/kinds.ts';
 import type { GivenFile } from '../io/given.ts';
 import type { Character, Document } from '../model/document.ts';
 import { baseName, type SourceFile } from '../model/files.ts';
@@ -59,7 +59,8 @@ export class SourceTexts implements SourceFiles {
 
   isText(name: string): boolean {
     const kind = formatKindOf(name);
-    return kind !== undefined && kind !== 'texture';
+    const { isBinary }: Partial<Kind> = kind ? KINDS[kind] : { isBinary: true };
+    return !isBinary;
   }
 
   pathOf(name: string): string | undefined {

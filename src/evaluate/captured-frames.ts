@@ -37,6 +37,8 @@ export interface JointFrames {
 
 const TURNS: readonly BvhChannel[] = ['rz', 'ry', 'rx'];
 const MOVES: readonly BvhChannel[] = ['tx', 'ty', 'tz', ...TURNS];
+/** Degrees per radian. */
+const DEGREES = 180 / Math.PI;
 /** Frames after which angles are found anew: those in between are found by what has changed, which adds up. */
 const EXACT = 64;
 
@@ -115,15 +117,19 @@ function valuesOf({ names, moves }: FrameJoints, frames: JointFrames, order: rea
     const isExact = frame % EXACT === 0;
     for (const j of order) {
       const a = 3 * j;
-      if (isExact || !turnEuler(before[j], now[j], angles, a)) eulerNear(now[j], angles, a);
+      const q = now[j];
+      const p = before[j];
+      // Most joints of hands rest all the time.
+      const rests = frame > 0 && q[0] === p[0] && q[1] === p[1] && q[2] === p[2] && q[3] === p[3];
+      if (!rests && (isExact || !turnEuler(p, q, angles, a))) eulerNear(q, angles, a);
       if (moves[j]) {
         values[at++] = places[a];
         values[at++] = places[a + 1];
         values[at++] = places[a + 2];
       }
-      values[at++] = angles[a + 2] / RADIANS_PER_DEGREE;
-      values[at++] = angles[a + 1] / RADIANS_PER_DEGREE;
-      values[at++] = angles[a] / RADIANS_PER_DEGREE;
+      values[at++] = angles[a + 2] * DEGREES;
+      values[at++] = angles[a + 1] * DEGREES;
+      values[at++] = angles[a] * DEGREES;
     }
   }
   return values;

@@ -44,6 +44,8 @@ export interface Kind {
    * holds what it can't.
    */
   readonly beside?: Beside;
+  /** No file of the kind is text. */
+  readonly isBinary?: true;
   /** Absent if it is only read. */
   readonly save?: Saving;
 }
@@ -203,11 +205,13 @@ export const KINDS = {
     label: 'arrays of numpy',
     content: 'character',
     reviewed: ['npz', 'npy'],
+    isBinary: true,
   },
   texture: {
     extensions: TEXTURE_EXTENSIONS,
     label: 'image',
     content: 'texture',
+    isBinary: true,
   },
   markers: {
     extensions: [MARKERS_EXTENSION],

@@ -38,7 +38,7 @@ export const compareCommand = shellCommand({
   name: 'compare',
   summary: "Finds where another program's numbers are wrong, and which mistake explains them.",
   inputs: files('FILE… DUMP…', {
-    FILE: 'The files of one character: `.skel`, `.skin`, `.morph`, `.anim`, or `.bvh`, Acclaim, glTF, FBX.',
+    FILE: 'The files of one character: `.skel`, `.skin`, `.morph`, `.anim`, or `.bvh`, Acclaim, glTF, FBX, NumPy.',
     DUMP: 'What your program prints, as text, CSV, JSON, OBJ or PLY.',
   }),
   options: {

@@ -135,10 +135,14 @@ const TREES: readonly JointTree[] = [
 
 /** The known trees of so many points. */
 export function treesOf(pointCount: number): readonly JointTree[] {
-  return TREES.filter(({ points }) => Math.max(...points.flat()) + 1 === pointCount);
+  return TREES.filter((tree) => pointCountOf(tree) === pointCount);
 }
 
-/** How many points the known trees have, and what they are called: "22 (SMPL)". */
-export function knownTrees(): readonly string[] {
-  return TREES.map(({ points, label }) => `${Math.max(...points.flat()) + 1} (${label})`);
+/** How many points the known trees have, each number once, the smallest first. */
+export function knownCounts(): readonly number[] {
+  return [...new Set(TREES.map(pointCountOf))].sort((a, b) => a - b);
+}
+
+function pointCountOf({ points }: JointTree): number {
+  return Math.max(...points.flat()) + 1;
 }

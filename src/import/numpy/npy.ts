@@ -44,6 +44,8 @@ const MAX_TEXTS = 1 << 16;
 /** Bytes of a header: numpy itself asks before it reads more than 10,000. */
 const LONGEST_HEADER = 1 << 20;
 const MAX_DIMENSIONS = 64;
+/** Larger than any unit makes a person, and small enough to be multiplied a few times. */
+const LARGEST = 1e30;
 const MAGIC = [0x93, 0x4e, 0x55, 0x4d, 0x50, 0x59];
 
 /** Whether bytes begin like an array. */
@@ -154,13 +156,22 @@ export function readNpy(bytes: Uint8Array, name: string): NumpyArray {
   const { shape, type } = header;
   if (type === 'U' || type === 'S') return { name, shape, values: new Float64Array(0), texts: textsOf(bytes, header) };
   const values = inRows(numbersOf(bytes, header), header);
-  const wrong = firstNotFinite(values);
+  const wrong = firstWrong(values);
   if (wrong >= 0) {
     const [rows = 1] = shape;
     const place = shape.length > 1 ? ` in frame ${Math.floor(wrong / (values.length / rows))}` : '';
-    fail('numpy-finite', `Expected finite numbers in ${name}, found ${values[wrong]}${place} (frames count from 0).`);
+    const wanted = Number.isFinite(values[wrong]) ? `numbers of less than ${LARGEST}` : 'finite numbers';
+    fail('numpy-finite', `Expected ${wanted} in ${name}, found ${values[wrong]}${place} (frames count from 0).`);
   }
   return { name, shape, values, texts: [] };
+}
+
+/** Index of the first number that is not finite, or so large that products of it would not be; -1 if there is none. */
+function firstWrong(values: Numbers): number {
+  const wrong = firstNotFinite(values);
+  if (wrong >= 0) return wrong;
+  for (let i = 0; i < values.length; i++) if (values[i] > LARGEST || values[i] < -LARGEST) return i;
+  return -1;
 }
 
 function numbersOf(bytes: Uint8Array, header: NumpyHeader): Numbers {

@@ -19,12 +19,17 @@ import {
 
 /** Most bytes of all arrays that are read of one file. */
 const MAX_TOGETHER = 2 ** 30;
+/** Headers of all are looked at. */
+const MAX_ENTRIES = 10_000;
 /** Most bytes that one byte of deflated data can hold. */
 const MAX_RATIO = 1032;
 /** Bytes that are unpacked to see a header: those of a shape are fewer. */
 const HEAD = 4096;
-/** Packed bytes that are handed to the decoder at once: it unpacks all of them, whatever becomes of it. */
-const PIECE = 1 << 15;
+/**
+ * Packed bytes that are handed to the decoder at once: it unpacks all of them, whatever becomes of it. Most of the time as
+ * many as can't hold more than is expected.
+ */
+const [SMALL_PIECE, LARGE_PIECE] = [4096, 1 << 17];
 
 /** The arrays of a file by their names. */
 export class Arrays {
@@ -52,6 +57,8 @@ export class Arrays {
       if (isZip) fail('file-cut', `The end of ${fileName} is missing: copy or export it again.`);
       fail('npy-header', `Expected an array (.npy) or a zip of arrays (.npz), found something else.`);
     }
+    if (directory.length > MAX_ENTRIES)
+      fail('numpy-large', `Expected at most ${MAX_ENTRIES} arrays, found ${directory.length}.`);
     for (const entry of directory) if (entry.name.endsWith('.npy')) this.entries.set(entry.name.slice(0, -4), entry);
     const packed = directory.reduce((sum, entry) => sum + entry.packed, 0);
     // One piece of data for many entries makes an archive of kilobytes unpack to gigabytes.
@@ -141,8 +148,8 @@ function inflated(packed: Uint8Array, size: number, most: number, name: string):
     isDone = isLast;
   });
   try {
-    const step = most < size ? HEAD : PIECE;
-    for (let at = 0; at < packed.length && length <= most && !isDone; at += step) {
+    for (let at = 0, step = 0; at < packed.length && length <= most && !isDone; at += step) {
+      step = Math.max(SMALL_PIECE, Math.min(LARGE_PIECE, Math.floor((most - length) / MAX_RATIO)));
       inflate.push(packed.subarray(at, at + step), at + step >= packed.length);
       if (most < size && length >= most) return out;
     }

@@ -3,7 +3,7 @@ import { areTrees } from '../../evaluate/captured-frames.ts';
 import { statedSpace } from '../../evaluate/space/metres.ts';
 import { steadiestTree } from '../../evaluate/tree-fit/bones.ts';
 import { FittedTree } from '../../evaluate/tree-fit/fit-tree.ts';
-import { type JointTree, knownTrees, SMPL_BODY, treesOf } from '../../evaluate/tree-fit/known-trees.ts';
+import { type JointTree, knownCounts, SMPL_BODY, treesOf } from '../../evaluate/tree-fit/known-trees.ts';
 import type { PointPaths } from '../../evaluate/tree-fit/point-paths.ts';
 import type { Remarks } from '../imported.ts';
 import { fail, rateOf } from './frames.ts';
@@ -21,7 +21,7 @@ const MAX_JOINTS = 10_000;
 
 /** Positions of joints. */
 export const POSITIONS: ArraysKind = {
-  says: `positions of joints (T, J, 3), of J ${knownTrees().join(', ')} or with parents`,
+  says: `positions of joints (T, J, 3) with J of ${knownCounts().join(', ')}, or with parents`,
   is: (arrays) => nameOfPositions(arrays) !== undefined,
   read: readPositions,
 };

@@ -42,7 +42,11 @@ export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'
 
 function capturesIn(arrays: Arrays, fileName: string, remarks: Remarks): ReadCaptures {
   const kind = KINDS.find((own) => own.is(arrays));
-  if (!kind) return fail('arrays-unknown', unknown(arrays));
+  if (!kind) {
+    // One that can't be read says why.
+    if (arrays.names.length === 1) arrays.array(arrays.names[0]);
+    return fail('arrays-unknown', unknown(arrays));
+  }
   const motion = kind.read(arrays, remarks);
   const captures = capturesOfFrames(stemOfName(fileName), motion.joints, motion.frames);
   motion.told?.();

@@ -76,7 +76,7 @@ function readSmpl(arrays: Arrays, remarks: Remarks): ReadMotion {
 function tellNotes(arrays: Arrays, remarks: Remarks): void {
   const shapes = SHAPES.filter((name) => arrays.has(name));
   if (shapes.length > 0)
-    remarks.tell('shape-ignored', `The shape of the body (${shapes.join(', ')}) is ignored.`, 'bones as said');
+    remarks.tell('shape-ignored', `The shape of the body (${shapes.join(', ')}) is not read.`, 'left out');
   const header = arrays.header('gender');
   const gender = header && 'US'.includes(header.type) ? arrays.array('gender')?.texts[0] : undefined;
   if (gender) remarks.tell('gender-noted', `The file gives the gender ${JSON.stringify(gender)}.`);

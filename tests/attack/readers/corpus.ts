@@ -6,6 +6,7 @@ import { zipSync } from 'fflate';
 import { lineOf } from '../../../src/cli/export/records.ts';
 import type { ListedTake } from '../../../src/review/list.ts';
 import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
+import { type MadeArray, npyOf, npzOf } from '../../helpers/numpy.ts';
 import { hasShared, sharedBytes, sharedPath } from '../../helpers/shared.ts';
 import { randomFbx } from '../../import/fbx/random-fbx.ts';
 import { fbxBytes, fbxText } from '../../import/fbx/write-fbx.ts';
@@ -29,7 +30,7 @@ const text = (content: string) => new TextEncoder().encode(content);
 
 /** The same in every run. */
 export function corpus(): readonly Seed[] {
-  return [...madeTexts(), ...samples(), ...random(), ...lists(), ...zips(), ...images(), ...real()].filter(
+  return [...madeTexts(), ...samples(), ...random(), ...lists(), ...zips(), ...arrays(), ...images(), ...real()].filter(
     ({ bytes }) => bytes.length <= LARGEST,
   );
 }
@@ -88,6 +89,37 @@ function zips(): Seed[] {
   return [
     { subject: 'zip', bytes: zipSync(files) },
     { subject: 'zip', bytes: zipSync({ ...files, 'ü.txt': text('readme') }, { level: 0 }) },
+  ];
+}
+
+/** Each kind of arrays that is read, in each layout. */
+function arrays(): Seed[] {
+  const wave = (...shape: readonly number[]): MadeArray => {
+    const count = shape.reduce((product, n) => product * n, 1);
+    return [shape, Float32Array.from({ length: count }, (_, i) => Math.sin(i))];
+  };
+  const own = {
+    ...{ names: [[3], ['a', 'b', 'ü']], parents: [[3], Float64Array.of(-1, 0, 1)], offsets: wave(3, 3) },
+    ...{
+      local_quat: wave(4, 3, 4),
+      world_quat: wave(4, 3, 4),
+      positions: wave(4, 3, 3),
+      fps: [[], Float64Array.of(30)],
+    },
+    ...{ end_names: [[1], ['b_end']], end_positions: wave(4, 1, 3), meta: [[], ['{"raw": true}']] },
+  } satisfies Record<string, MadeArray>;
+  const parts = { root_orient: wave(3, 3), pose_body: wave(3, 63), pose_hand: wave(3, 90), trans: wave(3, 3) };
+  const zipped: readonly Readonly<Record<string, MadeArray>>[] = [
+    own,
+    { poses: wave(3, 72), J: wave(24, 3) },
+    parts,
+    { poses: wave(2, 165), joints: wave(2, 55, 3) },
+  ];
+  return [
+    ...zipped.map((files, i): Seed => ({ subject: 'npz', bytes: npzOf(files, i % 2 ? 0 : 6) })),
+    ...[22, 17, 25, 33].map((count): Seed => ({ subject: 'npy', bytes: npyOf(wave(3, count, 3)) })),
+    { subject: 'npy', bytes: npyOf(wave(3, 263)) },
+    { subject: 'npz', bytes: npzOf({ keypoints: wave(3, 4, 4), parents: [[4], Float64Array.of(-1, 0, 1, 0)] }) },
   ];
 }
 

@@ -3,6 +3,7 @@ import { randomFrom } from '../attack.ts';
 import type { Seed } from './corpus.ts';
 import { below, mutated, pick } from './mutate.ts';
 import { jsonMutated } from './mutate-glb.ts';
+import { arrayMutated } from './mutate-npz.ts';
 import type { Subject } from './subjects.ts';
 
 export interface Input {
@@ -57,7 +58,9 @@ export class Inputs {
     const own = small.length === 0 || isLarge ? large : small;
     const seed = own[below(random, own.length)];
     const cut = small.length === 0 && !isLarge ? { ...seed, bytes: seed.bytes.subarray(0, SMALL_BYTES) } : seed;
-    const inJson = cut.subject === 'glb' && random() < 0.5 ? jsonMutated(cut, own, random) : undefined;
-    return { subject: cut.subject, bytes: inJson ?? mutated(cut, own, random) };
+    const inside: ((...given: Parameters<typeof mutated>) => Uint8Array<ArrayBuffer> | undefined) | undefined =
+      cut.subject === 'glb' ? jsonMutated : cut.subject === 'npz' ? arrayMutated : undefined;
+    const made = inside && random() < 0.5 ? inside(cut, own, random) : undefined;
+    return { subject: cut.subject, bytes: made ?? mutated(cut, own, random) };
   }
 }

@@ -9,6 +9,8 @@ export const SUBJECTS = [
   'bvh',
   'asf',
   'amc',
+  'npy',
+  'npz',
   'pose',
   'markers.json',
   'sets.json',

@@ -98,6 +98,11 @@ describe('a .npy', () => {
     expect(() => read(made)).toThrow('Expected finite numbers in x, found NaN in frame 1');
   });
 
+  it('numbers that overflow when they are multiplied are refused', () => {
+    const made = npyOf([[2, 2], Float64Array.of(1, 2, -1e200, 4)]);
+    expect(() => read(made)).toThrow('Expected numbers of less than 1e+30 in x, found -1e+200 in frame 1');
+  });
+
   it('any bytes are read or refused in a sentence', () => {
     const whole = npyOf([[2, 3], Float32Array.of(1, 2, 3, 4, 5, 6)]);
     fc.assert(

@@ -222,6 +222,15 @@ describe('motions of SMPL’s family', () => {
 });
 
 describe('positions of joints', () => {
+  it('they are converted to motion capture, with the same joints', async () => {
+    writeFileSync(join(folder, 'people.npy'), npyOf(wave(7, 25, 3)));
+    expect((await command(['convert', 'people.npy', 'people.bvh'], folder)).code).toBe(0);
+    const facts = async (name: string) => JSON.parse((await command(['info', name, '--json'], folder)).out).files[0];
+    const [npy, bvh] = [await facts('people.npy'), await facts('people.bvh')];
+    expect([bvh.joints, bvh.frames]).toEqual([25, 7]);
+    expect([npy.joints, npy.frames, npy.frameTime]).toEqual([25, 7, 1 / 30]);
+  });
+
   it('a tree of the file’s own is used, with its names and its rate', async () => {
     const bytes = npzOf({
       positions: wave(7, 4, 3),
@@ -246,7 +255,7 @@ describe('positions of joints', () => {
 
   it('what no kind has is listed by name and shape, with what is read', async () => {
     const told = await messagesOf('x.npz', npzOf({ weights: wave(2, 5), more: wave(3, 7, 3) }));
-    expect(told).toMatch(/Found weights \(2, 5\), more \(3, 7, 3\)\. Expected .*22 \(SMPL\).*HumanML3D/);
+    expect(told).toMatch(/Found weights \(2, 5\), more \(3, 7, 3\)\. Expected .*17, 22.*HumanML3D/);
     expect(await messagesOf('x.npy', npyOf(wave(3)))).toContain('the array (3,)');
   });
 
