@@ -12,6 +12,7 @@
  */
 import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
+import { length3 } from '../../math/vec3.ts';
 import type { FrameJoints } from '../captured-frames.ts';
 import { boneLengths, measuredFrames } from './bones.ts';
 import type { JointTree } from './known-trees.ts';
@@ -113,7 +114,7 @@ export class FittedTree {
 
   private measure(j: number): void {
     const { given, fitted } = this;
-    const distance = Math.hypot(
+    const distance = length3(
       given[3 * j] - fitted[3 * j],
       given[3 * j + 1] - fitted[3 * j + 1],
       given[3 * j + 2] - fitted[3 * j + 2],

@@ -26,10 +26,10 @@ const MAX_RATIO = 1032;
 /** Bytes that are unpacked to see a header: those of a shape are fewer. */
 const HEAD = 4096;
 /**
- * Packed bytes that are handed to the decoder at once: it unpacks all of them, whatever becomes of it. Most of the time as
- * many as can't hold more than is expected.
+ * Packed bytes that are handed to the decoder at once: it unpacks all of them, whatever becomes of it. Large pieces are
+ * twice as fast, and are for arrays of more than so many bytes.
  */
-const [SMALL_PIECE, LARGE_PIECE] = [4096, 1 << 17];
+const [SMALL_PIECE, LARGE_PIECE, LARGE] = [4096, 1 << 17, 4 << 20];
 
 /** The arrays of a file by their names. */
 export class Arrays {
@@ -149,7 +149,7 @@ function inflated(packed: Uint8Array, size: number, most: number, name: string):
   });
   try {
     for (let at = 0, step = 0; at < packed.length && length <= most && !isDone; at += step) {
-      step = Math.max(SMALL_PIECE, Math.min(LARGE_PIECE, Math.floor((most - length) / MAX_RATIO)));
+      step = most - length > LARGE ? LARGE_PIECE : SMALL_PIECE;
       inflate.push(packed.subarray(at, at + step), at + step >= packed.length);
       if (most < size && length >= most) return out;
     }
