@@ -97,10 +97,10 @@ export function fileActions(parts: Parts): FileActions {
     saveText: (name, text) => parts.disk.download(name, new Blob([text])),
     saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
     saveEverything: () => void saving((s) => s.saveEverything()),
-    makeGlb: (character, options, { signal, onProgress }) =>
+    makeExchange: ({ format, character, options }, { signal, onProgress }) =>
       parts.worker.run(
-        'glb',
-        { character: forMessage(character), options },
+        'exchange',
+        { format, character: forMessage(character), options },
         { signal, onProgress: ({ done, of }) => onProgress(done / of) },
       ),
     saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),

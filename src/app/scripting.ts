@@ -9,6 +9,7 @@ import { number } from '../edit/schema/shape.ts';
 import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
+import type { ExchangeFormat } from '../export/formats.ts';
 import type { GlbOptions } from '../export/glb/options.ts';
 import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../files/kinds.ts';
 import { transformPoint } from '../math/vec3.ts';
@@ -19,7 +20,7 @@ import { TANGENT_KINDS, type TangentKind } from '../model/takes/tangent-kinds.ts
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { type CharacterRef, resolveCharacter } from '../ui/state/joints/character-ref.ts';
 import type { PictureOptions, VideoOptions } from '../ui/state/pictures.ts';
-import type { MadeGlb, Uses } from '../ui/state/workbench.ts';
+import type { MadeExchange, Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/screen.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
@@ -117,7 +118,11 @@ export interface MarrowApi {
   /** The playback range as a video, GIF or zip of PNGs, at the frame rate of the transport if no other is given. */
   video(options?: VideoOptions): Promise<Blob | undefined>;
   /** A character as GLB, with what the file has and loses; options as of `marrow convert`. */
-  glb(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeGlb>;
+  glb(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeExchange>;
+  /** The same as FBX; `keys` and `body` say nothing there. */
+  fbx(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeExchange>;
+  /** The motion of a humanoid as a VRM animation. Rejects if a bone is missing. */
+  vrma(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeExchange>;
   /** The file of that name (`wasp.skel`) as text. The writers are loaded on first use. */
   save(name: string): Promise<string>;
   /** All characters as one zip: each in its own formats, with its textures. */
@@ -141,6 +146,15 @@ export function scriptingApi(
     if (!found) throw new Error('The character is not shown yet.');
     return found;
   };
+  const exchange = (
+    format: ExchangeFormat,
+    options: Partial<GlbOptions> | undefined,
+    character: CharacterRef | undefined,
+  ) =>
+    workbench.files.makeExchange(
+      { format, character: resolveCharacter(store, character), options: { keys: 'linear', body: true, ...options } },
+      { signal: new AbortController().signal, onProgress: () => undefined },
+    );
   return {
     async open(files) {
       const blobs = Array.from(files, given);
@@ -189,12 +203,9 @@ export function scriptingApi(
     redo: () => store.redo(),
     picture: async (options) => (await workbench.files.pictures())?.picture(options),
     video: async (options) => (await workbench.files.pictures())?.video(options),
-    glb: (options, character) =>
-      workbench.files.makeGlb(
-        resolveCharacter(store, character),
-        { keys: 'linear', body: true, ...options },
-        { signal: new AbortController().signal, onProgress: () => undefined },
-      ),
+    glb: (options, character) => exchange('glb', options, character),
+    fbx: (options, character) => exchange('fbx', options, character),
+    vrma: (options, character) => exchange('vrma', options, character),
     save: (name) => saveByName(store, name),
     async zip() {
       const { zipDocument } = await import('./zip-character.ts');

@@ -5,7 +5,7 @@
  */
 import { DEFAULT_GLB, type GlbOptions } from '../export/glb/options.ts';
 import { writeGlb as glbOf } from '../export/glb/write.ts';
-import { diagnosticsOf, type GlbReport } from '../export/shared/report.ts';
+import { diagnosticsOf, type ExchangeReport } from '../export/shared/report.ts';
 import { outputsOf, type Target } from '../files/save/conversion.ts';
 import type { Output } from '../files/save/output.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
@@ -13,7 +13,7 @@ import type { Character } from '../model/document.ts';
 import { joined } from './joined.ts';
 
 export type { GlbOptions } from '../export/glb/options.ts';
-export type { GlbReport, Loss, TakeReport } from '../export/shared/report.ts';
+export type { ExchangeReport, Loss, TakeReport } from '../export/shared/report.ts';
 export type { Target as ConvertFormat } from '../files/save/conversion.ts';
 export type { Diagnostic } from '../model/diagnostic.ts';
 export type { Character } from '../model/document.ts';
@@ -28,7 +28,7 @@ export interface GlbSettings extends Partial<GlbOptions> {
 export interface WrittenGlb {
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** What is in it, and what it can't have as the character has it. */
-  readonly report: GlbReport;
+  readonly report: ExchangeReport;
   readonly diagnostics: readonly Diagnostic[];
 }
 

@@ -39,9 +39,9 @@ scope.onmessage = async ({ data }) => {
     } else if (data.job === 'unpack') {
       const { unpackTakes } = await import('./review.ts');
       done({ id, kind: 'done', job: data.job, output: await unpackTakes(data.input) });
-    } else if (data.job === 'glb') {
-      const { glbOf } = await import('./glb.ts');
-      done({ id, kind: 'done', job: data.job, output: glbOf(data.input, onProgress) });
+    } else if (data.job === 'exchange') {
+      const { exchangeFileOf } = await import('./exchange.ts');
+      done({ id, kind: 'done', job: data.job, output: await exchangeFileOf(data.input, onProgress) });
     } else if (data.job === 'kit') done({ id, kind: 'done', job: data.job, output: testKit() });
     else done({ id, kind: 'done', job: data.job, output: compareDumps(data.input, onProgress) });
   } catch (error) {

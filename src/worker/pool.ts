@@ -13,7 +13,7 @@ const LANES: Readonly<Record<JobName, string>> = {
   source: 'source',
   changes: 'edit',
   check: 'edit',
-  glb: 'glb',
+  exchange: 'exchange',
   review: 'review',
 };
 

@@ -3,8 +3,9 @@
  * another file format needs no change here (`files/kinds.ts`).
  */
 import type { SkinFacts } from '../evaluate/skin/bounds.ts';
+import type { ExchangeFormat } from '../export/formats.ts';
 import type { GlbOptions } from '../export/glb/options.ts';
-import type { GlbReport } from '../export/shared/report.ts';
+import type { ExchangeReport } from '../export/shared/report.ts';
 import type { Owned } from '../files/save/owned.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
@@ -25,7 +26,7 @@ export interface Jobs {
   changes: { takes: ChangesInput; gives: ChangesOutput };
   check: { takes: CheckInput; gives: CheckOutput };
   kit: { takes: undefined; gives: KitOutput };
-  glb: { takes: GlbInput; gives: GlbOutput };
+  exchange: { takes: ExchangeInput; gives: ExchangeOutput };
   review: { takes: ReviewInput; gives: ReviewOutput };
   unpack: { takes: UnpackInput; gives: UnpackOutput };
 }
@@ -155,15 +156,16 @@ export interface ReviewOutput {
   readonly takes: readonly TakeDigest[];
 }
 
-/** A character, to be written as GLB where it is in the scene. */
-export interface GlbInput {
+/** A character, to be written for another program where it is in the scene. */
+export interface ExchangeInput {
+  readonly format: ExchangeFormat;
   readonly character: Character;
   readonly options: GlbOptions;
 }
 
-export interface GlbOutput {
+export interface ExchangeOutput {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  readonly report: GlbReport;
+  readonly report: ExchangeReport;
 }
 
 /** The test kit: names and texts of its files. */

@@ -2,7 +2,7 @@ import { testKit } from '../../src/teaching/kit/kit.ts';
 import { changesOf, checkText } from '../../src/worker/changes.ts';
 import { WorkerClient } from '../../src/worker/client.ts';
 import { compareDumps } from '../../src/worker/compare-program.ts';
-import { glbOf } from '../../src/worker/glb.ts';
+import { exchangeFileOf } from '../../src/worker/exchange.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
 import { unpackTakes } from '../../src/worker/review.ts';
@@ -20,7 +20,7 @@ export class InThisThread extends WorkerClient {
     if (input === undefined) return testKit();
     if ('blob' in input) return mapSourceOf(input, nobody);
     if ('file' in input) return changesOf(input);
-    if ('options' in input) return glbOf(input, nobody);
+    if ('options' in input) return exchangeFileOf(input, nobody);
     if ('zip' in input) return unpackTakes(input);
     if ('edited' in input) return checkText(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);

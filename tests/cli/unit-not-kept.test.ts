@@ -42,7 +42,7 @@ describeShared('a character with a unit, converted', () => {
     const all = await said(...args);
     expect(all).toHaveLength(1);
     expect(all[0]).toContain(`The unit, ${unit}, is not kept`);
-    expect(all[0]).toContain('A .glb keeps the size');
+    expect(all[0]).toContain('A .glb or .fbx keeps the size');
   });
 
   it('is said once of many characters, with their number', async () => {

@@ -181,10 +181,12 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
     void window.marrow.run('character.remove', { characterId: id });
     void window.marrow.run('save.glb');
   }, ids.walker);
-  const save = page.locator('.glb-dialog button[type=submit]');
+  const save = page.locator('.exchange-dialog button[type=submit]');
   await expect.poll(() => save.isEnabled(), { timeout: 30_000 }).toBe(true);
   // Rounded.
-  const told = /off by more than ([\d.]+) at any time/.exec((await page.locator('.glb-dialog').textContent()) ?? '');
+  const told = /off by more than ([\d.]+) at any time/.exec(
+    (await page.locator('.exchange-dialog').textContent()) ?? '',
+  );
   const tolerance = 1.05 * Number(told?.[1]);
   expect(tolerance).toBeLessThan(size / 1500);
   const glb = await download(() => save.click());

@@ -12,12 +12,12 @@ import { AnimationMixer, LoopOnce, type Object3D, Texture } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { DEFAULT_GLB, type GlbOptions } from '../../src/export/glb/options.ts';
 import { writeGlb } from '../../src/export/glb/write.ts';
-import type { GlbReport } from '../../src/export/shared/report.ts';
+import type { ExchangeReport } from '../../src/export/shared/report.ts';
 import type { Character } from '../../src/model/document.ts';
 
 export interface Glb {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  readonly report: GlbReport;
+  readonly report: ExchangeReport;
   readonly json: GltfJson;
 }
 

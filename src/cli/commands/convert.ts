@@ -3,14 +3,15 @@
  * can be converted to it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its take. Without a
  * `.rig` in IN, one is written that names the given files.
  *
- * `marrow convert IN… OUT.glb`: a character with its takes (`convert-glb.ts`).
+ * `marrow convert IN… OUT.glb` or `OUT.fbx`: a character with its takes (`convert-exchange.ts`).
  *
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`);
- * takes that are edited, and GLB, one by one (`export/`).
+ * takes that are edited, and files of other programs, one by one (`export/`).
  */
 import { basename, dirname, join, resolve } from 'node:path';
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import { withAllTangents } from '../../edit/keys/tangents.ts';
+import { EXCHANGE_FORMATS, type ExchangeFormat, exchangeOf, isExchange } from '../../export/formats.ts';
 import { isSaved, WRITABLE_EXTENSIONS } from '../../files/kinds.ts';
 import { formatOf } from '../../files/readers.ts';
 import { refusal } from '../../files/save/conversion.ts';
@@ -19,7 +20,7 @@ import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { NEW_KEY_TANGENTS, type NewKeyTangents, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
-import { convertToGlb, GLB_OPTIONS, isGlb } from '../convert-glb.ts';
+import { convertToExchange, EXCHANGE_OPTIONS, refuseOptions } from '../convert-exchange.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import { type Edit, pickOrRefuse } from '../convert-one.ts';
 import { exportGiven } from '../export/export-given.ts';
@@ -39,13 +40,13 @@ import { writeOutput } from '../write-output.ts';
 const OPTIONS = {
   to: option(
     ending(MOTION_KINDS),
-    'Writes everything in IN as files of this kind: skel with animations, asf with its motions, rig with all parts, glb with one character per take.',
+    'Writes everything in IN as files of this kind: skel with animations, asf with its motions, rig with all parts, glb, fbx and vrma with one character per take.',
   ),
   out: option(text('DIR', 'a folder'), 'Writes into this folder instead of next to each file.', { needs: 'to' }),
   force: flag('Overwrites existing files.', { needs: 'to' }),
   fps: option(
     positive('N'),
-    "Writes `.bvh` at this many frames per second instead of the take's own, or 30 for keys at uneven times, and `.glb` with a key per frame at this rate.",
+    "Writes `.bvh` at this many frames per second instead of the take's own, or 30 for keys at uneven times, and `.glb`, `.fbx` and `.vrma` with a key per frame at this rate.",
   ),
   tolerance: option(positive('X'), 'Lets keys deviate this much from the samples they replace.'),
   tangents: option(
@@ -53,7 +54,7 @@ const OPTIONS = {
     'Sets both sides of every key to this kind of tangent; a `.anim` has `auto` as numbers.',
   ),
   json: flag('Prints the names and sizes of the written files as JSON, with all problems.'),
-  ...GLB_OPTIONS,
+  ...EXCHANGE_OPTIONS,
   ...EDITING,
   ...SHARING,
 };
@@ -64,7 +65,7 @@ export const convert = shellCommand({
   summary: 'Writes OUT in the format its extension names, or everything in IN as files of one kind.',
   inputs: anyInputs(['IN… OUT', `IN… --to ${MOTION_KINDS.join('|')}`], {
     IN: 'Files, folders and zips.',
-    OUT: `The file to write, which ends in ${[...WRITABLE_EXTENSIONS, 'glb'].map((each) => `.${each}`).join(', ')}.`,
+    OUT: `The file to write, which ends in ${[...WRITABLE_EXTENSIONS, ...EXCHANGE_FORMATS].map((each) => `.${each}`).join(', ')}.`,
   }),
   options: OPTIONS,
   about: [
@@ -82,10 +83,7 @@ export const convert = shellCommand({
   },
   async run({ inputs, options }, io) {
     const { to } = options;
-    if (to !== undefined || !isGlb(inputs.at(-1) ?? '')) {
-      const ofGlb = firstGiven(options, GLB_OPTIONS);
-      if (ofGlb !== undefined) throw new UsageError(`--${ofGlb} is for .glb files; the output must end in .glb.`);
-    }
+    refuseOptions(to === undefined ? exchangeOf(inputs.at(-1) ?? '') : undefined, options);
     return to === undefined ? toFile(inputs, options, io) : toKind(inputs, options, to, io);
   },
 });
@@ -101,7 +99,7 @@ async function toKind(
   io: CommandIo,
 ): Promise<ExitCode> {
   const { out, tolerance, force: replaces, json: isJson } = options;
-  if (target === 'glb' || firstGiven(options, { ...EDITING, ...SHARING }) !== undefined) {
+  if (isExchange(target) || firstGiven(options, { ...EDITING, ...SHARING }) !== undefined) {
     if (out === undefined) throw new UsageError('--out is missing: the folder for the converted files.');
     return exportGiven(inputs, { ...options, out }, io, {
       to: target,
@@ -136,10 +134,11 @@ function labelOf(path: string): string {
 async function toFile(inputs: readonly string[], given: ConvertOptions, io: CommandIo): Promise<ExitCode> {
   const [ins, out] = [inputs.slice(0, -1), inputs.at(-1)];
   if (out === undefined || ins.length === 0) throw new UsageError('convert needs an input file and an output file.');
-  if (isGlb(out)) return toGlb(ins, out, given, io);
+  const exchange = exchangeOf(out);
+  if (exchange) return toExchange(exchange, [ins, out], given, io);
   const format = formatOf(out);
   if (!format || !isSaved(format.format)) {
-    const known = [...WRITABLE_EXTENSIONS, 'glb'].map((extension) => `.${extension}`).join(' ');
+    const known = [...WRITABLE_EXTENSIONS, ...EXCHANGE_FORMATS].map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is unknown; its name must end in one of ${known}.`);
   }
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
@@ -171,13 +170,19 @@ async function toFile(inputs: readonly string[], given: ConvertOptions, io: Comm
   return failed ? failureOf(diagnostics) : 0;
 }
 
-async function toGlb(ins: readonly string[], out: string, given: ConvertOptions, io: CommandIo): Promise<ExitCode> {
+async function toExchange(
+  format: ExchangeFormat,
+  [ins, out]: readonly [ins: readonly string[], out: string],
+  given: ConvertOptions,
+  io: CommandIo,
+): Promise<ExitCode> {
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
   const { files, diagnostics: read } = await loadAny(ins, io.folder);
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
-    const written = await convertToGlb(given, withTangents(files, given.tangents), out, io.folder, options);
+    const taken = withTangents(files, given.tangents);
+    const written = await convertToExchange({ format, given }, taken, out, io.folder, options);
     diagnostics.push(...written.diagnostics);
     bytes = written.bytes;
   }
@@ -185,7 +190,7 @@ async function toGlb(ins: readonly string[], out: string, given: ConvertOptions,
   const failed = hasErrors(diagnostics);
   if (given.json) {
     await printJson({ written: failed ? null : { name: basename(out), kind: 'character', bytes }, diagnostics }, io);
-  } else if (!failed) await io.out(`${out}: glTF, ${bytes} bytes\n`);
+  } else if (!failed) await io.out(`${out}: ${labelOf(out)}, ${bytes} bytes\n`);
   return failed ? failureOf(diagnostics) : 0;
 }
 

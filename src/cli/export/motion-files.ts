@@ -2,14 +2,16 @@
 import { withEditedTakes } from '../../dataset/edited-take.ts';
 import type { TakeOptions } from '../../dataset/take.ts';
 import { CommandError } from '../../edit/command-error.ts';
+import { writeExchange } from '../../export/exchange.ts';
+import { EXCHANGE_FORMATS, type ExchangeFormat, isExchange } from '../../export/formats.ts';
 import { DEFAULT_GLB } from '../../export/glb/options.ts';
 import { TakeError } from '../../export/shared/take-motion.ts';
 import { outputsOf, TARGETS } from '../../files/save/conversion.ts';
 import type { Character } from '../../model/document.ts';
 import type { ExportedFile } from './formats.ts';
 
-/** What takes are written as, one by one: `glb` with all of the character. */
-export const MOTION_KINDS = [...TARGETS, 'glb'] as const;
+/** What takes are written as, one by one: `glb` and its like with all of the character. */
+export const MOTION_KINDS = [...TARGETS, ...EXCHANGE_FORMATS] as const;
 export type MotionKind = (typeof MOTION_KINDS)[number];
 
 export function isMotion(to: string): to is MotionKind {
@@ -26,17 +28,16 @@ export async function motionFiles(
   const own = { ...rest, takes: takes.slice(shownTake, shownTake + 1), shownTake: 0 };
   const edited = withEditedTakes(own, options);
   const asked = { ...(fps !== undefined && { framesPerSecond: fps }), ...(tolerance !== undefined && { tolerance }) };
-  if (to === 'glb') return [{ ending: 'glb', pieces: await glbPieces(edited, { ...DEFAULT_GLB, ...asked }) }];
+  if (isExchange(to)) return [{ ending: to, pieces: await exchangePieces(to, edited, { ...DEFAULT_GLB, ...asked }) }];
   return outputsOf([edited], to, asked).map((output) => ({
     ending: output.name.slice(output.name.lastIndexOf('.') + 1),
     pieces: output.pieces(),
   }));
 }
 
-async function glbPieces(character: Character, options: typeof DEFAULT_GLB) {
-  const { writeGlb } = await import('../../export/glb/write.ts');
+async function exchangePieces(format: ExchangeFormat, character: Character, options: typeof DEFAULT_GLB) {
   try {
-    return writeGlb(character, options, true).pieces;
+    return (await writeExchange(format, character, options, true)).pieces;
   } catch (error) {
     if (!(error instanceof TakeError)) throw error;
     throw new CommandError(error.message);

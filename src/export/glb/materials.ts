@@ -1,8 +1,7 @@
 /** Materials of a skin, with their textures inside the file. */
 import type { Character } from '../../model/document.ts';
-import { baseName, sameName } from '../../model/files.ts';
 import type { Skin } from '../../model/skin.ts';
-import { imageOf } from '../shared/images/images.ts';
+import { GivenTextures, heldColor, type NamedImage, PLAIN_COLOR } from '../shared/given-textures.ts';
 import type { BinaryChunk, Json } from './container.ts';
 
 /** The materials of a skin as JSON, with what is missing. */
@@ -13,42 +12,35 @@ export interface GlbMaterials {
   readonly missing: readonly string[];
 }
 
-/** Colour of what has none: a light grey. */
-const PLAIN = [0.8, 0.8, 0.8, 1];
-
 /** Makes materials of a skin's surfaces, and adds their images to the binary chunk, each once. */
 export function addMaterials(chunk: BinaryChunk, { textures }: Character, skin: Skin): GlbMaterials {
   const images: Json[] = [];
   const entries: Json[] = [];
-  const missing: string[] = [];
-  const known = new Map<string, number>();
+  const given = new GivenTextures(textures);
+  const known = new Map<NamedImage, number>();
   const extensions = new Set<string>();
-  const textureOf = (name: string): number | undefined => {
-    const base = baseName(name).toLowerCase();
-    const before = known.get(base);
+  const textureOf = (texture: string): number | undefined => {
+    const one = given.of(texture);
+    if (!one) return undefined;
+    const before = known.get(one);
     if (before !== undefined) return before;
-    const texture = textures.find((one) => sameName(baseName(one.name), baseName(name)));
-    const image = texture && imageOf(texture);
-    if (!image) {
-      missing.push(name);
-      return undefined;
-    }
+    const { name, image } = one;
     const isWebp = image.mime === 'image/webp';
     if (isWebp) extensions.add(WEBP);
     const source = images.length;
-    images.push({ name: baseName(name), mimeType: image.mime, bufferView: chunk.view(image.bytes) });
+    images.push({ name, mimeType: image.mime, bufferView: chunk.view(image.bytes) });
     entries.push(isWebp ? { extensions: { [WEBP]: { source } } } : { source });
-    known.set(base, entries.length - 1);
+    known.set(one, entries.length - 1);
     return entries.length - 1;
   };
   const made = skin.surfaces.map(({ material }): Json => {
     const index = material?.texture && skin.texcoords ? textureOf(material.texture) : undefined;
-    const factor = material?.color && [...material.color.map((c) => Math.min(1, Math.max(0, c))), 1];
+    const factor = material?.color && [...heldColor(material.color), 1];
     return {
       ...(material && { name: material.name }),
       doubleSided: true,
       pbrMetallicRoughness: {
-        ...((factor || index === undefined) && { baseColorFactor: factor ?? PLAIN }),
+        ...((factor || index === undefined) && { baseColorFactor: factor ?? [...PLAIN_COLOR, 1] }),
         ...(index !== undefined && { baseColorTexture: { index } }),
         metallicFactor: 0,
         roughnessFactor: 0.7,
@@ -61,7 +53,7 @@ export function addMaterials(chunk: BinaryChunk, { textures }: Character, skin: 
       ...(entries.length > 0 && { textures: entries, images }),
       ...(extensions.size > 0 && { extensionsUsed: [...extensions], extensionsRequired: [...extensions] }),
     },
-    missing,
+    missing: given.missing,
   };
 }
 

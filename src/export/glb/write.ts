@@ -18,7 +18,7 @@ import { type FileJoints, type FilePose, filePoseOf } from '../shared/file-pose.
 import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from '../shared/joint-nodes.ts';
 import { lossesOf } from '../shared/losses.ts';
 import { TOLERANCE_OF_SIZE } from '../shared/options.ts';
-import type { GlbReport, Loss, TakeReport } from '../shared/report.ts';
+import type { ExchangeFile, ExchangeProgress, Loss, TakeReport } from '../shared/report.ts';
 import { playedTakes, type TakeMotion, takeMotion } from '../shared/take-motion.ts';
 import { BinaryChunk, type Json } from './container.ts';
 import { type FitOptions, fitTake, type TrackKeys } from './fit/fit-take.ts';
@@ -28,31 +28,19 @@ import { addMesh } from './mesh.ts';
 import type { GlbOptions } from './options.ts';
 import { type Moment, rowWidth, type Track, tracksOf } from './tracks.ts';
 
-/** A GLB file in pieces, to be written one after the other, and what is in it. */
-export interface GlbFile {
-  readonly pieces: readonly Uint8Array<ArrayBuffer>[];
-  readonly report: GlbReport;
-}
-
-/** How far writing has come. */
-export interface GlbProgress {
-  /** The current step: the name of a take. */
-  readonly label: string;
-  /** From 0 to 1, of all. */
-  readonly fraction: number;
-}
-
 /**
  * A character as a GLB file.
  * @param isPlaced whether it is where it is in the scene, upright and in metres, rather than in its own space
+ * @param extra what else the JSON has: members of it, from the node of each joint
  * @throws TakeError, in a sentence, if a take can't be written or isn't there
  */
 export function writeGlb(
   character: Character,
   options: GlbOptions,
   isPlaced: boolean,
-  onProgress?: (progress: GlbProgress) => void,
-): GlbFile {
+  onProgress?: (progress: ExchangeProgress) => void,
+  extra?: (nodes: readonly number[]) => Json,
+): ExchangeFile {
   const chunk = new BinaryChunk();
   const filePose = filePoseOf(character, options);
   const { skin, joints, sets } = filePose;
@@ -105,6 +93,7 @@ export function writeGlb(
     ...(skins.length && { skins }),
     ...materials?.json,
     ...(animations.length && { animations: animations.map(({ json }) => json) }),
+    ...extra?.(Array.from(joints?.nodes.lastOf ?? [], (node) => FIRST_JOINT + node)),
   });
   const { size, tolerance } = filePose;
   const report = {
@@ -143,7 +132,7 @@ function takesOf(
   character: Character,
   options: GlbOptions,
   filePose: FilePose,
-  onProgress?: (progress: GlbProgress) => void,
+  onProgress?: (progress: ExchangeProgress) => void,
 ): readonly WrittenTake[] {
   const { joints, skin, sets, size, tolerance } = filePose;
   if (!joints) return [];

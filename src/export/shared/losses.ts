@@ -7,7 +7,7 @@ import { vertexCount } from '../../model/skin.ts';
 import { attachmentSets } from './attachments.ts';
 import { type Bound, boundAsGiven, boundAsWritten, largestDisplacement } from './displacement.ts';
 import type { FilePose } from './file-pose.ts';
-import { NODE_WIDTH, nodeWorlds } from './joint-nodes.ts';
+import { type JointNode, NODE_WIDTH, nodeWorlds } from './joint-nodes.ts';
 import type { ExchangeOptions } from './options.ts';
 import { displacementText, type Loss } from './report.ts';
 import type { TakeMotion } from './take-motion.ts';
@@ -18,6 +18,8 @@ export interface Written {
   readonly options: ExchangeOptions;
   readonly format: 'glTF' | 'FBX';
   readonly filePose: FilePose;
+  /** The nodes of joints, where they are others than glTF's. */
+  readonly chained?: { readonly nodes: readonly Pick<JointNode, 'joint' | 'place'>[]; readonly lastOf: Int32Array };
   readonly motions: readonly TakeMotion[];
   /** Names of textures that are not in the file. */
   readonly missing: readonly string[];
@@ -185,18 +187,19 @@ function isRigid(matrices: Float64Array, at: number): boolean {
   return true;
 }
 
-function chains({ format, filePose: { joints } }: Written): readonly Loss[] {
+function chains({ format, chained, filePose: { joints } }: Written): readonly Loss[] {
   if (!joints) return [];
-  const { nodes, lastOf } = joints.nodes;
+  const { nodes, lastOf } = chained ?? joints.nodes;
   const split = nodes.filter(({ place }, n) => place > 0 && lastOf[nodes[n].joint] === n);
   if (split.length === 0) return [];
   const names = split.map(({ joint }) => joints.skeleton.joints[joint].name || `joint ${joint}`);
   const more = nodes.length - lastOf.length;
+  const why = format === 'glTF' ? "glTF nodes can't shear" : 'FBX nodes move, then turn, then scale';
   return [
     {
       code: 'joints-split',
       severity: 'info',
-      message: `${format} nodes can't shear: ${listed(names)} ${names.length === 1 ? 'is' : 'are'} written as chains of nodes, ${more} more than joints. The shape is the same.`,
+      message: `${why}: ${listed(names)} ${names.length === 1 ? 'is' : 'are'} written as chains of nodes, ${more} more than joints. The shape is the same.`,
     },
   ];
 }

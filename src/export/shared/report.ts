@@ -1,8 +1,22 @@
-/** Report on what a GLB file has, and what of the character it hasn't. */
+/** A written file with a report on what it has, and what of the character it hasn't. */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 
+/** A file in pieces, to be written one after the other, and what is in it. */
+export interface ExchangeFile {
+  readonly pieces: readonly Uint8Array<ArrayBuffer>[];
+  readonly report: ExchangeReport;
+}
+
+/** How far writing has come. */
+export interface ExchangeProgress {
+  /** The current step: the name of a take. */
+  readonly label: string;
+  /** From 0 to 1, of all. */
+  readonly fraction: number;
+}
+
 /** A file in numbers, and its losses. */
-export interface GlbReport {
+export interface ExchangeReport {
   readonly bytes: number;
   readonly joints: number;
   readonly vertices: number;
@@ -45,6 +59,6 @@ export function displacementText(length: number, size: number): string {
 }
 
 /** The losses of a report as messages about a file. */
-export function diagnosticsOf({ losses }: GlbReport, fileName: string): readonly Diagnostic[] {
+export function diagnosticsOf({ losses }: ExchangeReport, fileName: string): readonly Diagnostic[] {
   return losses.map(({ severity, code, message }) => withoutPlace(severity, code, message, fileName));
 }

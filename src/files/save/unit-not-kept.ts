@@ -8,5 +8,5 @@ import type { Character } from '../../model/document.ts';
  */
 export function unitNotKept({ space }: Pick<Character, 'space'>): string | undefined {
   if (space?.known !== 'stated') return undefined;
-  return `The unit, ${unitText(space)}, is not kept: text files don’t state one, and numbers are written as they are. A .glb keeps the size; in the page, set the unit of an opened character in the inspector.`;
+  return `The unit, ${unitText(space)}, is not kept: text files don’t state one, and numbers are written as they are. A .glb or .fbx keeps the size; in the page, set the unit of an opened character in the inspector.`;
 }

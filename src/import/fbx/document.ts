@@ -2,6 +2,7 @@
  * An FBX file as objects with properties, and connections between them. A connection leads from an object to what it is
  * a part of: a curve to its curve node, a joint to its parent, whose id is 0 for the scene itself.
  */
+import { TICKS_PER_SECOND } from '../../formats/fbx/constants.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import {
   childOf,
@@ -50,8 +51,7 @@ export interface FbxDocument {
 /** The id of the scene's own node, which has no object. */
 export const SCENE_ID = '0';
 
-/** Units of time up to FBX 7, and those that newer files may choose. */
-const TICKS = 46186158000;
+/** Units of time that newer files may choose. */
 const NEW_TICKS = 141120000;
 const OLD_TIME_DEFINITION = 127;
 
@@ -144,7 +144,7 @@ export function documentOf(file: FbxFile): FbxDocument {
     objects,
     partsOf: (id) => parts.get(id) ?? [],
     ownersOf: (id) => owners.get(id) ?? [],
-    ticks: isNew ? NEW_TICKS : TICKS,
+    ticks: isNew ? NEW_TICKS : TICKS_PER_SECOND,
   };
 }
 

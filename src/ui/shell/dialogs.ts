@@ -16,6 +16,8 @@ type MakeDialog = (wb: Workbench, close: () => void) => DialogContent;
 const curveTools = () => import('../editors/curves/dialogs/tool-dialogs.ts');
 const sampleTools = () => import('../editors/curves/dialogs/sample-dialogs.ts');
 
+const exchange = () => import('./dialogs/exchange-dialog.ts');
+
 const takeTools = () => import('../editors/takes/edit-dialogs.ts');
 
 const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
@@ -24,7 +26,9 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   save: async () => (await import('./save-list.ts')).saveList,
   picture: async () => (await import('./dialogs/picture-dialogs.ts')).pictureDialog,
   video: async () => (await import('./dialogs/picture-dialogs.ts')).videoDialog,
-  glb: async () => (await import('./dialogs/glb-dialog.ts')).glbDialog,
+  glb: async () => (await exchange()).exchangeDialog('glb'),
+  fbx: async () => (await exchange()).exchangeDialog('fbx'),
+  vrma: async () => (await exchange()).exchangeDialog('vrma'),
   programs: async () => (await import('./help/programs-page.ts')).programsPage,
   about: async () => (await import('./help/about.ts')).aboutDialog,
   simplify: async () => (await curveTools()).simplifyDialog,

@@ -1,5 +1,6 @@
 /** Opening and saving. */
 
+import { EXCHANGE_FORMATS, EXCHANGE_LABELS } from '../../export/formats.ts';
 import { KINDS, SAVED_KINDS, type Saving } from '../../files/kinds.ts';
 import { currentCharacter } from '../state/actions/action.ts';
 import { needs } from '../state/actions/needs.ts';
@@ -94,15 +95,17 @@ export const FILE_ACTIONS: readonly Action[] = [
       },
     }),
   ),
-  {
-    id: 'save.glb',
-    label: 'GLB (.glb)…',
-    group: 'Files',
-    menu: 'Save',
-    section: 2,
-    refuses: needsCharacters,
-    run: (wb) => wb.dialog.set('glb'),
-  },
+  ...EXCHANGE_FORMATS.map(
+    (format): Action => ({
+      id: `save.${format}`,
+      label: `${EXCHANGE_LABELS[format]} (.${format})…`,
+      group: 'Files',
+      menu: 'Save',
+      section: 2,
+      refuses: needsCharacters,
+      run: (wb) => wb.dialog.set(format),
+    }),
+  ),
   {
     id: 'save.all',
     label: 'Whole character (.zip)',

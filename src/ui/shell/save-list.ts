@@ -1,5 +1,6 @@
 /** The save dialog: each character, with every file format it can be saved as. */
 
+import { EXCHANGE_FORMATS, EXCHANGE_LABELS } from '../../export/formats.ts';
 import { KINDS, SAVED_KINDS } from '../../files/kinds.ts';
 import { unitNotKept } from '../../files/save/unit-not-kept.ts';
 import { type Counted, type PlayedRange, WRITERS, type Writer } from '../../files/writers.ts';
@@ -27,11 +28,13 @@ export function saveList(wb: Uses<'store' | 'transport' | 'files' | 'dialog'>, c
       row.append(button);
     }
     row.append(
-      saveButton('GLB (.glb)…', 'for other programs', () => {
-        // The dialog is about the current character.
-        if (wb.store.selection.characterId !== character.id) wb.store.select({ characterId: character.id });
-        wb.dialog.set('glb');
-      }),
+      ...EXCHANGE_FORMATS.map((format) =>
+        saveButton(`${EXCHANGE_LABELS[format]} (.${format})…`, 'for other programs', () => {
+          // The dialog is about the current character.
+          if (wb.store.selection.characterId !== character.id) wb.store.select({ characterId: character.id });
+          wb.dialog.set(format);
+        }),
+      ),
       saveButton('Everything (.zip)', 'with textures', () => {
         close();
         wb.files.saveAll(character.id);

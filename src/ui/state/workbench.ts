@@ -4,8 +4,9 @@
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
+import type { ExchangeFormat } from '../../export/formats.ts';
 import type { GlbOptions } from '../../export/glb/options.ts';
-import type { GlbReport } from '../../export/shared/report.ts';
+import type { ExchangeReport } from '../../export/shared/report.ts';
 import type { SavedKind } from '../../files/kinds.ts';
 import type { UnsavedPart } from '../../files/save/saved-parts.ts';
 import type { Character } from '../../model/document.ts';
@@ -146,22 +147,29 @@ export interface Action extends Bindable {
 }
 
 /** How a long work continues, and how it is stopped. */
-export interface GlbWork {
+export interface ExchangeWork {
   readonly signal: AbortSignal;
   /** From 0 to 1. */
   onProgress(fraction: number): void;
 }
 
-export interface MadeGlb {
+/** What is written for another program, and how. */
+export interface AskedExchange {
+  readonly format: ExchangeFormat;
+  readonly character: Character;
+  readonly options: GlbOptions;
+}
+
+export interface MadeExchange {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  readonly report: GlbReport;
+  readonly report: ExchangeReport;
 }
 
 export type DialogName =
   | 'shortcuts'
   | 'search'
   | 'save'
-  | 'glb'
+  | ExchangeFormat
   | 'about'
   | 'programs'
   | 'retarget'
@@ -238,8 +246,8 @@ export interface FileActions {
   saveEverything(): void;
   /** What makes pictures and videos; undefined, with a message, if it can't be loaded. */
   pictures(): Promise<Pictures | undefined>;
-  /** Makes a GLB file of a character, to be looked at before it is saved. Rejects if it is cancelled or fails. */
-  makeGlb(character: Character, options: GlbOptions, work: GlbWork): Promise<MadeGlb>;
+  /** Makes a file of a character for another program, to be looked at before it is saved. Rejects if it is cancelled or fails. */
+  makeExchange(asked: AskedExchange, work: ExchangeWork): Promise<MadeExchange>;
   /** Saves bytes to a place that the user chooses. */
   saveBytes(name: string, bytes: Uint8Array<ArrayBuffer>, mime: string): void;
 }

@@ -52,12 +52,24 @@ export const BY_DOWNLOAD: readonly Check[] = [
       await titled(page, 'Marrow');
       // What the file has and loses is told before it is saved.
       await page.evaluate(() => window.marrow.run('save.glb'));
-      const save = page.locator('.glb-dialog button[type=submit]');
+      const save = page.locator('.exchange-dialog button[type=submit]');
       await expect.poll(() => save.isEnabled(), { timeout: 20_000 }).toBe(true);
-      await expect.poll(() => page.locator('.glb-dialog').textContent()).toMatch(/2 joints.*hero_walk: \d+ keys/s);
+      await expect.poll(() => page.locator('.exchange-dialog').textContent()).toMatch(/2 joints.*hero_walk: \d+ keys/s);
       const glb = await download(() => save.click());
       expect(glb.name).toBe('hero.glb');
       expect(glb.text.slice(0, 4)).toBe('glTF');
+      // The same dialog serves FBX, without what means nothing there.
+      await page.evaluate(() => window.marrow.run('save.fbx'));
+      await expect.poll(() => page.locator('.exchange-dialog h2').textContent()).toBe('Save as FBX');
+      await expect.poll(() => save.isEnabled(), { timeout: 20_000 }).toBe(true);
+      const fbx = await download(() => save.click());
+      expect(fbx.name).toBe('hero.fbx');
+      expect(fbx.text.slice(0, 18)).toBe('Kaydara FBX Binary');
+      // No humanoid has two joints: the bones that are missing are named.
+      await page.evaluate(() => window.marrow.run('save.vrma'));
+      await expect.poll(() => page.locator('.exchange-dialog').textContent()).toMatch(/has none for .*leftHand/);
+      await expect.poll(() => save.isEnabled()).toBe(false);
+      await page.keyboard.press('Escape');
     },
   },
 ];

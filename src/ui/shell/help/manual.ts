@@ -21,6 +21,8 @@ const DIALOGS: Readonly<Record<DialogName, ManualPage>> = {
   picture: 'guide/looking.html#pictures-and-videos',
   video: 'guide/looking.html#pictures-and-videos',
   glb: 'guide/other-programs.html#out',
+  fbx: 'guide/other-programs.html#out',
+  vrma: 'guide/other-programs.html#out',
   programs: 'guide/other-programs.html#which-program-opens-what',
   about: CONTENTS,
   simplify: CLEAN_UP,

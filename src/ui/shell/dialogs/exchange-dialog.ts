@@ -1,51 +1,59 @@
 /**
- * The dialog for saving GLB. The worker makes the file while the dialog is open, so that its size, its keys and what it
+ * The dialog for saving a character for other programs. The worker makes the file while the dialog is open, so that its size, its keys and what it
  * loses are measured, not guessed; saving hands out that very file.
  */
 
 import { skinFacts } from '../../../evaluate/skin/bounds.ts';
+import { EXCHANGES } from '../../../export/exchange.ts';
+import { EXCHANGE_LABELS, type ExchangeFormat } from '../../../export/formats.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../../../export/glb/options.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { sentenceOf } from '../../../model/failure.ts';
 import { UserError } from '../../../model/user-error.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { untilClosed } from '../../state/until-closed.ts';
-import type { MadeGlb, Uses } from '../../state/workbench.ts';
+import type { MadeExchange, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element, setText } from '../../widgets/dom.ts';
 import { type Answers, type Asked, askChoice, askNumber, Form } from '../../widgets/form/form.ts';
 import { atMostEvery } from '../../widgets/frame.ts';
 import { parseNumber } from '../../widgets/numbers/number-text.ts';
-import { fileText, takesText } from './glb-text.ts';
+import { fileText, takesText } from './exchange-text.ts';
 
 /** Between two files that are made while typing, in milliseconds. */
 const PREVIEW_MS = 300;
-const TITLE = 'Save as GLB';
-const KIND = 'tool-dialog glb-dialog';
+const KIND = 'tool-dialog exchange-dialog';
 
 type Parts = Uses<'store' | 'transport' | 'files' | 'dialog'>;
 
-export function glbDialog(wb: Parts, close: () => void): DialogContent {
-  const first = currentCharacter(wb);
-  const body = first ? new Saving(wb, close, first).form.element : element('p', {}, 'There is nothing to save yet.');
-  return { title: TITLE, kind: KIND, body };
+/** Makes the dialog of a format. */
+export function exchangeDialog(format: ExchangeFormat): (wb: Parts, close: () => void) => DialogContent {
+  return (wb, close) => {
+    const first = currentCharacter(wb);
+    const body = first
+      ? new Saving(wb, close, format, first).form.element
+      : element('p', {}, 'There is nothing to save yet.');
+    return { title: `Save as ${EXCHANGE_LABELS[format]}`, kind: KIND, body };
+  };
 }
 
 class Saving {
   readonly form: Form;
   private readonly takes = element('p', { class: 'tool-result faint' });
-  private readonly losses = element('ul', { class: 'glb-losses' });
-  private made: MadeGlb | undefined;
+  private readonly losses = element('ul', { class: 'exchange-losses' });
+  private made: MadeExchange | undefined;
   private working = new AbortController();
 
   constructor(
     private readonly wb: Parts,
     close: () => void,
+    private readonly format: ExchangeFormat,
     private readonly first: Character,
   ) {
+    const { about, mime } = EXCHANGES[format];
     const soon = atMostEvery(PREVIEW_MS, () => void this.make());
     this.form = new Form({
-      about: 'For Blender, game engines and the web: joints, skin, morphs, textures and takes.',
+      about,
       asked: this.asked(wb.store.document.characters),
       below: [this.takes, this.losses],
       apply: 'Save',
@@ -57,7 +65,7 @@ class Saving {
       },
       applied: () => {
         if (!this.made) return;
-        wb.files.saveBytes(`${this.take() ?? this.character().name}.glb`, this.made.bytes, 'model/gltf-binary');
+        wb.files.saveBytes(`${this.take() ?? this.character().name}.${format}`, this.made.bytes, mime);
         close();
       },
       close,
@@ -81,7 +89,12 @@ class Saving {
       askChoice(
         'keys',
         'Keys',
-        { linear: 'Fewest keys, linear', cubic: 'Fewest keys, cubic', frames: 'One per frame, linear' },
+        {
+          ...(this.has('keys')
+            ? { linear: 'Fewest keys, linear', cubic: 'Fewest keys, cubic' }
+            : { linear: 'As they are' }),
+          frames: 'One per frame, linear',
+        },
         { shownIf: isMoved },
       ),
       askNumber('tolerance', 'Tolerance', undefined, {
@@ -92,8 +105,18 @@ class Saving {
         shownIf: (answers) => isMoved() && isFrames(answers),
       }),
       askChoice('influences', 'Attachments per vertex', [], { shownIf: () => this.mostAttachments() > 4 }),
-      askChoice('body', 'Body', { yes: 'Bones', no: 'None' }, { shownIf: () => !this.character().skins.length }),
+      askChoice(
+        'body',
+        'Body',
+        { yes: 'Bones', no: 'None' },
+        { shownIf: () => this.has('body') && !this.character().skins.length },
+      ),
     ];
+  }
+
+  /** Whether an option means something in the format. */
+  private has(option: keyof GlbOptions): boolean {
+    return !EXCHANGES[this.format].ignores.includes(option);
   }
 
   private character(): Character {
@@ -152,10 +175,10 @@ class Saving {
     try {
       const asked = this.options();
       form.say('Working…');
-      const one = await wb.files.makeGlb(this.character(), asked, {
-        signal: own.signal,
-        onProgress: (part) => form.say(`Working… ${Math.floor(100 * part)}%`),
-      });
+      const one = await wb.files.makeExchange(
+        { format: this.format, character: this.character(), options: asked },
+        { signal: own.signal, onProgress: (part) => form.say(`Working… ${Math.floor(100 * part)}%`) },
+      );
       if (!own.signal.aborted) this.show(one, asked.framesPerSecond !== undefined);
     } catch (error) {
       if (own.signal.aborted) return;
@@ -165,7 +188,7 @@ class Saving {
     }
   }
 
-  private show(made: MadeGlb, isExactAtFrames: boolean): void {
+  private show(made: MadeExchange, isExactAtFrames: boolean): void {
     this.made = made;
     this.form.allow(true);
     this.form.say(fileText(made.report, isExactAtFrames));

@@ -1,7 +1,9 @@
-/** `marrow convert IN… OUT.glb`: one character with its takes, for programs that read glTF. */
+/** `marrow convert IN… OUT.glb` and its like: one character with its takes, for other programs. */
 import { resolve } from 'node:path';
 import { CommandError } from '../edit/command-error.ts';
 import { spaceText } from '../evaluate/space/space.ts';
+import { EXCHANGES, writeExchange } from '../export/exchange.ts';
+import { EXCHANGE_FORMATS, type ExchangeFormat } from '../export/formats.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../export/glb/options.ts';
 import { diagnosticsOf } from '../export/shared/report.ts';
 import { TakeError } from '../export/shared/take-motion.ts';
@@ -13,38 +15,64 @@ import { byPath, type ParsedFile } from '../model/files.ts';
 import type { PickOptions } from './convert-one.ts';
 import { oneOf, text, whole } from './options/kinds.ts';
 import { flag, type OptionValues, option, section } from './options/option.ts';
+import { UsageError } from './usage-error.ts';
 import { writeOutput } from './write-output.ts';
 
-/** Options of `convert` for `.glb` only. */
-export const GLB_OPTIONS = section('Only for an output that ends in .glb', {
+/** Options of `convert` for files of other programs only. */
+export const EXCHANGE_OPTIONS = section(`Only for an output that ends in ${listed(EXCHANGE_FORMATS)}`, {
   keys: option(
     oneOf(['linear', 'cubic']),
-    'Interpolates keys by straight lines, the default, or by cubic splines, which are fewer but which Blender takes for straight lines.',
+    'Interpolates keys of a `.glb` by straight lines, the default, or by cubic splines, which are fewer but which Blender takes for straight lines.',
   ),
   influences: option(whole('N', 1), 'Keeps at most this many attachments per vertex, the strongest, instead of all.'),
   take: option(text('NAME', 'the name of a take'), 'Writes only the take of this name instead of all.'),
-  'no-body': flag('Leaves out the bones that a character without a skin is shown by.'),
-  raw: flag("Keeps the file's own unit, axes and origin instead of metres and y up."),
+  'no-body': flag('Leaves out the bones that a character without a skin is shown by in a `.glb`.'),
+  raw: flag(
+    "Keeps the file's own unit, axes and origin instead of metres and y up; a `.fbx` always does, and states them.",
+  ),
 });
-export type GlbOptionValues = OptionValues<typeof GLB_OPTIONS>;
+export type ExchangeOptionValues = OptionValues<typeof EXCHANGE_OPTIONS>;
 
-export function isGlb(name: string): boolean {
-  return /\.glb$/i.test(name);
+/** `.glb, .fbx or .vrma`. */
+function listed(formats: readonly ExchangeFormat[]): string {
+  const ends = formats.map((format) => `.${format}`);
+  return ends.length < 2 ? ends.join('') : `${ends.slice(0, -1).join(', ')} or ${ends.at(-1)}`;
 }
 
-export interface WrittenGlb {
+type OptionName = keyof typeof EXCHANGE_OPTIONS;
+
+function counts(option: OptionName, format: ExchangeFormat): boolean {
+  return !EXCHANGES[format].ignores.includes(option === 'no-body' ? 'body' : option);
+}
+
+/**
+ * Refuses options that mean nothing in what is written.
+ * @param format undefined if it is none of other programs
+ * @throws UsageError
+ */
+export function refuseOptions(format: ExchangeFormat | undefined, given: ExchangeOptionValues): void {
+  // The keys of a literal are its own.
+  for (const option of Object.keys(EXCHANGE_OPTIONS) as OptionName[]) {
+    const isGiven = given[option] !== undefined && given[option] !== false;
+    if (!isGiven || (format && counts(option, format))) continue;
+    const ends = listed(EXCHANGE_FORMATS.filter((each) => counts(option, each)));
+    throw new UsageError(`--${option} is for ${ends} files; the output must end in ${ends}.`);
+  }
+}
+
+export interface WrittenExchange {
   readonly bytes: number;
   readonly diagnostics: readonly Diagnostic[];
 }
 
 /** @param out relative to the folder */
-export async function convertToGlb(
-  given: GlbOptionValues,
+export async function convertToExchange(
+  { format, given }: { readonly format: ExchangeFormat; readonly given: ExchangeOptionValues },
   files: readonly ParsedFile[],
   out: string,
   folder: string,
   { edit, ...common }: PickOptions,
-): Promise<WrittenGlb> {
+): Promise<WrittenExchange> {
   const options = readOptions(given, common);
   const name = out.slice(Math.max(out.lastIndexOf('/'), out.lastIndexOf('\\')) + 1);
   const failed = (code: string, message: string) => ({ bytes: 0, diagnostics: [refusal(code, message, name)] });
@@ -67,7 +95,7 @@ export async function convertToGlb(
   try {
     const [character] = whole;
     const edited = edit ? edit(character) : character;
-    const written = await write(edited, options, given.raw, name, resolve(folder, out));
+    const written = await write({ format, options, isRaw: given.raw }, edited, name, resolve(folder, out));
     return { ...written, diagnostics: [...diagnostics, ...written.diagnostics] };
   } catch (error) {
     if (!(error instanceof TakeError || error instanceof CommandError)) throw error;
@@ -87,35 +115,40 @@ function leftOut({ characters, unused }: Document, whole: readonly Character[]):
   ];
 }
 
-/** @param isRaw whether the file's own unit, axes and origin are kept, rather than glTF's metres and y up */
+interface Asked {
+  readonly format: ExchangeFormat;
+  readonly options: GlbOptions;
+  /** Whether the file's own unit, axes and origin are kept, rather than glTF's metres and y up. */
+  readonly isRaw: boolean;
+}
+
 async function write(
+  { format, options, isRaw }: Asked,
   character: Character,
-  options: GlbOptions,
-  isRaw: boolean,
   name: string,
   path: string,
-): Promise<WrittenGlb> {
-  const { writeGlb } = await import('../export/glb/write.ts');
-  const { pieces, report } = writeGlb(character, options, !isRaw);
+): Promise<WrittenExchange> {
+  const { pieces, report } = await writeExchange(format, character, options, !isRaw);
   const written = writeOutput(path, pieces);
   if ('bytes' in written) {
     return {
       bytes: written.bytes,
-      diagnostics: [...(isRaw ? [] : spaceTold(character, name)), ...diagnosticsOf(report, name)],
+      diagnostics: [...(isRaw ? [] : spaceTold(format, character, name)), ...diagnosticsOf(report, name)],
     };
   }
   const message = `The file could not be written: ${written.failure}.`;
   return { bytes: 0, diagnostics: [refusal('file-not-written', message, name)] };
 }
 
-function spaceTold({ space }: Character, name: string): readonly Diagnostic[] {
+function spaceTold(format: ExchangeFormat, { space }: Character, name: string): readonly Diagnostic[] {
   if (space?.known !== 'guessed') return [];
-  const message = `The input is guessed to be in ${spaceText(space)}, and is written in metres; --raw keeps its numbers.`;
+  const written = format === 'fbx' ? 'which the file states' : 'and is written in metres; --raw keeps its numbers';
+  const message = `The input is guessed to be in ${spaceText(space)}, ${written}.`;
   return [withoutPlace('info', 'space-guessed', message, name)];
 }
 
 function readOptions(
-  { keys, influences, take, 'no-body': isBare }: GlbOptionValues,
+  { keys, influences, take, 'no-body': isBare }: ExchangeOptionValues,
   { framesPerSecond, tolerance }: { readonly framesPerSecond?: number; readonly tolerance?: number },
 ): GlbOptions {
   return {

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import type { GlbReport } from '../../../../src/export/shared/report.ts';
-import { fileText, takesText } from '../../../../src/ui/shell/dialogs/glb-text.ts';
+import type { ExchangeReport } from '../../../../src/export/shared/report.ts';
+import { fileText, takesText } from '../../../../src/ui/shell/dialogs/exchange-text.ts';
 
 const take = (name: string, keys = 7646) => ({ name, seconds: 6.4, channels: 31, keys });
-const report = (more: Partial<GlbReport> = {}): GlbReport => ({
+const report = (more: Partial<ExchangeReport> = {}): ExchangeReport => ({
   bytes: 314_744,
   joints: 29,
   vertices: 2019,

@@ -1,9 +1,9 @@
 /** What the dialog for GLB says about a file before it is saved. */
-import type { GlbReport } from '../../../export/shared/report.ts';
+import type { ExchangeReport } from '../../../export/shared/report.ts';
 import { bytes, plural, shown } from '../../widgets/numbers/number-text.ts';
 
 /** `walker_walk: 7,646 keys in 31 channels, 6.4 s`; one line per take, further ones summed up. */
-export function takesText({ takes }: GlbReport): string {
+export function takesText({ takes }: ExchangeReport): string {
   if (takes.length === 0) return 'No take, only the pose.';
   const lines = takes
     .slice(0, MAX_NAMED)
@@ -22,7 +22,7 @@ export function takesText({ takes }: GlbReport): string {
 const MAX_NAMED = 4;
 
 /** `315 kB: 29 joints, 2,019 vertices, 3 morphs. No point is off by more than 0.001.` */
-export function fileText(report: GlbReport, isExactAtFrames: boolean): string {
+export function fileText(report: ExchangeReport, isExactAtFrames: boolean): string {
   const { joints, vertices, morphs, tolerance } = report;
   const parts = [
     ...(joints ? [plural(joints, 'joint')] : []),
