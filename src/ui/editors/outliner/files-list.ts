@@ -35,7 +35,7 @@ export interface FilesList {
 }
 
 export function filesList(wb: Uses<'store'>): FilesList {
-  const list = element('div', { class: 'file-list scrolls' });
+  const list = element('div', { class: 'file-list scrolls', tabindex: 0 });
   /** Scrolled into view, it adds more rows. */
   const end = element('div', { class: 'list-end' });
   let files: readonly ListedFile[] = [];
