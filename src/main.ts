@@ -16,11 +16,11 @@ import { Unsaved } from './app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
 import type { DumpFile } from './files/open/open-files.ts';
-import { filesInQuery } from './io/address.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
 import { trustOwnScripts } from './io/trusted-scripts.ts';
 import type { Character } from './model/document.ts';
+import type { Display } from './model/session.ts';
 import { startFirstPicture } from './ui/shell/first-picture.ts';
 import { restOfPage } from './ui/shell/rest-of-page.ts';
 import type { DumpComparison } from './ui/state/dump-comparison.ts';
@@ -73,6 +73,10 @@ let list = () => {};
 const samples = new Promise<void>((resolve) => {
   list = resolve;
 }).then(() => listSamples(document.baseURI));
+const listed = () => {
+  list();
+  return samples;
+};
 let fillPanels = (_when: Promise<unknown>) => {};
 const panelsFilled = new Promise((resolve) => {
   fillPanels = resolve;
@@ -162,18 +166,12 @@ window.addEventListener('error', ({ error, message }) => {
 });
 window.addEventListener('unhandledrejection', ({ reason }) => faults.tell(WRONG, reason));
 
-const named = filesInQuery(location.search);
-const fetchNamed = async (signal: AbortSignal) =>
-  (await import('./io/fetch-files.ts')).fetchFiles(named, document.baseURI, signal);
-const opening = named.length ? opener.open(fetchNamed) : openSample();
+const opening = location.search.length > 1 ? openAddress() : openSample();
 const setActions = (all: ActionList) => {
   actions = all;
 };
 const rest = restOfPage(root, opening, {
-  beside() {
-    list();
-    return samples;
-  },
+  beside: listed,
   mount: ({ mountWorkbench }) => mountWorkbench(root, workbench, { theme, setActions }, forever),
 });
 fillPanels(rest.filled);
@@ -205,19 +203,26 @@ function compare(dumps: readonly DumpFile[]): void {
   onDemand(messages, 'The comparison', load).then((module) => module?.compareDropped(workbench, worker, dumps));
 }
 
-/** The opening example: a walking character. */
-function openSample() {
+/** What the address asks for. */
+async function openAddress() {
+  const module = await onDemand(messages, 'The link', () => import('./app/link/open-link.ts'));
+  const parts = { ...workbench, opener, sampleDisplay, samples: listed, reducesMotion, openSample };
+  return module ? module.openLink(parts, location.search) : openSample();
+}
+
+/** The opening example: a walking character. @param display what a link asks for besides */
+function openSample(display: Partial<Display> = {}) {
   return opener.open(
     async (signal) => {
       const read = await fetchOpening(document.baseURI, signal);
       if (read) {
-        sampleDisplay.show(read.shows);
+        sampleDisplay.show({ ...read.shows, ...display });
         for (const text of read.texts) handles.set(text.path, text);
         return { read: read.files };
       }
       const [first] = await listSamples(document.baseURI);
       if (!first) return [];
-      sampleDisplay.show(first.shows);
+      sampleDisplay.show({ ...first.shows, ...display });
       return fetchSample(first, document.baseURI, signal);
     },
     { asOpeningSample: true },

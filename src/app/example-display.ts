@@ -1,6 +1,6 @@
 /**
- * An example may switch on parts of the display, such as joint names if it is about them. That applies to the example
- * only: the switches are restored when another character is opened or the example is removed, unless the user has
+ * An example may switch on parts of the display, such as joint names if it is about them, and a link may ask for any.
+ * That applies to what they open only: the switches are restored when another character is opened or the example is removed, unless the user has
  * changed them meanwhile, and they are not remembered for the next visit.
  */
 import type { Store } from '../edit/store.ts';
@@ -8,13 +8,14 @@ import type { Display } from '../model/session.ts';
 import type { Settings } from '../ui/state/settings.ts';
 import type { Observable } from '../ui/widgets/observable.ts';
 
-const SWITCHES = ['names', 'bones', 'axes', 'followRoot'] as const;
 /** The switches that examples may ask for. */
-export type SampleSwitches = Readonly<Partial<Pick<Display, (typeof SWITCHES)[number]>>>;
+export type SampleSwitches = Readonly<Partial<Pick<Display, 'names' | 'bones' | 'axes' | 'followRoot'>>>;
 
 export class SampleDisplay {
   /** Values before the example changed them. */
-  private changed: SampleSwitches = {};
+  private changed: Partial<Display> = {};
+  /** That of a link, and the one before it. */
+  private theme: readonly (Settings['theme'] | undefined)[] = [];
   /** The example's characters, by id; undefined until they are loaded. */
   private own: ReadonlySet<string> | undefined;
 
@@ -36,20 +37,32 @@ export class SampleDisplay {
   }
 
   /** Called when an example is opened, before its characters are loaded, with what it asks for. */
-  show(asked: SampleSwitches = {}): void {
+  show(asked: Partial<Display> = {}): void {
     this.own = undefined;
     this.settings.update((now) => {
       const { display } = this.without(now);
-      const wanted = SWITCHES.filter((name) => asked[name] !== undefined && asked[name] !== display[name]);
-      this.changed = Object.fromEntries(wanted.map((name) => [name, display[name]]));
-      const shown = Object.fromEntries(wanted.map((name) => [name, !display[name]]));
-      return { ...now, display: { ...display, ...shown } };
+      const isOther = ([name, value]: [string, unknown]) => (asked[name as keyof Display] ?? value) !== value;
+      this.changed = Object.fromEntries(Object.entries(display).filter(isOther));
+      return { ...now, display: { ...display, ...asked } };
     });
   }
 
-  /** The settings without what an example changed, as they are to be remembered. */
+  /** Shows the page in the theme of a link, until another one is chosen. */
+  showTheme(shown: Settings['theme']): void {
+    this.settings.update((now) => {
+      this.theme = [shown, now.theme];
+      return { ...now, theme: shown };
+    });
+  }
+
+  /** The settings without what an example or a link changed, as they are to be remembered. */
   without(settings: Settings): Settings {
-    // What the user has switched back is no longer in `changed`.
-    return { ...settings, display: { ...settings.display, ...this.changed } };
+    const [shown, before] = this.theme;
+    return {
+      ...settings,
+      // What the user has switched back is no longer in `changed`.
+      display: { ...settings.display, ...this.changed },
+      theme: (settings.theme === shown && before) || settings.theme,
+    };
   }
 }

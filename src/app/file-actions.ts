@@ -106,6 +106,7 @@ export function fileActions(parts: Parts): FileActions {
     saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),
     reload: (characterId) => void reload(parts, characterId),
     canReload: (characterId) => canReload(parts.store.document, parts.handles, characterId),
+    copyLink: () => void copyLink(parts),
     source,
     async pictures() {
       const module = await onDemand(parts.messages, 'Picture export', () => import('./pictures.ts'));
@@ -121,6 +122,11 @@ const readHere: ReloadParts['readAgain'] = async (file, signal) =>
 async function reload(parts: Parts, characterId: string): Promise<void> {
   const module = await onDemand(parts.messages, 'Reloading', () => import('./reload.ts'));
   await module?.reload({ ...parts, readAgain: readHere }, characterId);
+}
+
+async function copyLink(parts: Parts): Promise<void> {
+  const module = await onDemand(parts.messages, 'The link', () => import('./link/copy-link.ts'));
+  await module?.copyLink({ ...parts, ...parts.pictured });
 }
 
 async function saveKit({ worker, messages, disk }: Parts): Promise<void> {

@@ -138,6 +138,17 @@ export const FILE_ACTIONS: readonly Action[] = [
     refuses: needsCharacters,
     run: (wb) => wb.dialog.set('video'),
   },
+  {
+    id: 'save.link',
+    label: 'Copy link',
+    detail: 'Opens what is shown, if it came from the web',
+    also: 'share address url',
+    group: 'Files',
+    menu: 'Save',
+    section: 4,
+    refuses: needsCharacters,
+    run: (wb) => wb.files.copyLink(),
+  },
 ];
 
 const KIT_ACTION: Action = {

@@ -230,6 +230,8 @@ export interface FileActions {
   saveChanged(): void;
   /** Reloads a character's files, if they have changed on disk. */
   reload(characterId: string): void;
+  /** Copies an address that opens what is shown, where all of it came from links or examples. */
+  copyLink(): void;
   canReload(characterId: string): boolean;
   /** The text of files, as they were opened. */
   readonly source: SourceFiles;
