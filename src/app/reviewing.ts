@@ -88,7 +88,7 @@ function isForCharacters({ path }: GivenFile): boolean {
   const kind = formatKindOf(path);
   if (!kind || isBesideTakes(path)) return false;
   const { as } = openingOf(KINDS[kind].content);
-  return as !== 'texture' && as !== 'dump' && as !== 'beside';
+  return as !== 'texture' && as !== 'dump' && as !== 'beside' && as !== 'layers';
 }
 
 async function listsIn(given: readonly GivenFile[]) {

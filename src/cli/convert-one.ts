@@ -10,6 +10,7 @@ import type { Format } from '../files/readers.ts';
 import { bvhOf, type NamedCapture, skelOf, withoutBones } from '../files/save/character-files.ts';
 import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversion.ts';
 import { acclaimCopies, acclaimRootsCopies, bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
+import { plainFiles } from '../files/save/layers.ts';
 import { type Output, outputOf } from '../files/save/output.ts';
 import { copiesOf, isCopy } from '../files/save/saving.ts';
 import { unitNotKept } from '../files/save/unit-not-kept.ts';
@@ -47,7 +48,8 @@ export type Picked =
  */
 export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   try {
-    return saying(pick(files, format, out, options), unitsNotKept(files, format, out));
+    const plain = plainFiles(files, options);
+    return saying(pick(plain.files, format, out, options), [...plain.diagnostics, ...unitsNotKept(files, format, out)]);
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
     return { refusal: refusal('conversion-refused', error.message, out) };

@@ -5,10 +5,12 @@
 import { readdirSync, statSync } from 'node:fs';
 import { basename, dirname, isAbsolute, posix, relative, resolve, sep } from 'node:path';
 import { unreadMessage } from '../files/foreign.ts';
+import { joinLayers, type Keep, plainFilesIn } from '../files/open/layers.ts';
 import { type OpenResult, openFiles } from '../files/open/open-files.ts';
 import { type Format, formatOf } from '../files/readers.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
+import { sha256 } from '../formats/sha256.ts';
 import type { Beside } from '../import/imported.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
@@ -85,8 +87,13 @@ export async function loadInside(container: string): Promise<Loaded> {
   return loadAll({ ...found, files }, undefined, await importGiven(files, dirname(container)));
 }
 
-function loadAll({ files, missing, problems }: FoundFiles, otherwise?: Format, imported?: ImportedPaths): Loaded {
-  const found = loadGiven(files, otherwise, imported);
+function loadAll(
+  { files, missing, problems }: FoundFiles,
+  otherwise?: Format,
+  imported?: ImportedPaths,
+  keep?: Keep,
+): Loaded {
+  const found = loadGiven(files, otherwise, imported, keep);
   const absent = missing.map(({ path }): LoadedFile => ({ name: basename(path), path, kind: kindOf(path) }));
   const broken = absent.flatMap(({ name, path, kind }): BrokenFile[] =>
     kind === 'unknown' ? [] : [{ kind, source: { name, path, bytes: 0 } }],
@@ -99,10 +106,17 @@ function loadAll({ files, missing, problems }: FoundFiles, otherwise?: Format, i
   };
 }
 
-/** As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files. */
-export async function loadAny(args: readonly string[], folder: string, otherwise?: Format): Promise<Loaded> {
+/**
+ * As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files.
+ * @param options the format of files whose names have none; what counts of takes with layers that were edited
+ */
+export async function loadAny(
+  args: readonly string[],
+  folder: string,
+  { otherwise, keep }: { readonly otherwise?: Format; readonly keep?: Keep } = {},
+): Promise<Loaded> {
   const found = findFiles(args, folder);
-  return loadAll(found, otherwise, await importGiven(found.files, folder));
+  return loadAll(found, otherwise, await importGiven(found.files, folder), keep);
 }
 
 /**
@@ -222,8 +236,16 @@ async function besideInZip(
   return { bytes, source: { name: basename(found.path), path: found.path, bytes: bytes.length } };
 }
 
-/** Reads files that were found, on disk or in archives. @param otherwise as for `loadFiles` */
-export function loadGiven(given: readonly GivenPath[], otherwise?: Format, imported?: ImportedPaths): Loaded {
+/**
+ * Reads files that were found, on disk or in archives; those of a take with layers become one.
+ * @param otherwise as for `loadFiles`
+ */
+export function loadGiven(
+  given: readonly GivenPath[],
+  otherwise?: Format,
+  imported?: ImportedPaths,
+  keep: Keep = 'edit',
+): Loaded {
   const all: LoadedFile[] = [];
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
@@ -243,7 +265,18 @@ export function loadGiven(given: readonly GivenPath[], otherwise?: Format, impor
     else if (content) files.push({ ...content, source, ...(beside && { beside }) });
     else if (kind !== 'unknown') broken.push({ kind, source });
   }
-  return { all, files, broken, diagnostics };
+  const joined = joinLayers(withHashes(files, given), keep, byPath);
+  return { all, files: joined.files, broken, diagnostics: [...diagnostics, ...joined.diagnostics] };
+}
+
+/** The files with the hashes that others of them ask for. */
+function withHashes(files: readonly ParsedFile[], given: readonly GivenPath[]): readonly ParsedFile[] {
+  const asked = new Set(plainFilesIn(files));
+  if (asked.size === 0) return files;
+  return files.map((file) => {
+    const path = asked.has(file) ? given.find(({ path }) => path === file.source.path) : undefined;
+    return path ? { ...file, sha256: sha256(path.bytes ?? fileBytes(path.absolute)) } : file;
+  });
 }
 
 interface LoadedOne {

@@ -6,7 +6,14 @@
  */
 import { hermiteCubic } from '../math/hermite.ts';
 import { columnOf, type Samples } from '../model/takes/samples.ts';
-import { type Channel, EXTRAPOLATIONS, type Extrapolation, type KeyedChannel, type Take } from '../model/takes/take.ts';
+import {
+  type Channel,
+  EXTRAPOLATIONS,
+  type Extrapolation,
+  type KeyedChannel,
+  type Motion,
+  type Take,
+} from '../model/takes/take.ts';
 import { slope } from './slopes.ts';
 
 /**
@@ -39,15 +46,15 @@ const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
  * Held weakly, so that compiled forms live only while in use, not as long as their takes: the history keeps hundreds of
  * takes, each of which would retain megabytes for one changed channel.
  */
-const compiled = new WeakMap<Take, WeakRef<CompiledTake>>();
+const compiled = new WeakMap<Motion, WeakRef<CompiledTake>>();
 /** Where a channel was last compiled; after an edit of one channel all others are copied from there. */
 const homes = new WeakMap<KeyedChannel, { readonly take: WeakRef<CompiledTake>; readonly index: number }>();
 
 /** The take compiled last, possibly the one before an edit. */
-let latest: WeakRef<Take> | undefined;
+let latest: WeakRef<Motion> | undefined;
 
-/** The take's compiled form; compiled again only after it was collected. */
-export function compileTake(take: Take): CompiledTake {
+/** The compiled form of a take's own channels, without its layers; compiled again only after it was collected. */
+export function compileTake(take: Take | Motion): CompiledTake {
   const known = compiled.get(take)?.deref();
   if (known) return known;
   const made = pack(take, latest?.deref()?.channels);
@@ -66,7 +73,7 @@ export function compileChannels(channels: readonly Channel[]): CompiledTake {
 }
 
 /** @param before the channels of a take of which these may be an edit */
-function pack(take: Pick<Take, 'channels' | 'samples'>, before?: readonly Channel[]): CompiledTake {
+function pack(take: Motion, before?: readonly Channel[]): CompiledTake {
   const { channels, samples } = take;
   const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
   const made: CompiledTake = {

@@ -2,7 +2,8 @@
  * A character's pose at a time, from several layers, later ones on top:
  *
  *     1. the pose as set       every DOF
- *     2. the take shown        DOFs with a channel; needs a skeleton, since channels are counted by its DOFs
+ *     2. the take shown        DOFs with a channel, with its layers (`layers.ts`); needs a skeleton, since channels are
+ *                              counted by its DOFs
  *     3. retargeted take       overrides all joints; the character's own take then only drives morphs
  *     4. unkeyed changes       over the take, at the time when they were made only
  *     5. limits                of the joints, unless the character does not enforce them
@@ -13,14 +14,11 @@ import type { Character } from '../model/document.ts';
 import { shownTake } from '../model/document.ts';
 import { rootDofCount } from '../model/skeleton/dofs.ts';
 import type { Channel } from '../model/takes/take.ts';
-import { type CompiledTake, compileTake } from './compiled-take.ts';
-import { evaluateTake } from './curves.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
+import { evaluateMotion, type TakeMotion, takeMotion } from './layers.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import type { PoseRotations } from './rotations/pose-rotations.ts';
-import { type SampledJoints, sampledJoints } from './samples/sampled-joints.ts';
-import { samplePose } from './samples/sampled-pose.ts';
 
 /** Times closer than this are the same; seconds. */
 const SAME_MOMENT = 1e-9;
@@ -39,9 +37,8 @@ export interface PoseSource {
   readonly count: number;
   readonly driven: number;
   readonly skeleton: CompiledSkeleton | undefined;
-  readonly curves: CompiledTake | undefined;
-  /** If samples drive it. */
-  readonly joints: SampledJoints | undefined;
+  /** The shown take, with its layers. */
+  readonly motion: TakeMotion | undefined;
 }
 
 /** Everything that a character's pose is evaluated from, compiled once for all times. */
@@ -49,14 +46,12 @@ export function poseSource(character: Character): PoseSource {
   const { skeleton } = character;
   const take = skeleton && shownTake(character);
   const count = dofCountOf(character);
-  const curves = take && compileTake(take);
   return {
     character,
     count,
     driven: take ? Math.min(take.channels.length, count) : 0,
     skeleton: skeleton && compileSkeleton(skeleton),
-    curves,
-    joints: curves?.samples && skeleton && sampledJoints(curves, skeleton),
+    motion: take && takeMotion(take, skeleton),
   };
 }
 
@@ -73,15 +68,11 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
  * @param rotations receives the rotations that samples give to joints; previous ones are cleared
  */
 export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, rotations?: PoseRotations): void {
-  const { character, count, driven, skeleton, curves, joints } = source;
+  const { character, count, driven, skeleton, motion } = source;
   const { pose, unkeyed, driver } = character;
   if (rotations) rotations.areGiven = false;
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
-  if (curves) {
-    const time = timeSeconds + character.timeOffsetSeconds;
-    evaluateTake(curves, time, out, driven);
-    if (curves.samples && joints) samplePose(curves.samples, curves, joints, time, out, driven, rotations);
-  }
+  if (motion) evaluateMotion(motion, timeSeconds + character.timeOffsetSeconds, out, driven, rotations);
   if (driver && character.skeleton) drivenPose(character, driver, character.skeleton, timeSeconds, out);
   if (unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT) {
     for (let i = 0; i < unkeyed.dofs.length; i++) {
@@ -97,9 +88,12 @@ export function channelOf(character: Character, dof: number): Channel | undefine
   return shownTake(character)?.channels[dof];
 }
 
-/** Whether the DOF is driven by keys or samples of the shown take, or by a retargeted take. */
+/**
+ * Whether the DOF is driven by keys or samples of the shown take, or by a retargeted take. Of a take with layers, every
+ * DOF that has a channel is: what it shows is a sum, and no value of its own.
+ */
 export function isDriven(character: Character, dof: number): boolean {
   if (dof < silentChannels(character)) return movedDofs(character)?.has(dof) ?? false;
   const channel = channelOf(character, dof);
-  return channel !== undefined && channel.kind !== 'rest';
+  return channel !== undefined && (channel.kind !== 'rest' || shownTake(character)?.layers !== undefined);
 }

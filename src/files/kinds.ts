@@ -17,6 +17,7 @@ import { withPositions } from '../model/skeleton/position-channels.ts';
 import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
+import { LAYERS_EXTENSION } from '../model/takes/layers.ts';
 import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { keysOf, type Take } from '../model/takes/take.ts';
@@ -238,6 +239,19 @@ export const KINDS = {
       isOwn: isAnyones,
     },
   },
+  layers: {
+    extensions: [LAYERS_EXTENSION],
+    label: 'layers',
+    content: 'layers',
+    isRare: true,
+    beside: 'take',
+    save: {
+      label: 'Layers (.layers.json)',
+      has: (character) => shownTake(character)?.layers !== undefined,
+      // They are kept with their takes.
+      isOwn: () => false,
+    },
+  },
   // Told by content; other texts with these extensions are read as dumps without numbers.
   dump: {
     extensions: DUMP_EXTENSIONS,
@@ -353,7 +367,7 @@ export interface PartOpening<C> {
  * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
  */
 export interface OtherOpening {
-  readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'beside';
+  readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'beside' | 'layers';
 }
 
 /** The role of a file in an opening. */
@@ -407,6 +421,8 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   dump: { as: 'dump' },
   markers: { as: 'beside' },
   sets: { as: 'beside' },
+  // Joined with the files that it names before anything is opened (`open/layers.ts`).
+  layers: { as: 'layers' },
 };
 
 function bare(skeleton: Skeleton, take?: Take): WholeCharacter {
@@ -496,6 +512,13 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     locked: sum(locked.map(({ dofs }) => dofs.length)),
   }),
   markers: ({ markers }) => ({ markers: markers.length, labels: markers.map(({ label }) => label) }),
+  layers: ({ layers: { base, layers } }) => ({
+    base,
+    layers: layers.map(({ name, file, mode, weight, mute, solo }) => ({
+      ...{ name, file, mode, weight: typeof weight === 'number' ? weight : `${weight.times.length} keys` },
+      ...{ mute, solo },
+    })),
+  }),
   dump: ({ dump: { blocks, time: stated } }) => ({
     blocks: blocks.map(({ holds, time = stated, values, lines }) => ({
       ...(holds && { holds }),

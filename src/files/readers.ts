@@ -5,6 +5,7 @@ import { bvhReader } from '../formats/bvh/read.ts';
 import { diagnose } from '../formats/diagnose/diagnose.ts';
 import { TEXT_LAYOUTS, type TextLayout } from '../formats/diagnose/layouts.ts';
 import { dumpReader } from '../formats/dump/read.ts';
+import { layersReader } from '../formats/layers/read.ts';
 import { markersReader } from '../formats/markers/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { NO_PLACE } from '../formats/places.ts';
@@ -51,6 +52,7 @@ const READERS = {
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   sets: (name) => mapped(setsReader(name), (sets) => ({ kind: 'sets', sets })),
+  layers: (name) => mapped(layersReader(name), (layers) => ({ kind: 'layers', layers })),
   dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
 } satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K>> };
 

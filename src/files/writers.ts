@@ -3,6 +3,7 @@ import { writeAmc } from '../formats/acclaim/write-amc.ts';
 import { writeAsf } from '../formats/acclaim/write-asf.ts';
 import { writeAnim } from '../formats/anim/write.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
+import { writeLayers } from '../formats/layers/write.ts';
 import { writeMarkers } from '../formats/markers/write.ts';
 import { writeMorph } from '../formats/morph/write.ts';
 import { writePoses } from '../formats/pose/write.ts';
@@ -27,6 +28,7 @@ import {
   rigCopies,
   skelCopies,
 } from './save/copies.ts';
+import { layersCopies } from './save/layers.ts';
 
 /** The functions that saving in a kind of file takes. */
 export interface Writer<C> {
@@ -143,6 +145,11 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
       { count: sets.sets.length, one: 'set' },
       { count: lockedDofs({ ...character, sets }).size, one: 'locked DOF' },
     ],
+  },
+  layers: {
+    write: ({ layers }, name) => writeLayers(layers, name),
+    detail: (character) => [{ count: shownTake(character)?.layers?.list.length ?? 0, one: 'layer' }],
+    copies: layersCopies,
   },
 };
 

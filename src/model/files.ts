@@ -10,6 +10,7 @@ import type { Positions } from './skeleton/position-channels.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { FileSpace } from './space.ts';
+import type { LayersFile } from './takes/layers-file.ts';
 import type { Marker } from './takes/markers.ts';
 import type { Take } from './takes/take.ts';
 
@@ -63,6 +64,8 @@ interface Contents {
   readonly markers: { readonly file: { readonly markers: readonly Marker[] } };
   /** Selection sets and locked DOFs of a character, beside its skeleton. */
   readonly sets: { readonly file: { readonly sets: SetsByName }; readonly part: SetsOf };
+  /** Layers of a take, which it is called after. */
+  readonly layers: { readonly file: { readonly layers: LayersFile } };
   /** Numbers of another program, to be compared with a character. */
   readonly dump: { readonly file: { readonly dump: Dump } };
 }
@@ -130,8 +133,10 @@ export interface WholeCharacter {
 /** A file that was read without an error. */
 export type ParsedFile = FileContent & {
   readonly source: SourceFile;
-  /** Other files that are in it: buffers and textures. */
+  /** Other files that are in it: buffers and textures, the parts of a take with layers. */
   readonly beside?: readonly SourceFile[];
+  /** Of its bytes, as 64 hex digits; only where a file beside it says with which bytes it was saved. */
+  readonly sha256?: string;
 };
 
 /**

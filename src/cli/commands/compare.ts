@@ -90,7 +90,11 @@ export const compareCommand = shellCommand({
   exits: { 0: 'all agree', 1: 'numbers differ', 2: 'wrong usage, or a file is missing, has errors or does not fit' },
   async run({ inputs, options: { time, tolerance, pin: pins, 'one-step': isOneStep, json, ...options } }, io) {
     const times = time === undefined ? (options.times ?? []) : [time];
-    const { document, dumps, diagnostics: opened } = openLoaded(await loadAny(inputs, io.folder, dumpFormat()));
+    const {
+      document,
+      dumps,
+      diagnostics: opened,
+    } = openLoaded(await loadAny(inputs, io.folder, { otherwise: dumpFormat() }));
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
     const { fitted, character, dumps: fittedDumps } = fitBest(document.characters, named, times, tolerance);

@@ -30,6 +30,7 @@ import { inSpaceOf, loadTarget } from '../export/target.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
 import { loadAny } from '../load.ts';
 import { anyInputs } from '../options/inputs.ts';
+import { KEEP_OPTION } from '../options/keep.ts';
 import { ending, oneOf, positive, text } from '../options/kinds.ts';
 import { flag, type OptionValues, option } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';
@@ -53,6 +54,7 @@ const OPTIONS = {
     oneOf(NEW_KEY_TANGENTS),
     'Sets both sides of every key to this kind of tangent; a `.anim` has `auto` as numbers.',
   ),
+  ...KEEP_OPTION,
   json: flag('Prints the names and sizes of the written files as JSON, with all problems.'),
   ...EXCHANGE_OPTIONS,
   ...EDITING,
@@ -143,7 +145,7 @@ async function toFile(inputs: readonly string[], given: ConvertOptions, io: Comm
   }
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
   const name = basename(out);
-  const { files, diagnostics: read } = await loadAny(ins, io.folder);
+  const { files, diagnostics: read } = await loadAny(ins, io.folder, { keep: given.keep });
   const diagnostics = [...read];
   const sizes: { readonly path: string; readonly bytes: number }[] = [];
   if (!hasErrors(diagnostics)) {
@@ -177,7 +179,7 @@ async function toExchange(
   io: CommandIo,
 ): Promise<ExitCode> {
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
-  const { files, diagnostics: read } = await loadAny(ins, io.folder);
+  const { files, diagnostics: read } = await loadAny(ins, io.folder, { keep: given.keep });
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {

@@ -6,6 +6,7 @@ import type { Character, Document } from '../../model/document.ts';
 import { FILE_EXITS } from '../io.ts';
 import { type LoadedFile, loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { ANY_FILE, files } from '../options/inputs.ts';
+import { KEEP_OPTION } from '../options/keep.ts';
 import { flag } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';
 import { printJson, report } from '../report.ts';
@@ -14,11 +15,11 @@ export const info = shellCommand({
   name: 'info',
   summary: 'Shows what files contain, their problems, and which files belong together.',
   inputs: files('FILE…', { FILE: ANY_FILE }),
-  options: { json: flag('Prints files, characters and problems as JSON.') },
+  options: { ...KEEP_OPTION, json: flag('Prints files, characters and problems as JSON.') },
   examples: ['marrow info wasp.skel wasp.skin'],
   exits: FILE_EXITS,
-  async run({ inputs, options: { json } }, io) {
-    const loaded = await loadAny(inputs, io.folder);
+  async run({ inputs, options: { json, keep } }, io) {
+    const loaded = await loadAny(inputs, io.folder, { keep });
     const opened = openLoaded(loaded);
     const diagnostics = [
       ...opened.diagnostics,

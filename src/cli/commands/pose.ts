@@ -19,6 +19,7 @@ import { jointTypeOf } from '../../model/skeleton/joint-types.ts';
 import { FILE_EXITS } from '../io.ts';
 import { loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { ANY_FILE, files } from '../options/inputs.ts';
+import { KEEP_OPTION } from '../options/keep.ts';
 import { number, numbers, point, whole } from '../options/kinds.ts';
 import { flag, type OptionValues, option } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';
@@ -41,6 +42,7 @@ export const pose = shellCommand({
     ...POSE,
     times: option(numbers('T,T,…', 1), 'Poses the character at each of these times, in seconds.'),
     vertices: flag('Prints the vertices of the skin too, with their normals.'),
+    ...KEEP_OPTION,
     json: flag('Prints JSON, which adds the local matrix L and the skinning matrix W·B⁻¹ of each joint.'),
   },
   exclusive: [['time', 'times', 'frame']],
@@ -50,8 +52,8 @@ export const pose = shellCommand({
   examples: ['marrow pose wasp.skel wasp.skin wasp_walk.anim --time 1.5 --vertices --json'],
   exits: FILE_EXITS,
   async run({ inputs, options }, io) {
-    const { times, vertices, json, ...asked } = options;
-    const loaded = await loadAny(inputs, io.folder);
+    const { times, vertices, json, keep, ...asked } = options;
+    const loaded = await loadAny(inputs, io.folder, { keep });
     const opened = openLoaded(loaded);
     const { characters } = opened.document;
     const diagnostics = [

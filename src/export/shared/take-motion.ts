@@ -9,6 +9,7 @@ import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { baseOf, motionsOf } from '../../model/takes/layers.ts';
 import type { Samples } from '../../model/takes/samples.ts';
 import { type KeyedChannel, repeats, type Take } from '../../model/takes/take.ts';
 import { UserError } from '../../model/user-error.ts';
@@ -76,17 +77,21 @@ export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: n
   const [start, end] = take.range;
   const { times, jumps } = breakTimes(take, start, end);
   const drives = character.driver !== undefined;
-  const isKeyed = !drives && take.samples === undefined;
-  const hasKeys = take.channels.some(({ kind }) => kind === 'keys');
+  const motions = motionsOf(take);
+  const { samples } = baseOf(take);
+  // A weight over time times a cubic is none.
+  const isFaded = take.layers?.list.some(({ weight }) => typeof weight !== 'number') ?? false;
+  const isKeyed = !drives && samples === undefined && !isFaded;
+  const hasKeys = motions.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
   return {
     name: take.name,
     start,
     end,
     breaks: times,
     jumps,
-    isStraight: !drives && !hasKeys && take.samples?.interpolation === 'linear' && turnAsAWhole(character.skeleton),
+    isStraight: !drives && !hasKeys && samples?.interpolation === 'linear' && turnAsAWhole(character.skeleton),
     isKeyed,
-    framesPerSecond: take.samples && 1 / take.samples.frameSeconds,
+    framesPerSecond: samples && 1 / samples.frameSeconds,
     write(seconds, row) {
       poseFrom(source, seconds - shift, dofs);
       nodes(dofs, row, 0);
@@ -123,12 +128,14 @@ function breakTimes(take: Take, start: number, end: number): Breaks {
     }
   };
   const seen: KeyedChannel[] = [];
-  for (const channel of take.channels) {
+  const weights = take.layers?.list.flatMap(({ weight }) => (typeof weight === 'number' ? [] : [weight])) ?? [];
+  for (const channel of [...motionsOf(take).flatMap(({ channels }) => channels), ...weights]) {
     if (channel.kind !== 'keys' || seen.some((other) => hasSameTimes(channel, other))) continue;
     seen.push(channel);
     seeKeys(channel, start, end, see);
   }
-  if (take.samples && take.channels.some(({ kind }) => kind === 'samples')) seeFrames(take.samples, start, end, see);
+  const { samples, channels } = baseOf(take);
+  if (samples && channels.some(({ kind }) => kind === 'samples')) seeFrames(samples, start, end, see);
   return merged(Float64Array.from(new Set(found)).sort(), jumps);
 }
 

@@ -118,7 +118,7 @@ export function groupFiles(files: readonly ReadFile[], called: FileNaming): Grou
   }
 
   // Poses are matched to characters by their joints, images by the names in skins.
-  const loose: Record<LooseRole, ReadFile[]> = { part: [], beside: [], poses: [], texture: [], dump: [] };
+  const loose: Record<LooseRole, ReadFile[]> = { part: [], beside: [], layers: [], poses: [], texture: [], dump: [] };
   const skeletonFor = skeletonsFor(groups);
   for (const file of files) {
     const { as } = openingOf(file.kind);

@@ -23,6 +23,7 @@ import {
   rigCopies,
   skelCopies,
 } from './copies.ts';
+import { withPlainTakes } from './layers.ts';
 import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
@@ -42,10 +43,11 @@ export function sourceFor({ takes, parts }: Character, name: string): SourceFile
  * Characters without a skeleton give none.
  */
 export function outputsOf(
-  characters: readonly Character[],
+  given: readonly Character[],
   target: Target,
   options: ConversionOptions = {},
 ): readonly Output[] {
+  const characters = given.map((character) => withPlainTakes(character, options));
   if (target === 'bvh') return bvhOutputs(characters, options);
   if (target === 'asf') return acclaimOutputs(characters, options);
   return characters.flatMap((character) => {

@@ -78,9 +78,24 @@ export class JsonValue {
     return typeof this.value === 'string' ? this.value : this.wrong('text');
   }
 
-  /** The value as a finite number. */
-  number(): number {
-    return typeof this.value === 'number' && Number.isFinite(this.value) ? this.value : this.wrong('a finite number');
+  /** The value as a finite number. @param expected in words, of a value that may be something else, too */
+  number(expected = 'a finite number'): number {
+    return typeof this.value === 'number' && Number.isFinite(this.value) ? this.value : this.wrong(expected);
+  }
+
+  /** The value as one of several words. */
+  word<W extends string>(words: readonly W[]): W {
+    return words.find((word) => word === this.value) ?? this.wrong(words.join(' or '));
+  }
+
+  /** Whether the value is text. */
+  isText(): boolean {
+    return typeof this.value === 'string';
+  }
+
+  /** Whether the value is an object, which `object` takes. */
+  isObject(): boolean {
+    return typeof this.value === 'object' && this.value !== null && !Array.isArray(this.value);
   }
 
   /** The value as true or false. */

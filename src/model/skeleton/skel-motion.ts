@@ -10,6 +10,7 @@
  * Where position channels replace the offset, the offset becomes 0 on their axes.
  */
 
+import { withMotions } from '../takes/layers.ts';
 import { columnOf, type Samples } from '../takes/samples.ts';
 import { type Channel, restChannel, type Take } from '../takes/take.ts';
 import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
@@ -63,6 +64,15 @@ export function skelSkeleton(skeleton: Skeleton): Skeleton {
  * @param pose values of the DOFs that the take has no channels for
  */
 export function skelChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
+  return inOrder(take, pose, (each, values) => inSkelOrder(each, skeleton, values));
+}
+
+/** The take with its channels, and those of its layers, in another order; layers leave what they lack alone. */
+function inOrder(take: Take, pose: readonly number[], order: (take: Take, pose: readonly number[]) => Take): Take {
+  return take.layers ? withMotions(take, (each, layer) => order(each, layer < 0 ? pose : [])) : order(take, pose);
+}
+
+function inSkelOrder(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
   const own = rootDofCount(skeleton);
   const order = channelOrder(skeleton);
   if (order.every((c, i) => c === i)) return take;
@@ -84,6 +94,10 @@ export function skelChannels(take: Take, skeleton: Skeleton, pose: readonly numb
  * its own DOFs. The same object if nothing changes.
  */
 export function ownChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
+  return inOrder(take, pose, (each, values) => inOwnOrder(each, skeleton, values));
+}
+
+function inOwnOrder(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
   const order = channelOrder(skeleton);
   if (order.every((c, i) => c === i)) return take;
   const channels: Channel[] = [];

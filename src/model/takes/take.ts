@@ -1,3 +1,4 @@
+import type { OtherFields } from '../other-fields.ts';
 import type { Marker } from './markers.ts';
 import { columnOf, rangeOfSamples, type Samples } from './samples.ts';
 
@@ -19,6 +20,60 @@ export interface Take {
   readonly samples?: Samples;
   /** Labels of times and spans, by time; absent rather than empty. */
   readonly markers?: readonly Marker[];
+  /** Layers over a base; `channels` and `samples` are those of the active one. */
+  readonly layers?: LayerStack;
+}
+
+/** How a layer's values meet those beneath: added to them, or in their place. */
+export const LAYER_MODES = ['additive', 'override'] as const;
+/** See `LAYER_MODES`. */
+export type LayerMode = (typeof LAYER_MODES)[number];
+
+/** Channels and the samples that drive them: what a take and a layer move by. */
+export type Motion = Pick<Take, 'channels' | 'samples'>;
+
+/** How a layer takes part, without its motion. */
+export interface LayerSettings {
+  /** Unique in its take, whatever the case. */
+  readonly name: string;
+  readonly mode: LayerMode;
+  /** Constant, or over time; clamped to 0 … 1 where it is used. */
+  readonly weight: number | KeyedChannel;
+  readonly mute: boolean;
+  /** While an unmuted layer is solo, only such layers count. */
+  readonly solo: boolean;
+  /**
+   * The joints that it touches, by name or `#index` as in files; absent: everything. With it, the root translation is
+   * touched only if `root`, and morphs only if `morphs`.
+   */
+  readonly joints?: readonly string[];
+  readonly root: boolean;
+  readonly morphs: boolean;
+  /** Fields of its weight that are not known, as its file has them. */
+  readonly ofWeight?: OtherFields;
+  readonly others?: OtherFields;
+}
+
+/** A layer of a take. */
+export interface Layer extends LayerSettings {
+  /** Channels at rest leave their DOFs alone. Absent of the active layer, whose channels are the take's. */
+  readonly motion?: Motion;
+  /** The name of its file; absent: not saved yet. */
+  readonly file?: string;
+}
+
+/** The layers of a take, from the lowest up. */
+export interface LayerStack {
+  /** The index of the layer whose channels are the take's; -1 for the base. */
+  readonly active: number;
+  /** The motion beneath; absent while the base is active. */
+  readonly base?: Motion;
+  readonly list: readonly Layer[];
+  /** The name of the base's file; absent: not saved yet. */
+  readonly baseFile?: string;
+  /** Fields that are not known, as the file has them: of its plain file, and its own. */
+  readonly ofFlattened?: OtherFields;
+  readonly others?: OtherFields;
 }
 
 /** The source of one DOF's values, told by `kind`. */

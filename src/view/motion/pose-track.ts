@@ -125,6 +125,6 @@ export class PosePlayer {
   }
 }
 
-function rotationsFor({ skeleton, joints }: PoseSource): PoseRotations | undefined {
-  return skeleton && joints && new PoseRotations(skeleton.jointCount);
+function rotationsFor({ skeleton, motion }: PoseSource): PoseRotations | undefined {
+  return skeleton && motion?.joints && new PoseRotations(skeleton.jointCount);
 }

@@ -1,0 +1,21 @@
+/** Writes `.layers.json`, a line for each layer; what is as when left out is left out. */
+import type { LayersFile } from '../../model/takes/layers-file.ts';
+import { curveValue } from '../json/curve.ts';
+import { writeJson } from '../json/write.ts';
+import type { WriteResult } from '../reader.ts';
+
+/** `fileName` appears in diagnostics. */
+export function writeLayers({ base, flattened, layers, others }: LayersFile, fileName = ''): WriteResult {
+  const rows = layers.map(({ name, file, mode, weight, mute, solo, joints, root, morphs, ofWeight, others: kept }) => ({
+    ...{ name, file, mode },
+    ...(weight !== 1 && { weight: curveValue({ curve: weight, ...(ofWeight && { others: ofWeight }) }) }),
+    ...(mute && { mute }),
+    ...(solo && { solo }),
+    ...(joints && { joints }),
+    ...(root && { root }),
+    ...(morphs && { morphs }),
+    ...kept,
+  }));
+  const plain = flattened && { file: flattened.file, sha256: flattened.sha256, ...flattened.others };
+  return writeJson({ base, flattened: plain, layers: rows, ...others }, fileName);
+}

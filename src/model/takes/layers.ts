@@ -1,0 +1,134 @@
+/**
+ * Layers of a take: motions above its base, each with a weight, which are summed to what is shown (`evaluate/layers.ts`).
+ *
+ * One of them is active: its channels are the take's own (`Take.channels`), so that whatever edits a take edits the
+ * active layer, and curves, dope sheet and keying need not know of layers. The other motions are in the stack.
+ *
+ *     take.channels            layer 1, the active one
+ *     take.layers.base         the motion beneath all layers
+ *     take.layers.list[0]      layer 0, with its motion
+ *     take.layers.list[1]      layer 1, without
+ */
+import { type Channel, type Layer, type LayerSettings, type Motion, restChannel, type Take } from './take.ts';
+
+/** The end of what files of layers are called: `walk.layers.json`. */
+export const LAYERS_EXTENSION = 'layers.json';
+
+const NO_MOTION: Motion = { channels: [] };
+
+/** The motion of a layer, or of the base by -1. */
+export function motionOf(take: Take, layer: number): Motion {
+  const { layers } = take;
+  if (!layers || layers.active === layer) return take;
+  return (layer < 0 ? layers.base : layers.list[layer]?.motion) ?? NO_MOTION;
+}
+
+/** The motion beneath all layers; the take itself while that is active, or without layers. */
+export function baseOf(take: Take): Motion {
+  return motionOf(take, -1);
+}
+
+/** All motions of a take: the base's, then each layer's. */
+export function motionsOf(take: Take): readonly Motion[] {
+  return [baseOf(take), ...(take.layers?.list.map((_, i) => motionOf(take, i)) ?? [])];
+}
+
+/** The active layer; undefined without layers, or if the base is active. */
+export function activeLayer({ layers }: Take): Layer | undefined {
+  return layers?.list[layers.active];
+}
+
+/** The take with another active layer, or the base by -1; the same object if it is active already. */
+export function withActive(take: Take, active: number): Take {
+  if (!take.layers || take.layers.active === active) return take;
+  return arranged(
+    take,
+    baseOf(take),
+    take.layers.list.map((layer, i) => ({ ...layer, motion: motionOf(take, i) })),
+    active,
+  );
+}
+
+/**
+ * A take of a base and layers, each with its motion.
+ * @param take whose name, range, markers and further facts of the stack are kept
+ * @param active the index of the active layer; -1 for the base
+ */
+export function arranged(take: Take, base: Motion, list: readonly Layer[], active: number): Take {
+  const { channels: _channels, samples: _samples, layers, ...head } = take;
+  const own = active < 0 ? base : (list[active].motion ?? NO_MOTION);
+  const { base: _base, ...rest } = layers ?? {};
+  return {
+    ...head,
+    ...onlyMotion(own),
+    layers: {
+      ...rest,
+      active,
+      ...(active >= 0 && { base: onlyMotion(base) }),
+      list: list.map((layer, i) =>
+        i === active ? withoutMotion(layer) : { ...layer, motion: onlyMotion(layer.motion ?? NO_MOTION) },
+      ),
+    },
+  };
+}
+
+/** The take with another motion and no layers. */
+export function unlayered(take: Take, motion: Motion): Take {
+  const { channels: _channels, samples: _samples, layers: _layers, ...head } = take;
+  return { ...head, ...onlyMotion(motion) };
+}
+
+/** The take with each of its motions changed, as if it were a take; without layers that is the take itself. */
+export function withMotions(take: Take, change: (take: Take, layer: number) => Motion): Take {
+  const { layers } = take;
+  if (!layers) return { ...take, ...onlyMotion(change(take, -1)) };
+  const changed = (layer: number) => change(unlayered(take, motionOf(take, layer)), layer);
+  const list = layers.list.map((layer, i) => ({ ...layer, motion: changed(i) }));
+  return arranged(take, changed(-1), list, layers.active);
+}
+
+/** A motion that leaves that many DOFs alone. */
+export function emptyMotion(count: number): Motion {
+  return { channels: Array.from({ length: count }, () => NO_KEYS_YET) };
+}
+
+const NO_KEYS_YET: Channel = restChannel();
+
+/** Which layers count, by index: not the muted ones, nor others while one is solo. */
+export function countingLayers(list: readonly LayerSettings[]): readonly number[] {
+  const heard = [...list.keys()].filter((i) => !list[i].mute);
+  const solo = heard.filter((i) => list[i].solo);
+  return solo.length > 0 ? solo : heard;
+}
+
+/** A weight within 0 … 1. */
+export function clampedWeight(weight: number): number {
+  return Math.min(1, Math.max(0, weight));
+}
+
+/** Whether two takes are the same but for which layer is active. */
+export function haveSameLayers(a: Take, b: Take): boolean {
+  const [one, other] = [a.layers, b.layers];
+  if (!one || !other || one.list.length !== other.list.length) return false;
+  if (one.others !== other.others || one.baseFile !== other.baseFile) return false;
+  const sameMotion = (layer: number) => {
+    const [x, y] = [motionOf(a, layer), motionOf(b, layer)];
+    return x.channels === y.channels && x.samples === y.samples;
+  };
+  if (!sameMotion(-1) || !one.list.every((_, i) => sameMotion(i))) return false;
+  return one.list.every((layer, i) => isSameBesideMotion(layer, other.list[i]));
+}
+
+function isSameBesideMotion(a: Layer, b: Layer): boolean {
+  const [{ motion: _a, ...one }, { motion: _b, ...other }] = [a, b];
+  // TypeScript types keys as strings.
+  return (Object.keys({ ...one, ...other }) as (keyof typeof one)[]).every((key) => one[key] === other[key]);
+}
+
+function onlyMotion({ channels, samples }: Motion): Motion {
+  return samples ? { channels, samples } : { channels };
+}
+
+function withoutMotion({ motion: _motion, ...layer }: Layer): Layer {
+  return layer;
+}
