@@ -27,6 +27,11 @@ export class DiskHandles {
     return this.files.has(path);
   }
 
+  /** The file of that path, not one in a zip. */
+  of(path: string): DiskFile | undefined {
+    return this.files.get(path);
+  }
+
   /** The file of a part. */
   ofPart({ file }: Part): DiskFile | undefined {
     return file && this.files.get(file.path);

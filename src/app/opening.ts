@@ -8,6 +8,7 @@ import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { openingOf, skeletonKindFor } from '../files/kinds.ts';
+import type { Keep } from '../files/open/layers.ts';
 import { type DumpFile, type OpenResult, openInSteps } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
@@ -60,6 +61,8 @@ export interface OpenOptions {
   readonly asOpeningSample?: boolean;
   /** The character whose files are reloaded: it keeps showing the same alternatives, and the files are for it. */
   readonly reloads?: string;
+  /** What counts where a plain file was edited since it was saved with its layers; default: the user is asked. */
+  readonly keep?: Keep;
 }
 
 /** Views of less are made with the first picture of it: joints, and characters, each of which counts as some. */
@@ -118,10 +121,11 @@ export class Opener {
       const isNoticed = options.reloads === undefined && !options.asOpeningSample;
       const noticing = isNoticed ? import('../files/open/unseen-changes.ts').catch(() => undefined) : undefined;
       // The worker doesn't need the handles.
-      const input = { files: files.map(({ path, blob }) => ({ path, blob })), before: await this.earlierFiles() };
+      const blobs = files.map(({ path, blob }) => ({ path, blob }));
+      const input = { files: blobs, before: await this.earlierFiles(), ...(options.keep && { keep: options.keep }) };
       const output: ParseOutput =
         read.length > 0
-          ? { files: read, broken: [], diagnostics: [], facts: [], keeps: [] }
+          ? { files: read, broken: [], diagnostics: [], facts: [], keeps: [], edited: [] }
           : await worker.run('parse', input, {
               signal: abort.signal,
               onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
@@ -159,10 +163,9 @@ export class Opener {
           return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
         },
       );
+      this.askWhatToKeep(output.edited, found, options);
       if (result.dumps.length > 0) this.parts.compare?.(result.dumps);
-      const fresh = result.opened.filter((id) => !findCharacter(before, id));
-      const known = fresh.flatMap((id) => findCharacter(store.document, id) ?? []).filter((c) => c.space?.known);
-      if (known.length > 0) this.parts.offerSpaces?.(known);
+      this.offerSpaces(result.opened.filter((id) => !findCharacter(before, id)));
       // Errors stay in the line instead: they say themselves what became of their files. The first character is seen.
       if (!hasErrors(diagnostics)) {
         const unseen = (await noticing)?.unseenChanges(before, result.document, output.files, output.diagnostics);
@@ -180,6 +183,35 @@ export class Opener {
     } finally {
       loading.set(undefined);
     }
+  }
+
+  /** @param fresh ids of new characters */
+  private offerSpaces(fresh: readonly string[]): void {
+    const { store, offerSpaces } = this.parts;
+    const known = fresh.flatMap((id) => findCharacter(store.document, id) ?? []).filter((c) => c.space?.known);
+    if (known.length > 0) offerSpaces?.(known);
+  }
+
+  /** The edit is open; the layers are another step, which can be undone too. */
+  private askWhatToKeep(edited: readonly string[], found: Found, options: OpenOptions): void {
+    if (options.keep !== undefined || edited.length === 0) return;
+    const { messages, store } = this.parts;
+    const names = edited.join(', ');
+    const text = `${names} ${edited.length === 1 ? 'was' : 'were'} edited since it was saved with its layers. The edit is open, without layers.`;
+    const { document } = store;
+    const isOver = () => store.document !== document;
+    const keepLayers = () => {
+      messages.withdraw(text);
+      void this.open(() => found, { ...options, keep: 'controls' });
+    };
+    messages.suggest(
+      text,
+      [
+        { label: 'Keep the edit', run: () => messages.withdraw(text) },
+        { label: 'Keep the layers', run: keepLayers },
+      ],
+      isOver,
+    );
   }
 
   /**

@@ -69,9 +69,10 @@ export class Saver {
       const jobs = changedFiles(store.document, unsaved.current(), (c) => poseToSave(c, unsaved.poseInFile(c)));
       if (jobs.length === 0) messages.note('Everything is saved. Use Save as to write copies.');
       // All parts of a file have the same location.
-      await this.run(jobs, ({ holds: [first], isBeside }) =>
-        isBeside ? undefined : first && handles.ofPart(first.part),
-      );
+      await this.run(jobs, ({ holds: [first], isBeside, withOthers }) => {
+        if (withOthers) return withOthers.path === undefined ? undefined : handles.of(withOthers.path);
+        return isBeside ? undefined : first && handles.ofPart(first.part);
+      });
     });
   }
 
@@ -151,7 +152,8 @@ export class Saver {
     let remedy = '';
     for (const job of distinctJobs(jobs, (job) => targetOf(job)?.handle !== undefined)) {
       const hasFile = targetOf(job)?.handle !== undefined;
-      const wantsDialog = asks && !hasFile && disk.asksWhereToSave();
+      // A dialog for each of the files that are written together would be too many.
+      const wantsDialog = asks && !hasFile && !job.withOthers && disk.asksWhereToSave();
       if (wantsDialog && dialogs !== 'open') {
         left.push(job.name);
         continue;
@@ -218,6 +220,11 @@ export class Saver {
     } else {
       content = await make();
       disk.download(job.name, content);
+    }
+    const { path } = job.withOthers ?? {};
+    if (path !== undefined && file) {
+      handles.set(path, { ...file, path });
+      onWritten?.(path, content);
     }
     for (const { character, part, pose } of job.holds) {
       unsaved.written(part, pose);

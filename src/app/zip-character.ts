@@ -53,7 +53,9 @@ function filesOf(character: Character): readonly ZippedFile[] {
     .flatMap((kind) => saveCharacter(character, kind))
     .map(({ name, text }) => ({ name: inOneFolder(name), content: text }));
   const textures = character.textures.map(({ name, bytes }) => ({ name: inOneFolder(name), content: bytes }));
-  return [...texts, ...textures];
+  // The plain file of a take with layers is one of both kinds.
+  const byName = new Map([...texts, ...textures].map((file) => [file.name, file]));
+  return [...byName.values()];
 }
 
 /** A name is free text: characters that separate folders are replaced. */

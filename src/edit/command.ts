@@ -22,6 +22,8 @@ export interface Command<Args, Result extends Document | Change = Document> {
   readonly id: string;
   /** Label in the Edit menu: "Set rx". */
   label(document: Document, args: Args): string;
+  /** No undo step: it changes what is edited, and nothing that is saved. */
+  readonly isNoStep?: true;
   /** The changed document; the same object if nothing changes. Throws a `CommandError` to refuse. */
   run(document: Document, args: Args): Result;
 }
@@ -35,6 +37,8 @@ export interface Declared<F extends Fields, Result extends Document | Change> {
   readonly makesCharacter?: true;
   /** Why scripts can't run it, and what they can run: `it takes whole characters. Run "compare.stop"`. */
   readonly notFromScripts?: string;
+  /** See `Command`. */
+  readonly isNoStep?: true;
   label(document: Document, args: Given<F>): string;
   run(document: Document, args: Shapes<F>): Result;
 }

@@ -9,6 +9,7 @@ import { type NewKeyTangents, TANGENT_KINDS } from '../model/takes/tangent-kinds
 import { type KeyPlacing, type OutsideCycle, placeOf } from './keys/cycle.ts';
 import { putKeyAt } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';
+import { layerValues } from './layers/layer-values.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { withChannels, withTake } from './takes.ts';
 import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
@@ -37,7 +38,7 @@ export interface Keyed {
  * Keys DOFs at a time; the same character if all of them had these keys. Sampled channels are skipped: one key would
  * replace all their frames. Refuses joints that a retargeted take drives.
  *
- * @param values by DOF, as they should be displayed
+ * @param values by DOF, as they should be displayed; the active layer gets those with which they are
  * @param timeSeconds of the transport
  */
 export function keyDofs(
@@ -63,8 +64,12 @@ export function keyDofs(
       playedRange[1] + character.timeOffsetSeconds,
     ],
   };
-  const signed = withNearerSigns(character, values, (dof) => placeOf(channels[dof], time, placing));
   const keyable = [...values.keys()].filter((dof) => channels[dof]?.kind !== 'samples');
+  const wanted = new Map([...values].filter(([dof]) => keyable.includes(dof)));
+  // What a layer adds to a quaternion is none.
+  const signed = take.layers
+    ? layerValues(taking, wanted, timeSeconds)
+    : withNearerSigns(character, values, (dof) => placeOf(channels[dof], time, placing));
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
     const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, TANGENT_KINDS.indexOf(tangents), placing);

@@ -36,6 +36,6 @@ function showingSameTake(opened: Character, now: Character): Character {
 /** The constant value of a DOF that is not animated; undefined for others. */
 function steadyValue(character: Character, dof: number): number | undefined {
   const channel = channelOf(character, dof);
-  if (channel && channel.kind !== 'rest') return undefined;
+  if (channel && (channel.kind !== 'rest' || shownTake(character)?.layers)) return undefined;
   return channel?.value ?? character.pose[dof] ?? 0;
 }

@@ -120,9 +120,13 @@ export class Store {
     return () => this.stepListeners.delete(listener);
   }
 
-  /** Applies a command as one step, or none if it changes nothing. */
+  /** Applies a command as one step, or none if it changes nothing, or nothing that steps are about. */
   apply<Args>(command: Command<Args, Document | Change>, args: Args): void {
     this.settle();
+    if (command.isNoStep) {
+      this.amend(command.run(this.document, args));
+      return;
+    }
     const before = this.present;
     const change = command.run(before.document, args);
     const next = this.stateAfter(before, change);

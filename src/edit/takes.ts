@@ -6,6 +6,7 @@
 import { type Character, shownTake } from '../model/document.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
+import { withMotions } from '../model/takes/layers.ts';
 import { type Channel, restChannel, spanOfChannel, type Take } from '../model/takes/take.ts';
 import { CommandError } from './command-error.ts';
 
@@ -36,8 +37,12 @@ export function withChannels(character: Character, range: readonly [number, numb
   const take = shownTake(character);
   if (!take) return withNewTake(character, newTakeName(character), range);
   if (take.channels.length >= count) return character;
-  const added = restingChannels(character, take.channels.length, count);
-  return withTake(character, character.shownTake, { ...take, channels: [...take.channels, ...added] });
+  // What rests in a layer leaves its DOF alone.
+  const extended = withMotions(take, ({ channels, samples }, layer) => ({
+    channels: [...channels, ...restingChannels(layer < 0 ? character : STILL, channels.length, count)],
+    ...(samples && { samples }),
+  }));
+  return withTake(character, character.shownTake, extended);
 }
 
 /** The character with a new take, which is shown: without keys, at rest in the pose. */
@@ -47,7 +52,9 @@ export function withNewTake(character: Character, name: string, range: readonly 
   return { ...character, takes: [...character.takes, take], shownTake: character.takes.length };
 }
 
-function restingChannels({ pose }: Character, from: number, to: number): Channel[] {
+const STILL: Pick<Character, 'pose'> = { pose: [] };
+
+function restingChannels({ pose }: Pick<Character, 'pose'>, from: number, to: number): Channel[] {
   return Array.from({ length: to - from }, (_, i) => restChannel(pose[from + i] ?? 0));
 }
 

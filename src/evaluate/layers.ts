@@ -132,7 +132,8 @@ export function evaluateMotion(
   count: number,
   rotations?: PoseRotations,
 ): void {
-  evaluateTake(curves, timeSeconds, out, count);
+  // A base may have fewer channels than the take that is edited.
+  evaluateTake(curves, timeSeconds, out, Math.min(count, curves.channelCount));
   if (curves.samples && joints) samplePose(curves.samples, curves, joints, timeSeconds, out, count, rotations);
   for (const layer of layers) addLayer(layer, timeSeconds, out, count);
 }
@@ -155,7 +156,7 @@ export function weightAt({ weight, weightCurve }: CompiledLayer, timeSeconds: nu
   return weightCurve ? clampedWeight(evaluateChannel(weightCurve, 0, timeSeconds)) : weight;
 }
 
-/** What is shown of a DOF as a function of one layer's value x there: a + b·x. */
+/** A DOF's value as a function of one layer's value x there: a + b·x. */
 export interface LayerShare {
   readonly a: number;
   readonly b: number;

@@ -137,6 +137,8 @@ export type ParsedFile = FileContent & {
   readonly beside?: readonly SourceFile[];
   /** Of its bytes, as 64 hex digits; only where a file beside it says with which bytes it was saved. */
   readonly sha256?: string;
+  /** A take with layers that were kept although its plain file was edited: reading the same files again gives another. */
+  readonly isJoinedByChoice?: true;
 };
 
 /**

@@ -8,14 +8,16 @@ import { skinFacts } from '../evaluate/skin/bounds.ts';
 import { otherContent, readableList, unreadMessage } from '../files/foreign.ts';
 import { isBuffer } from '../files/kinds.ts';
 import { bodiesIn } from '../files/open/bodies.ts';
+import { editedPlainFiles, joinLayers, plainFilesIn } from '../files/open/layers.ts';
 import { type Format, formatOf } from '../files/readers.ts';
 import { isZip, MAX_FILES, tooManyFiles, zipContent } from '../files/zip-content.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
+import { sha256 } from '../formats/sha256.ts';
 import { ZipRefusal } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
-import { type BrokenFile, baseName, type ParsedFile, type SourceFile } from '../model/files.ts';
+import { type BrokenFile, baseName, byFileName, type ParsedFile, type SourceFile } from '../model/files.ts';
 import { importedFrom, waitingBuffer } from './parse-imports.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import { passageOf } from './passage.ts';
@@ -43,7 +45,7 @@ export async function parse(
     diagnostics.push(
       withoutPlace('error', 'too-many-files', `None of the ${of} files was opened: ${tooManyFiles(maxFiles)}.`, ''),
     );
-    return { files, broken, diagnostics, facts: [], keeps: [] };
+    return { files, broken, diagnostics, facts: [], keeps: [], edited: [] };
   }
   const withoutNumbers: SourceFile[] = [];
   const bytesTotal = given.reduce((sum, { blob }) => sum + blob.size, 0);
@@ -103,7 +105,22 @@ export async function parse(
   diagnostics.push(...unreadFiles({ passedOver, uncounted }, severity));
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
-  return { files, broken, diagnostics, facts: factsOf(files, broken), keeps };
+  const hashed = await withHashes(files, given);
+  const joined = joinLayers(hashed, input.keep ?? 'edit', byFileName);
+  diagnostics.push(...joined.diagnostics);
+  const edited = editedPlainFiles(hashed).map(({ source }) => source.name);
+  return { files: joined.files, broken, diagnostics, facts: factsOf(joined.files, broken), keeps, edited };
+}
+
+/** The files with the hashes that others of them ask for. */
+async function withHashes(files: readonly ParsedFile[], given: readonly GivenBlob[]): Promise<readonly ParsedFile[]> {
+  const asked = new Set(plainFilesIn(files));
+  return Promise.all(
+    files.map(async (file) => {
+      const blob = asked.has(file) ? given.find(({ path }) => path === file.source.path)?.blob : undefined;
+      return blob ? { ...file, sha256: sha256(new Uint8Array(await blob.arrayBuffer())) } : file;
+    }),
+  );
 }
 
 function unreadFiles(

@@ -6,6 +6,7 @@ import type { SkinFacts } from '../evaluate/skin/bounds.ts';
 import type { ExchangeFormat } from '../export/formats.ts';
 import type { GlbOptions } from '../export/glb/options.ts';
 import type { ExchangeReport } from '../export/shared/report.ts';
+import type { Keep } from '../files/open/layers.ts';
 import type { Owned } from '../files/save/owned.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
@@ -37,6 +38,8 @@ export interface ParseInput {
   readonly files: readonly GivenBlob[];
   /** Given earlier, of those that an output `keeps`: only looked at by files that are read from several. */
   readonly before?: readonly GivenBlob[];
+  /** What counts where a plain file was edited since it was saved with its layers; default the edit. */
+  readonly keep?: Keep;
 }
 
 /** A file as the browser provides it: its bytes are read in the worker, and never pass through the page. */
@@ -55,6 +58,8 @@ export interface ParseOutput {
   readonly facts: readonly KnownSkin[];
   /** Paths of given files that are to be given again, as `before`, with those that come later. */
   readonly keeps: readonly string[];
+  /** Names of plain files that were edited since they were saved with their layers. */
+  readonly edited: readonly string[];
 }
 
 /** Some of the files of an output. */

@@ -39,6 +39,13 @@ const files = NAMES.flatMap((name, i) => {
       name: `${file}.sets.json`,
       bytes: JSON.stringify({ sets: [{ name, color: name, joints: [name], [name]: name }] }),
     },
+    {
+      name: `${file}.layers.json`,
+      bytes: JSON.stringify({
+        base: name,
+        layers: [{ name, file: name, mode: 'additive', joints: [name], [name]: name }],
+      }),
+    },
     { name: `${file}.bmp`, bytes: name },
   ];
 });

@@ -82,6 +82,11 @@ function anyTake(dice: Dice, { id, takes }: Character): TakeRef {
 
 const of = ({ character, keys }: Situation) => ({ characterId: character.id, keys });
 
+/** One of the take's layers; undefined without any. */
+function ofLayer({ dice, character, take }: Situation, rest: object): object | undefined {
+  return take.layers && { characterId: character.id, layer: dice.below(take.layers.list.length), ...rest };
+}
+
 /** How auto-key asks for keys, or not at all. */
 function autoKey(dice: Dice): { readonly key?: KeyOptions } {
   if (dice.is(0.6)) return {};
@@ -244,6 +249,20 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     atSeconds: dice.is(0.5) ? seconds(dice) : undefined,
   }),
   'takes.setTimeOffsets': ({ dice, character }) => ({ characterIds: [character.id], seconds: seconds(dice) }),
+  'layers.add': ({ dice, character }) => ({
+    characterId: character.id,
+    mode: dice.pick(['additive', 'override', undefined] as const),
+    joints: dice.is(0.7) ? undefined : [dice.below(character.skeleton?.joints.length ?? 0)],
+  }),
+  'layers.remove': (s) => ofLayer(s, {}),
+  'layers.rename': (s) => ofLayer(s, { name: s.dice.pick(['arm', 'face', 'layer']) }),
+  'layers.set': (s) =>
+    ofLayer(s, { weight: s.dice.pick([undefined, 0, 0.5, 1]), mute: s.dice.is(0.3), solo: s.dice.is(0.2) }),
+  'layers.keyWeight': (s) => ofLayer(s, { timeSeconds: time(s.dice), weight: s.dice.pick([0, 0.5, 1]) }),
+  'layers.move': (s) => ofLayer(s, { to: s.dice.below(s.take.layers?.list.length ?? 1) }),
+  'layers.activate': (s) => ofLayer(s, {}),
+  'layers.mergeDown': (s) => ofLayer(s, {}),
+  'layers.flatten': ({ character, take }) => take.layers && { characterId: character.id },
   'markers.add': ({ dice, character }) => {
     const [timeSeconds, endSeconds] = range(dice);
     const marker = { timeSeconds, label: dice.pick(['step', 'turn', '']) };

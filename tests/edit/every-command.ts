@@ -15,6 +15,7 @@ import { tube } from '../evaluate/weights/meshes.ts';
 import { character, documentOf, joint, morph, skin, takeOfValues } from '../helpers/builders.ts';
 import { sliding } from './hold/sliding.ts';
 import { channelOf } from './keys/channels.ts';
+import { layeredTake, layerOf } from './layers/layered.ts';
 import { swinging, takeOfColumns } from './samples/made.ts';
 
 export interface EditCase {
@@ -100,6 +101,21 @@ const bee = (id: string, more: Partial<Character> = {}): Character =>
   });
 const TWO = documentOf(HERO, bee('c2'));
 const BEES = documentOf(bee('c1'), bee('c2', { placements: [{ ...DEFAULT_PLACEMENT, position: [3, 0, 0] }] }));
+
+const WAVING = WALK.channels.map((_, c) => (c === 6 ? WAVE : restChannel()));
+const LAYERED = documentOf(
+  {
+    ...HERO,
+    takes: [
+      layeredTake(WALK.channels, [
+        layerOf(WAVING, { name: 'arm' }),
+        layerOf(WAVING, { name: 'more', joints: ['arm_r'] }),
+      ]),
+    ],
+  },
+  bee('c2'),
+);
+const layered = (args: object, idle: object): EditCase => ({ document: LAYERED, args, idle });
 
 function driven({ skeleton, takes: [own], name, pose, clampsToLimits, timeOffsetSeconds }: Character): Document {
   if (!skeleton) throw new Error('no skeleton');
@@ -418,6 +434,15 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   ),
   'rig.setLimit': alone({ ...WHO, dof: 4, min: -1, max: 2 }, { ...WHO, dof: 6, min: -1, max: 1 }),
   'rig.clearLimit': alone({ ...WHO, dof: 6 }, { ...WHO, dof: 4 }),
+  'layers.add': alone({ ...WHO, name: 'arm', joints: [1] }, { ...WHO, joints: [9] }),
+  'layers.remove': layered({ ...WHO, layer: 0 }, { ...WHO, layer: 2 }),
+  'layers.rename': layered({ ...WHO, layer: 0, name: 'face' }, { ...WHO, layer: 0, name: 'arm' }),
+  'layers.set': layered({ ...WHO, layer: 1, weight: 0.5, mute: true }, { ...WHO, layer: 1, weight: 1 }),
+  'layers.keyWeight': layered({ ...NOW, layer: 0, weight: 0.5 }, { ...NOW, layer: 5, weight: 0.5 }),
+  'layers.move': layered({ ...WHO, layer: 0, to: 1 }, { ...WHO, layer: 0, to: 0 }),
+  'layers.activate': layered({ ...WHO, layer: 1 }, { ...WHO, layer: -1 }),
+  'layers.mergeDown': layered({ ...WHO, layer: 1 }, { ...WHO, layer: 7 }),
+  'layers.flatten': layered(WHO, { characterId: 'c2' }),
   'skin.autoWeights': {
     document: SLEEVE,
     args: { ...WHO, timeSeconds: 0 },

@@ -53,6 +53,19 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, FetchedKind>, FileContent | 
       locked: [{ joint: 'shin_l', dofs: ['ry', 'rz'] }],
     },
   },
+  layers: {
+    kind: 'layers',
+    layers: {
+      base: 'walk.base.anim',
+      flattened: { file: 'walk.anim', sha256: '0f'.repeat(32) },
+      layers: [
+        {
+          ...{ name: 'arm', file: 'walk.arm.anim', mode: 'override', weight: 0.5, mute: true, solo: false },
+          ...{ joints: ['arm_l', '#7'], root: true, morphs: false },
+        },
+      ],
+    },
+  },
   dump: {
     bytes: 'world\n0 1 2\n',
     content: {

@@ -58,6 +58,11 @@ const CASES: readonly (readonly [string, FileContent, string])[] = [
     'found NaN in marker 1.',
   ],
   ['x.sets.json', { kind: 'sets', sets: { sets: [], locked: [], others: { made: Number.NaN } } }, 'found NaN in made.'],
+  [
+    'x.layers.json',
+    { kind: 'layers', layers: { base: 'b.anim', layers: [], others: { made: Number.NaN } } },
+    'found NaN in made.',
+  ],
 ];
 
 describe('a number that no file can hold', () => {

@@ -85,7 +85,7 @@ export class Origins {
 
   private register(file: ParsedFile, givenAt: Learned['givenAt']): void {
     const found = givenAt(file.source.path);
-    if (!found) return;
+    if (!found || file.isJoinedByChoice) return;
     const others = (file.beside ?? []).flatMap(({ path }) => givenAt(path) ?? []);
     if (others.length > 0) this.beside.set(found, new Set([...(this.beside.get(found) ?? []), ...others]));
     this.walk(file, { file: { given: found, path: file.source.path }, up: undefined, key: '' });

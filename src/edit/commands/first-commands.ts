@@ -33,6 +33,7 @@ const FETCHED: ReadonlySet<string> = new Set([
   'hold',
   'ik',
   'keys',
+  'layers',
   'markers',
   'poses',
   'retarget',

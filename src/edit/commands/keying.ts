@@ -7,6 +7,7 @@ import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { keyDofs } from '../key-dofs.ts';
+import { touchedByActive } from '../layers/layer-values.ts';
 import { openValues } from '../pose/locks.ts';
 import { optional } from '../schema/shape.ts';
 import { indices, KEY_OPTIONS, NOW } from '../schema/shared-shapes.ts';
@@ -34,8 +35,10 @@ export const keyPose = command({
     const shown = new Float64Array(dofCountOf(character));
     poseAt(character, timeSeconds, shown);
     const values = new Map<number, number>();
-    if (dofs === undefined) for (const [dof, value] of shown.entries()) values.set(dof, value);
-    else
+    const touched = touchedByActive(character);
+    if (dofs === undefined) {
+      for (const [dof, value] of shown.entries()) if (touched(dof)) values.set(dof, value);
+    } else
       for (const dof of dofs) {
         const index = indexIn(dof, 0, shown.length, 'DOF');
         values.set(index, shown[index]);

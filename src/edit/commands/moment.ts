@@ -12,6 +12,7 @@ import { CommandError } from '../command-error.ts';
 import { isOnCurve } from '../keys/keyed-pose.ts';
 import { type Moment, samplesWithMoment, withMoment } from '../keys/moment.ts';
 import { findKey } from '../keys/same-time.ts';
+import { layerValues } from '../layers/layer-values.ts';
 import { openValues } from '../pose/locks.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { index, list, number, optional, record } from '../schema/shape.ts';
@@ -93,7 +94,8 @@ function changedFor(
   const channels = [...take.channels];
   const sampled = new Map<number, number>();
   const keys = [];
-  for (const [dof, value] of [...values].sort(([a], [b]) => a - b)) {
+  const own = layerValues(taking, values, timeSeconds);
+  for (const [dof, value] of [...own].sort(([a], [b]) => a - b)) {
     const channel = channels[dof];
     if (isOnCurve(channel, moment.at, value)) continue;
     if (channel.kind === 'samples' && take.samples && columnOf(take.samples, dof) >= 0) sampled.set(dof, value);

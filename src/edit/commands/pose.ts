@@ -6,6 +6,7 @@
  *     a channel, no keys    the channel's rest value, which belongs to the take
  *     a channel with keys   an *unkeyed change*, shown until the time changes; none if the keys give that value
  *     a sampled channel     an unkeyed change too: samples take no keys
+ *     layers                an unkeyed change, whatever the channel: what is shown is a sum
  *     retargeting           an unkeyed change, if it drives the joint; else the pose
  *     auto-key              a key at that time, except for sampled channels
  *     a lock                nothing changes; how many there were is told
@@ -171,7 +172,7 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   let driven: Float64Array | undefined;
   for (const [dof, value] of values) {
     const channel = channelOf(character, dof);
-    if ((channel && channel.kind !== 'rest') || moved?.has(dof)) {
+    if ((channel && (channel.kind !== 'rest' || take?.layers)) || moved?.has(dof)) {
       driven ??= drivenAt(character, timeSeconds);
       handChanged = true;
       // A value equal to that of the keys is no unkeyed change: nothing to key, nothing to lose.

@@ -235,7 +235,9 @@ function withNewTake(document: Document, { characterId }: OfSamples, take: Take)
 /** The shown take; refuses, before any work is done, while another take is retargeted to the character. */
 function ownTake(character: Character): Take {
   refuseMoved(character);
-  return requireTake(character);
+  const take = requireTake(character);
+  if (take.layers) throw new CommandError(`${take.name} has layers. Flatten them first.`);
+  return take;
 }
 
 function nameOf(document: Document, { characterId }: OfSamples): string {

@@ -10,6 +10,7 @@
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { type CompiledLayer, takeMotion, weightAt } from '../../evaluate/layers.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
+import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import { restExtent } from '../../model/skeleton/rest-extent.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -52,6 +53,13 @@ export function flattened(take: Take, skeleton: Skeleton | undefined, options: F
   const summed = samples && sum.samplesOf(samples);
   const motion: Motion = { channels: made, ...(summed && { samples: summed }) };
   return { take: unlayered(take, motion), bakedCount: sum.bakedCount, isFitted: sum.isFitted };
+}
+
+/** The character with takes without layers, which move it the same; the same object if none has layers. */
+export function withFlattenedTakes(character: Character, options: FlattenOptions = {}): Character {
+  const { takes, skeleton } = character;
+  if (!takes.some(({ layers }) => layers)) return character;
+  return { ...character, takes: takes.map((take) => flattened(take, skeleton, options).take) };
 }
 
 class LayerSum {

@@ -4,6 +4,7 @@ import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { rootDofs } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { DofUnit, Skeleton } from '../../model/skeleton/skeleton.ts';
+import { withMotions } from '../../model/takes/layers.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { type Channel, followingSamples, restChannel, type Take, type Tangents } from '../../model/takes/take.ts';
 import { type DofSource, valueAfter } from './dof-sources.ts';
@@ -16,10 +17,14 @@ interface ChannelSource extends Omit<DofSource, 'like'> {
 }
 
 /**
- * A take with the channels of the changed skeleton.
+ * A take with the channels of the changed skeleton, and its layers with theirs.
  * @param pose of the old character: values of DOFs for which the take has no channel
  */
 export function remapTake(take: Take, map: JointMap, pose: readonly number[]): Take {
+  return take.layers ? withMotions(take, (each) => remapped(each, map, pose)) : remapped(take, map, pose);
+}
+
+function remapped(take: Take, map: JointMap, pose: readonly number[]): Take {
   const sources = channelSources(take, map);
   const channels = sources.map((source) => {
     const { from, start, like } = source;

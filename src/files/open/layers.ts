@@ -1,5 +1,5 @@
 /**
- * Joins the files of takes with layers, before files are grouped by skeleton: each `.layers.json` with its base and its
+ * Joins the files of takes with layers, when files have been read and before they are opened: each `.layers.json` with its base and its
  * layers, found by base name among the files given, becomes one file of a take with the name of the JSON. Its parts are
  * no takes of their own, nor is the plain file beside it, which holds the flattened result.
  *
@@ -20,7 +20,7 @@ import { arranged, LAYERS_EXTENSION } from '../../model/takes/layers.ts';
 import type { FlattenedFile, LayersFile } from '../../model/takes/layers-file.ts';
 import { type Layer, restChannel, type Take } from '../../model/takes/take.ts';
 
-/** What counts where a plain file has other bytes than those that were saved with its controls. */
+/** The two ways to take a plain file with other bytes than those that were saved with its controls. */
 export const KEEP = ['edit', 'controls'] as const;
 /** See `KEEP`. */
 export type Keep = (typeof KEEP)[number];
@@ -35,8 +35,8 @@ type LayersParsed = Extract<ParsedFile, { readonly kind: 'layers' }>;
 type AnimParsed = Extract<ParsedFile, { readonly kind: 'anim' }>;
 type BaseParsed = AnimParsed | Extract<ParsedFile, { readonly kind: 'bvh' }>;
 
-/** What files say about the plain file beside them; undefined for files that are no controls of a take. */
-export function flattenedIn(file: ParsedFile): FlattenedFile | undefined {
+/** Undefined for files that hold no controls of a take. */
+function flattenedIn(file: ParsedFile): FlattenedFile | undefined {
   return file.kind === 'layers' ? file.layers.flattened : undefined;
 }
 
@@ -49,7 +49,7 @@ export function plainFilesIn(files: readonly ParsedFile[]): readonly ParsedFile[
   });
 }
 
-/** The takes among these files whose plain file was edited since their controls were saved. */
+/** The plain files among these that were edited since they were saved with controls. */
 export function editedPlainFiles(files: readonly ParsedFile[]): readonly ParsedFile[] {
   return plainFilesIn(files).filter((plain) =>
     files.some((file) => {
@@ -87,7 +87,7 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
       gone.delete(base);
       continue;
     }
-    const joined: ParsedFile = { kind: 'anim', take, source, beside };
+    const joined: ParsedFile = { kind: 'anim', take, source, beside, ...(isOther && { isJoinedByChoice: true }) };
     if (plain) gone.add(plain);
     replaced.set(json, joined);
     gone.delete(json);

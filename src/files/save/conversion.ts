@@ -4,6 +4,7 @@
  * with the same frames.
  */
 
+import { withFlattenedTakes } from '../../edit/layers/flatten.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
@@ -23,7 +24,6 @@ import {
   rigCopies,
   skelCopies,
 } from './copies.ts';
-import { withPlainTakes } from './layers.ts';
 import { type Output, outputOf } from './output.ts';
 
 /** Formats to which any character with a skeleton can be converted. */
@@ -47,7 +47,7 @@ export function outputsOf(
   target: Target,
   options: ConversionOptions = {},
 ): readonly Output[] {
-  const characters = given.map((character) => withPlainTakes(character, options));
+  const characters = given.map((character) => withFlattenedTakes(character, options));
   if (target === 'bvh') return bvhOutputs(characters, options);
   if (target === 'asf') return acclaimOutputs(characters, options);
   return characters.flatMap((character) => {

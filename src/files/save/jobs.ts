@@ -1,12 +1,14 @@
 /** Files to write when the user saves: files, each with the parts that it holds and how it is written. */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { sameName } from '../../model/files.ts';
 import { fileNameOf, type Part, takeOf } from '../../model/part.ts';
 import type { Marker } from '../../model/takes/markers.ts';
 import type { SavedKind } from '../kinds.ts';
 import { markersCopies } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
-import { type Output, outputOf } from './output.ts';
+import { besidePlain } from './layers.ts';
+import { type Output, outputOf, savedFileOf } from './output.ts';
 import type { Owned, PoseOf } from './owned.ts';
 import type { UnsavedPart } from './saved-parts.ts';
 import { jointPose } from './saved-poses.ts';
@@ -19,6 +21,8 @@ export interface Job {
   readonly holds: readonly Owned[];
   /** It is beside the file of what it holds, and not that file. */
   readonly isBeside?: true;
+  /** It is written together with others, and is no part itself: where it was read from, if it was. */
+  readonly withOthers?: { readonly path?: string };
   /** @param name distinct among the files written together */
   write(name: string): Omit<Output, 'name'>;
 }
@@ -30,13 +34,57 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
     const character = findCharacter(document, characterId);
     const part = character && partsOf(character).filter((own) => own.kind === kind)[index];
     if (!part || jobs.some((job) => job.holds.some((held) => held.part.id === part.id))) continue;
-    if (!isMarkers) jobs.push(fileOf(document, character, part, poseOf), ...markersBeside(part));
+    if (!isMarkers) {
+      const own = fileOf(document, character, part, poseOf);
+      jobs.push(...withLayers(character, part, own), ...markersBeside(part));
+    }
     // Deleted ones are gone from their file too.
     else
       for (const job of markersBeside(part, []))
         jobs.push({ ...job, holds: [{ character, part, pose: [] }], isBeside: true });
   }
   return jobs;
+}
+
+/**
+ * The files of a take with layers around its own, the JSON last. All are made before the first is written: if one can't
+ * be, none is.
+ */
+function withLayers(character: Character, part: Part, own: Job): readonly Job[] {
+  const take = takeOf(part);
+  if (!take?.layers) return [own];
+  const copies = besidePlain(character, take);
+  let made: ReadonlyMap<string, Output> | undefined;
+  const make = () => {
+    const texts = copies.map((copy): Output => {
+      const { name, text, diagnostics } = savedFileOf(outputOf(copy));
+      return { name, pieces: () => [text], diagnostics: () => diagnostics };
+    });
+    savedFileOf({ ...own.write(own.name), name: own.name });
+    return new Map(texts.map((file) => [file.name, file]));
+  };
+  const beside = copies.map(({ name }): Job => {
+    const source = character.sources.find((file) => sameName(file.name, name));
+    return {
+      name,
+      holds: [],
+      withOthers: source ? { path: source.path } : {},
+      write(called) {
+        made ??= make();
+        const file = made.get(name);
+        if (!file) throw new Error(`Expected ${called} among the files of ${part.name}.`);
+        return file;
+      },
+    };
+  });
+  const plain: Job = {
+    ...own,
+    write(called) {
+      made ??= make();
+      return own.write(called);
+    },
+  };
+  return [...beside.slice(0, -1), plain, ...beside.slice(-1)];
 }
 
 /** The markers of a take, beside its file. @param none what it has without markers; absent: no file */

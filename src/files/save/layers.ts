@@ -12,7 +12,7 @@ import { skelChannels, skelSkeleton } from '../../model/skeleton/skel-motion.ts'
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { baseOf, LAYERS_EXTENSION, motionOf, unlayered } from '../../model/takes/layers.ts';
 import type { LayersFile } from '../../model/takes/layers-file.ts';
-import type { Take } from '../../model/takes/take.ts';
+import { type Motion, restChannel, type Take } from '../../model/takes/take.ts';
 import { openFiles } from '../open/open-files.ts';
 import type { Copy } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
@@ -43,12 +43,6 @@ export function plainTake(
     take: plain,
     diagnostics: [withoutPlace('info', 'extrapolation-baked', message, file, 'wrote repetitions as keys')],
   };
-}
-
-/** The character with plain takes only; the same object if none has layers. */
-export function withPlainTakes(character: Character, options: FlattenOptions = {}): Character {
-  if (!character.takes.some(({ layers }) => layers)) return character;
-  return { ...character, takes: character.takes.map((take) => plainTake(character, take, '', options).take) };
 }
 
 /** Files with plain takes in place of those with layers, which other formats than their own can't hold. */
@@ -108,7 +102,7 @@ function filesOf(character: Character, take: Take): readonly Copy[] {
   const anim = (name: string, layer: number): Copy => ({
     name,
     content: () => {
-      const own = unlayered(take, layer < 0 ? baseOf(take) : motionOf(take, layer));
+      const own = unlayered(take, layer < 0 ? baseOf(take) : keysAlone(motionOf(take, layer)));
       return { kind: 'anim', take: skeleton ? skelChannels(own, skeleton, layer < 0 ? pose : []) : own };
     },
   });
@@ -156,4 +150,11 @@ function plainCopy(character: Character, take: Take, name: string | undefined): 
 /** A layer's name as a part of a file's name. */
 function fileWord(name: string): string {
   return name.replace(/[\\/:*?"<>|.\s]+/g, '_') || 'layer';
+}
+
+/** What rests in a layer leaves its DOF alone, at whatever value, and has no key in its file. */
+function keysAlone({ channels }: Motion): Motion {
+  return {
+    channels: channels.map((channel) => (channel.kind === 'keys' ? channel : { ...channel, ...restChannel() })),
+  };
 }

@@ -5,6 +5,7 @@
  * A skeleton read from the axis-angle form keeps that form as long as it fits; each form can be converted to the other.
  */
 
+import { withFlattenedTakes } from '../../edit/layers/flatten.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
@@ -12,10 +13,13 @@ import type { FileContent } from '../../model/files.ts';
 import { newFileName, type Part, takeOf } from '../../model/part.ts';
 import { setsByName } from '../../model/sets.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
+import { baseOf, unlayered } from '../../model/takes/layers.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
 import { acclaimOf, bvhOf, hasOwnRate, inPose } from './character-files.ts';
 import { amcCopy, bvhCopy } from './copies.ts';
+import { plainTake } from './layers.ts';
 import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
 import type { Owned } from './owned.ts';
 import { jointPose, posesByNames } from './saved-poses.ts';
@@ -47,7 +51,8 @@ export function isCopy(character: Character, kind: SavedKind): boolean {
 /** Copies, which mark nothing as saved. */
 export function copiesOf(character: Character, kind: SavedKind, options: SavingOptions = {}): readonly Output[] {
   const { copies }: Writer<never> = WRITERS[kind];
-  return copies?.(character, haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
+  const shown = kind === 'layers' ? character : withFlattenedTakes(character, options);
+  return copies?.(shown, haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
 }
 
 /** The parts of a character that are saved in files of a kind. */
@@ -90,9 +95,10 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned:
     case 'anim': {
       const [{ character }] = owned;
       const { skeleton, pose } = character;
-      if (!skeleton) return { kind: 'anim', take: part.content };
+      const { take } = plainTake(character, part.content, '');
+      if (!skeleton) return { kind: 'anim', take };
       // The joints of motion capture have their DOFs in another order there.
-      return { kind: 'anim', take: skelChannels(part.content, skeleton, pose) };
+      return { kind: 'anim', take: skelChannels(take, skeleton, pose) };
     }
     case 'pose':
       return { kind: 'pose', poses: posesByNames(part.content) };
@@ -104,7 +110,7 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned:
 /** A take of Acclaim bones: its own samples, or what its keys give. */
 function acclaimOutput(name: string, { character, part }: Owned, { framesPerSecond }: SavingOptions): Output {
   const { driver: _, ...own } = character;
-  const take = takeOf(part);
+  const take = beneathLayers(takeOf(part));
   const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
   const [made] = acclaimOf({ ...own, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
   return outputOf({ ...amcCopy(name, made.capture), diagnostics: made.diagnostics });
@@ -114,7 +120,7 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
   const captures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
     if (part.kind !== 'bvh') return [];
     // The take itself, even while another one is retargeted to the character.
-    const { take } = part.content;
+    const take = beneathLayers(part.content.take);
     const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
     return bvhOf({ ...character, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
   });
@@ -125,4 +131,9 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
     );
   }
   return outputOf(bvhCopy(name, captures));
+}
+
+/** What the own file of a captured take holds: its layers are beside it. */
+function beneathLayers(take: Take | undefined): Take | undefined {
+  return take?.layers ? unlayered(take, baseOf(take)) : take;
 }

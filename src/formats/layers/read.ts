@@ -29,8 +29,7 @@ export function layersReader(fileName: string): Reader<LayersFile> {
   });
 }
 
-/** The plain file that is beside a JSON of a take. */
-export function readFlattened(value: JsonValue): FlattenedFile {
+function readFlattened(value: JsonValue): FlattenedFile {
   const object = value.object();
   const file = object.field('file').text();
   const hash = object.field('sha256');

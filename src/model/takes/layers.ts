@@ -9,7 +9,15 @@
  *     take.layers.list[0]      layer 0, with its motion
  *     take.layers.list[1]      layer 1, without
  */
-import { type Channel, type Layer, type LayerSettings, type Motion, restChannel, type Take } from './take.ts';
+import {
+  type Channel,
+  type Layer,
+  type LayerSettings,
+  type LayerStack,
+  type Motion,
+  restChannel,
+  type Take,
+} from './take.ts';
 
 /** The end of what files of layers are called: `walk.layers.json`. */
 export const LAYERS_EXTENSION = 'layers.json';
@@ -106,17 +114,23 @@ export function clampedWeight(weight: number): number {
   return Math.min(1, Math.max(0, weight));
 }
 
-/** Whether two takes are the same but for which layer is active. */
-export function haveSameLayers(a: Take, b: Take): boolean {
-  const [one, other] = [a.layers, b.layers];
-  if (!one || !other || one.list.length !== other.list.length) return false;
-  if (one.others !== other.others || one.baseFile !== other.baseFile) return false;
-  const sameMotion = (layer: number) => {
-    const [x, y] = [motionOf(a, layer), motionOf(b, layer)];
+/**
+ * Whether the layers of two takes are the same, and their motions, whichever is active.
+ * @param takes the takes: they have the motions of the active layers
+ */
+export function haveSameLayers(
+  a: LayerStack,
+  b: LayerStack,
+  takes: readonly [Partial<Motion>, Partial<Motion>],
+): boolean {
+  if (a.list.length !== b.list.length || a.others !== b.others || a.baseFile !== b.baseFile) return false;
+  const motionIn = (stack: LayerStack, own: Partial<Motion>, layer: number): Partial<Motion> =>
+    (stack.active === layer ? own : layer < 0 ? stack.base : stack.list[layer].motion) ?? NO_MOTION;
+  const isSame = (layer: number) => {
+    const [x, y] = [motionIn(a, takes[0], layer), motionIn(b, takes[1], layer)];
     return x.channels === y.channels && x.samples === y.samples;
   };
-  if (!sameMotion(-1) || !one.list.every((_, i) => sameMotion(i))) return false;
-  return one.list.every((layer, i) => isSameBesideMotion(layer, other.list[i]));
+  return isSame(-1) && a.list.every((layer, i) => isSame(i) && isSameBesideMotion(layer, b.list[i]));
 }
 
 function isSameBesideMotion(a: Layer, b: Layer): boolean {

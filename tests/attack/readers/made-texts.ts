@@ -162,6 +162,10 @@ balljoint second{offset 1 2 3}
     '{ "sets": [ { "name": "arm", "color": "#4a90e2", "joints": ["arm", "#7"], "note": [-0] } ], "locked": [ { "joint": "hip", "dofs": ["rx"] } ] }',
   ],
   [
+    'layers.json',
+    '{ "base": "a.base.anim", "flattened": { "file": "a.anim", "sha256": "00" }, "layers": [ { "name": "arm", "file": "a.arm.anim", "mode": "additive", "weight": { "extrapolate": ["cycle", "linear"], "keys": [[0, -0, "flat", 1e3], [1, 1, "smooth", "linear"]] }, "joints": ["hip", "#7"], "note": [null] } ] }',
+  ],
+  [
     'txt',
     'frame 0 time 1.5\nworld joint 0 (root):\n[1, 0, 0, 0]\n[0, 1, 0, 0]\n[0 0 1 0]\n0 0 0 1\nlocal:\n1 2 3\n4 5 6\nvertex 0: (1.0, -2e-3, nan)\n',
   ],

@@ -14,6 +14,7 @@ export const SUBJECTS = [
   'pose',
   'markers.json',
   'sets.json',
+  'layers.json',
   'txt',
   'csv',
   'json',
