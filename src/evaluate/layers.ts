@@ -179,7 +179,7 @@ export function shareOf(
   const counting = new Set(countingLayers(list));
   const { layers } = takeMotion(take, skeleton);
   const compiled = new Map(layers.map((each) => [each.index, each]));
-  const weights = list.map((one) => weightOf(one, timeSeconds));
+  const weights = list.map((one) => layerWeight(one, timeSeconds));
   for (const each of layers) evaluateTake(each.curves, timeSeconds, each.values);
   const touched = touches(list[layer] ?? NO_MASK, skeleton);
   return (dof) => {
@@ -216,6 +216,7 @@ const NO_MASK: LayerSettings = {
   morphs: false,
 };
 
-function weightOf({ weight }: Layer, timeSeconds: number): number {
+/** A layer's weight at a time, within 0 … 1, whether it counts or not. */
+export function layerWeight({ weight }: Layer, timeSeconds: number): number {
   return clampedWeight(typeof weight === 'number' ? weight : evaluateChannel(compiledWeight(weight), 0, timeSeconds));
 }

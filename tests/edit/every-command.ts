@@ -103,13 +103,14 @@ const TWO = documentOf(HERO, bee('c2'));
 const BEES = documentOf(bee('c1'), bee('c2', { placements: [{ ...DEFAULT_PLACEMENT, position: [3, 0, 0] }] }));
 
 const WAVING = WALK.channels.map((_, c) => (c === 6 ? WAVE : restChannel()));
+const NODDING = WALK.channels.map((_, c) => (c === 9 || c === 6 ? LINE : restChannel()));
 const LAYERED = documentOf(
   {
     ...HERO,
     takes: [
       layeredTake(WALK.channels, [
         layerOf(WAVING, { name: 'arm' }),
-        layerOf(WAVING, { name: 'more', joints: ['arm_r'] }),
+        layerOf(NODDING, { name: 'more', joints: ['arm_r'] }),
       ]),
     ],
   },

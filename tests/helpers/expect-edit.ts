@@ -101,6 +101,7 @@ function freeze(value: unknown): void {
  */
 const HOLDS_PARTS: readonly string[] = [
   ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'takes', 'channels', 'samples'],
+  ...['layers', 'list', 'motion', 'base'],
   ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sets', 'sources'],
 ];
 
@@ -111,6 +112,8 @@ function expectShared(before: unknown, after: unknown, where: string): void {
   for (const key of HOLDS_PARTS) {
     // For another skeleton, a take's channels belong to other DOFs.
     if (key === 'takes' && before.skeleton !== after.skeleton) continue;
+    // They belong to the active layer.
+    if (key === 'channels' && activeIn(before) !== activeIn(after)) continue;
     const [was, is] = [before[key], after[key]];
     if (!Array.isArray(was) || !Array.isArray(is)) expectShared(was, is, `${where}.${key}`);
     else {
@@ -127,6 +130,11 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
 }
 
 /** Identifies an item across lists; by itself if it has no id or name. */
+/** The index of a take's active layer. */
+function activeIn(take: Readonly<Record<string, unknown>>): unknown {
+  return isRecord(take.layers) ? take.layers.active : undefined;
+}
+
 function nameOf(item: unknown): unknown {
   return isRecord(item) ? (item.id ?? item.name ?? item) : item;
 }
@@ -146,7 +154,7 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   for (const morph of morphs.filter((part) => isNew(part, before?.morphs))) {
     expectRoundTrip({ kind: 'morph', morph: { ...morph, name: 'x' } });
   }
-  for (const { markers: _besideIt, ...take } of takes.filter((part) => isNew(part, before?.takes))) {
+  for (const { markers: _besideIt, layers: _too, ...take } of takes.filter((part) => isNew(part, before?.takes))) {
     // A `.bvh` has no keys; an `.anim` has no samples, and no resting channel without a key.
     const isCapture = skeleton !== undefined && isBvh(character) && take.channels.every(({ kind }) => kind !== 'keys');
     if (isCapture && take.samples) expectRoundTrip({ kind: 'bvh', captures: [{ skeleton, take }] }, false);

@@ -65,18 +65,20 @@ export function withActive(take: Take, active: number): Take {
 export function arranged(take: Take, base: Motion, list: readonly Layer[], active: number): Take {
   const { channels: _channels, samples: _samples, layers, ...head } = take;
   const own = active < 0 ? base : (list[active].motion ?? NO_MOTION);
-  const { base: _base, ...rest } = layers ?? {};
+  const { base: before, ...rest } = layers ?? {};
+  const kept = list.map((layer, i) => {
+    const { motion = NO_MOTION, ...settings } = layer;
+    const made: Layer = i === active ? settings : { ...settings, motion: onlyMotion(motion) };
+    // What is equal is one object, by which changes are told.
+    return (
+      layers?.list.find((other) => isSameBesideMotion(made, other) && isSameMotion(made.motion, other.motion)) ?? made
+    );
+  });
+  const beneath = before && isSameMotion(before, base) ? before : onlyMotion(base);
   return {
     ...head,
     ...onlyMotion(own),
-    layers: {
-      ...rest,
-      active,
-      ...(active >= 0 && { base: onlyMotion(base) }),
-      list: list.map((layer, i) =>
-        i === active ? withoutMotion(layer) : { ...layer, motion: onlyMotion(layer.motion ?? NO_MOTION) },
-      ),
-    },
+    layers: { ...rest, active, ...(active >= 0 && { base: beneath }), list: kept },
   };
 }
 
@@ -127,8 +129,7 @@ export function haveSameLayers(
   const motionIn = (stack: LayerStack, own: Partial<Motion>, layer: number): Partial<Motion> =>
     (stack.active === layer ? own : layer < 0 ? stack.base : stack.list[layer].motion) ?? NO_MOTION;
   const isSame = (layer: number) => {
-    const [x, y] = [motionIn(a, takes[0], layer), motionIn(b, takes[1], layer)];
-    return x.channels === y.channels && x.samples === y.samples;
+    return isSameMotion(motionIn(a, takes[0], layer), motionIn(b, takes[1], layer));
   };
   return isSame(-1) && a.list.every((layer, i) => isSame(i) && isSameBesideMotion(layer, b.list[i]));
 }
@@ -139,10 +140,13 @@ function isSameBesideMotion(a: Layer, b: Layer): boolean {
   return (Object.keys({ ...one, ...other }) as (keyof typeof one)[]).every((key) => one[key] === other[key]);
 }
 
-function onlyMotion({ channels, samples }: Motion): Motion {
+/** The motion without what else a take has; the same object if it is no take. */
+function onlyMotion(motion: Motion): Motion {
+  if (!('range' in motion)) return motion;
+  const { channels, samples } = motion;
   return samples ? { channels, samples } : { channels };
 }
 
-function withoutMotion({ motion: _motion, ...layer }: Layer): Layer {
-  return layer;
+function isSameMotion(a: Partial<Motion> | undefined, b: Partial<Motion> | undefined): boolean {
+  return a?.channels === b?.channels && a?.samples === b?.samples;
 }

@@ -14,12 +14,12 @@ import { command } from '../../command.ts';
 import { CommandError } from '../../command-error.ts';
 import { cutName, SHORT_NAME } from '../../cut-name.ts';
 import { putKeyAt } from '../../keys/put-key.ts';
+import { flattened } from '../../layers/flatten.ts';
+import { mergedDown } from '../../layers/merge.ts';
 import { boolean, filledText, index, oneOf, optional, shape, whole } from '../../schema/shape.ts';
 import { CHARACTER, indices, NOW } from '../../schema/shared-shapes.ts';
 import { requireTake, withChannels, withTake } from '../../takes.ts';
 import { withoutUnkeyed } from '../../unkeyed.ts';
-import { flattened } from '../../layers/flatten.ts';
-import { mergedDown } from '../../layers/merge.ts';
 
 /** A layer of the shown take, by its index from the lowest up. */
 const LAYER = { ...CHARACTER, layer: index } as const;
