@@ -114,6 +114,8 @@ function expectShared(before: unknown, after: unknown, where: string): void {
     if (key === 'takes' && before.skeleton !== after.skeleton) continue;
     // They belong to the active layer.
     if (key === 'channels' && activeIn(before) !== activeIn(after)) continue;
+    // Of another layer in its place.
+    if (key === 'motion' && before.name !== after.name) continue;
     const [was, is] = [before[key], after[key]];
     if (!Array.isArray(was) || !Array.isArray(is)) expectShared(was, is, `${where}.${key}`);
     else {

@@ -87,7 +87,7 @@ export function* openInSteps(
     poses: (loose) => {
       for (const file of loose) if (file.kind === 'pose') openPoses(opening, file);
     },
-    // Those that could not be joined with the files that they name, which is told.
+    // Without the files that they name; the error says which.
     layers: () => undefined,
     // Given to skins at the end, together with those that were waiting.
     texture: () => undefined,

@@ -69,7 +69,7 @@ export function arranged(take: Take, base: Motion, list: readonly Layer[], activ
   const kept = list.map((layer, i) => {
     const { motion = NO_MOTION, ...settings } = layer;
     const made: Layer = i === active ? settings : { ...settings, motion: onlyMotion(motion) };
-    // What is equal is one object, by which changes are told.
+    // Equal layers stay one object: changes are found by identity.
     return (
       layers?.list.find((other) => isSameBesideMotion(made, other) && isSameMotion(made.motion, other.motion)) ?? made
     );

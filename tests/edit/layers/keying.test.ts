@@ -52,9 +52,9 @@ describe('keying into a layer', () => {
         expect(shownIn(store.document, 0.5)[dof]).toBe(wanted);
         expect(shownIn(store.document, 0.6)).toEqual(before);
         store.apply(keyPose, { ...WHO, dofs: [dof], timeSeconds: 0.5 });
-        shownIn(store.document, 0.5).forEach((value, i) =>
-          expect(value).toBeCloseTo(i === dof ? wanted : before[i], 9),
-        );
+        shownIn(store.document, 0.5).forEach((value, i) => {
+          expect(value).toBeCloseTo(i === dof ? wanted : before[i], 9);
+        });
         const take = shownTake(store.document.characters[0]);
         expect(take && baseOf(take).channels).toBe(HERO.characters[0].takes[0].channels);
       }),
