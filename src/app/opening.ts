@@ -61,7 +61,7 @@ export interface OpenOptions {
   readonly asOpeningSample?: boolean;
   /** The character whose files are reloaded: it keeps showing the same alternatives, and the files are for it. */
   readonly reloads?: string;
-  /** What counts where a plain file was edited since it was saved with its layers; default: the user is asked. */
+  /** What counts where a plain file was edited since it was saved with its layers; default: the user decides. */
   readonly keep?: Keep;
 }
 
@@ -122,10 +122,10 @@ export class Opener {
       const noticing = isNoticed ? import('../files/open/unseen-changes.ts').catch(() => undefined) : undefined;
       // The worker doesn't need the handles.
       const blobs = files.map(({ path, blob }) => ({ path, blob }));
-      const input = { files: blobs, before: await this.earlierFiles(), ...(options.keep && { keep: options.keep }) };
+      const input = { files: blobs, before: await this.earlierFiles(), keep: options.keep };
       const output: ParseOutput =
         read.length > 0
-          ? { files: read, broken: [], diagnostics: [], facts: [], keeps: [], edited: [] }
+          ? { files: read, broken: [], diagnostics: [], facts: [], keeps: [] }
           : await worker.run('parse', input, {
               signal: abort.signal,
               onProgress: (p) => loading.set({ label: p.label, done: p.done, of: p.of, cancel }),
@@ -134,6 +134,9 @@ export class Opener {
       // A take that waited for its skeleton is not read again with the next one.
       for (const { source } of output.files) if (skeletonKindFor(source.path)) this.before.delete(source.path);
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
+      // Nothing of them can be shown before.
+      const layers = output.layers && (await import('./opened-layers.ts'));
+      layers?.provideLayers();
       const { store } = this.parts;
       // The user has opened something meanwhile, which takes precedence over the example.
       const isLate = () => options.asOpeningSample && store.document.characters.length > 0;
@@ -156,14 +159,9 @@ export class Opener {
       messages.report(
         diagnostics,
         [...sourcesOf(output.files), ...sourcesOf(taken.map(({ file }) => file))].map(({ name }) => name),
-        (name, found) => {
-          if (found.some(({ code }) => code === 'opened-without'))
-            return 'not opened; the character was opened without it';
-          if (hasErrors(found)) return wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened';
-          return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
-        },
+        (name, found) => outcomeOf(found, wasOpen.has(name)),
       );
-      this.askWhatToKeep(output.edited, found, options);
+      layers?.askWhatToKeep(output, options, this.parts, (again) => void this.open(() => found, again));
       if (result.dumps.length > 0) this.parts.compare?.(result.dumps);
       this.offerSpaces(result.opened.filter((id) => !findCharacter(before, id)));
       // Errors stay in the line instead: they say themselves what became of their files. The first character is seen.
@@ -190,28 +188,6 @@ export class Opener {
     const { store, offerSpaces } = this.parts;
     const known = fresh.flatMap((id) => findCharacter(store.document, id) ?? []).filter((c) => c.space?.known);
     if (known.length > 0) offerSpaces?.(known);
-  }
-
-  /** The edit is open; the layers are another step, which can be undone too. */
-  private askWhatToKeep(edited: readonly string[], found: Found, options: OpenOptions): void {
-    if (options.keep !== undefined || edited.length === 0) return;
-    const { messages, store } = this.parts;
-    const names = edited.join(', ');
-    const text = `${names} ${edited.length === 1 ? 'was' : 'were'} edited since it was saved with its layers. The edit is open, without layers.`;
-    const { document } = store;
-    const isOver = () => store.document !== document;
-    const keepLayers = () => {
-      messages.withdraw(text);
-      void this.open(() => found, { ...options, keep: 'controls' });
-    };
-    messages.suggest(
-      text,
-      [
-        { label: 'Keep the edit', run: () => messages.withdraw(text) },
-        { label: 'Keep the layers', run: keepLayers },
-      ],
-      isOver,
-    );
   }
 
   /**
@@ -336,6 +312,13 @@ function sourcesOf(files: readonly ParsedFile[]): readonly SourceFile[] {
 /** Names of the files that the characters came from. */
 function filesOf({ characters }: Document): ReadonlySet<string> {
   return new Set(characters.flatMap((c) => c.sources.map((source) => source.name)));
+}
+
+/** What became of a file with these diagnostics; undefined if it was left aside. */
+function outcomeOf(found: readonly Diagnostic[], wasOpen: boolean): string | undefined {
+  if (found.some(({ code }) => code === 'opened-without')) return 'not opened; the character was opened without it';
+  if (hasErrors(found)) return wasOpen ? 'not opened; the previous version is kept' : 'not opened';
+  return found.some(({ code }) => LEFT_ASIDE.has(code)) ? undefined : 'opened';
 }
 
 function failure(error: unknown): Diagnostic {

@@ -5,6 +5,7 @@
 
 import { addToReview, readReview } from '../edit/commands/review.ts';
 import type { Store } from '../edit/store.ts';
+import { provideLayers } from '../evaluate/layers.ts';
 import { formatKindOf, isBesideTakes, isReviewable, KINDS, openingOf } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { GivenFile } from '../io/given.ts';
@@ -201,6 +202,7 @@ class TakeFiles implements ReviewFiles {
       files: [{ path, blob: file.blob }],
       before: this.blobsBeside(),
     });
+    if (output.layers) provideLayers();
     const [first] = openFiles(EMPTY_DOCUMENT, output.files, output.broken).document.characters;
     // Of its own, so that nothing takes it for one of the document.
     return first && { ...first, id: 'review' };

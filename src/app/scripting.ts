@@ -8,7 +8,6 @@ import { play } from '../edit/playback.ts';
 import { number } from '../edit/schema/shape.ts';
 import type { Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
-import { layerWeight } from '../evaluate/layers.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
 import type { ExchangeFormat } from '../export/formats.ts';
 import type { GlbOptions } from '../export/glb/options.ts';
@@ -16,7 +15,8 @@ import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../files/kinds.ts';
 import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, shownTake } from '../model/document.ts';
-import type { Channel, LayerMode } from '../model/takes/take.ts';
+import { type LayerInfo, layerCode } from '../model/takes/layer-code.ts';
+import type { Channel } from '../model/takes/take.ts';
 import { TANGENT_KINDS, type TangentKind } from '../model/takes/tangent-kinds.ts';
 import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { type CharacterRef, resolveCharacter } from '../ui/state/joints/character-ref.ts';
@@ -64,22 +64,6 @@ export interface PinInfo {
   readonly position: readonly number[];
   readonly weight: number;
   readonly holdsOrientation: boolean;
-}
-
-/** A layer of the shown take. */
-export interface LayerInfo {
-  readonly name: string;
-  readonly mode: LayerMode;
-  /** As shown now, within 0 … 1. */
-  readonly weight: number;
-  readonly mute: boolean;
-  readonly solo: boolean;
-  /** Whether keys and curves are its own. */
-  readonly active: boolean;
-  /** Absent: everything. */
-  readonly joints?: readonly string[];
-  readonly root: boolean;
-  readonly morphs: boolean;
 }
 
 export interface MarrowApi {
@@ -216,7 +200,7 @@ export function scriptingApi(
       const place = viewport.eye.toScreen(transformPoint(placement, point));
       return { x: place.x, y: place.y };
     },
-    layers: (character) => layersOf(resolveCharacter(store, character), transport.get().timeSeconds),
+    layers: (ref) => layersOf(resolveCharacter(store, ref), transport.get().timeSeconds),
     stats: () => viewport.stats(),
     steps: () => ({ undo: store.undoLabel, redo: store.redoLabel }),
     undo: () => store.undo(),
@@ -258,14 +242,8 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
 }
 
 function layersOf(character: Character, timeSeconds: number): LayerInfo[] {
-  const { layers } = shownTake(character) ?? {};
-  const time = timeSeconds + character.timeOffsetSeconds;
-  return (layers?.list ?? []).map((layer, i) => ({
-    ...{ name: layer.name, mode: layer.mode, weight: layerWeight(layer, time) },
-    ...{ mute: layer.mute, solo: layer.solo, active: layers?.active === i },
-    ...(layer.joints && { joints: layer.joints }),
-    ...{ root: layer.root, morphs: layer.morphs },
-  }));
+  const take = shownTake(character);
+  return take?.layers ? layerCode(take).infos(take, timeSeconds + character.timeOffsetSeconds) : [];
 }
 
 function keysOf(store: Store, ref: CharacterRef | undefined, index: number | undefined): KeyInfo[] {

@@ -17,7 +17,7 @@ import {
   UNMARKED,
 } from '../model/part.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
-import { haveSameLayers } from '../model/takes/layers.ts';
+import { layerCode } from '../model/takes/layer-code.ts';
 import type { Take } from '../model/takes/take.ts';
 import { sameValue } from './delta.ts';
 import { haveSameNames } from './pose/same-joints.ts';
@@ -144,10 +144,8 @@ function holdsTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boole
 function areTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean {
   const { markers: _a, ...before } = a;
   const { markers: _b, ...after } = b;
-  if (areSameLayers(a, b)) {
-    // Which of its layers is active is no part of a take's files.
-    return a.name === b.name && a.framesPerSecond === b.framesPerSecond && sameValue(a.range, b.range);
-  }
+  // Which of its layers is active is no part of a take's files.
+  if (a.layers && b.layers && layerCode(a).haveSameFiles(a, b)) return true;
   const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
   return keys.every((key) => before[key] === after[key]);
 }
@@ -168,8 +166,4 @@ function arePosedAlike(a: Character, b: Character): boolean {
     haveSameNames(a.skeleton?.joints ?? [], b.skeleton?.joints ?? []) &&
     haveSameNames(characterDofs(a.skeleton, a.morphs), characterDofs(b.skeleton, b.morphs))
   );
-}
-
-function areSameLayers(a: Partial<Take>, b: Partial<Take>): boolean {
-  return a.layers !== undefined && b.layers !== undefined && haveSameLayers(a.layers, b.layers, [a, b]);
 }

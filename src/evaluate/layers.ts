@@ -8,29 +8,18 @@
  *
  * Limits and linked DOFs come after. Every DOF is treated alike, quaternions by their components.
  *
- * `takeMotion` is the one place where what controls a take becomes values of DOFs: its base, then its layers.
+ * What moves takes calls this code without loading it (`take-motion.ts`).
  */
 import { perObject } from '../model/per-object.ts';
 import { jointReferred } from '../model/skeleton/joint-reference.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import { baseOf, clampedWeight, countingLayers, motionOf } from '../model/takes/layers.ts';
+import { type LayerInfo, type LayersOverBase, provideLayerCode } from '../model/takes/layer-code.ts';
+import { unknownJoints } from '../model/takes/layer-joints.ts';
+import { baseOf, clampedWeight, countingLayers, haveSameFiles, motionOf, withMotions } from '../model/takes/layers.ts';
 import type { KeyedChannel, Layer, LayerSettings, Motion, Take } from '../model/takes/take.ts';
-import { type CompiledTake, compileChannels, compileTake } from './compiled-take.ts';
+import { type CompiledTake, compileChannels } from './compiled-take.ts';
 import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';
-import type { PoseRotations } from './rotations/pose-rotations.ts';
-import { type SampledJoints, sampledJoints } from './samples/sampled-joints.ts';
-import { samplePose } from './samples/sampled-pose.ts';
-
-/** A take with its layers, ready for evaluation. */
-export interface TakeMotion {
-  /** Of the motion beneath the layers. */
-  readonly curves: CompiledTake;
-  /** If samples drive it, and there is a skeleton. */
-  readonly joints: SampledJoints | undefined;
-  /** Those that count, from the lowest up; empty without layers. */
-  readonly layers: readonly CompiledLayer[];
-}
 
 /** A layer ready for evaluation. */
 export interface CompiledLayer {
@@ -49,24 +38,38 @@ export interface CompiledLayer {
   readonly values: Float64Array;
 }
 
-const NO_LAYERS: readonly CompiledLayer[] = [];
-const NOWHERE = {};
-
-/** Compiles a take with its layers; cached. Without a skeleton, layers with joints touch nothing but what follows. */
-export function takeMotion(take: Take, skeleton: Skeleton | undefined): TakeMotion {
-  const curves = compileTake(baseOf(take));
-  return {
-    curves,
-    joints: curves.samples && skeleton && sampledJoints(curves, skeleton),
-    layers: take.layers ? compiledLayers(take)(skeleton ?? NOWHERE) : NO_LAYERS,
-  };
+/** Passes this code on to what moves and edits takes; called before there is a take with layers. */
+export function provideLayers(): void {
+  provideLayerCode({ haveSameFiles, infos, overBase, unknownJoints, withMotions });
 }
 
-const compiledLayers = perObject((take: Take) =>
-  perObject((of: Skeleton | typeof NOWHERE): readonly CompiledLayer[] => {
+/** A take's layers that count, from the lowest up; cached. */
+export function compileLayers(take: Take, skeleton: Skeleton | undefined): readonly CompiledLayer[] {
+  return compiled(take)(skeleton ?? NOWHERE).layers;
+}
+
+function overBase(take: Take, skeleton: Skeleton | undefined): LayersOverBase {
+  return compiled(take)(skeleton ?? NOWHERE);
+}
+
+interface CompiledLayers extends LayersOverBase {
+  readonly layers: readonly CompiledLayer[];
+}
+
+const NOWHERE = {};
+
+const compiled = perObject((take: Take) =>
+  perObject((of: Skeleton | typeof NOWHERE): CompiledLayers => {
     const skeleton = 'joints' in of ? of : undefined;
     const { list } = take.layers ?? { list: [] };
-    return countingLayers(list).flatMap((i) => compileLayer(list[i], i, motionOf(take, i), skeleton) ?? []);
+    const layers = countingLayers(list).flatMap((i) => compileLayer(list[i], i, motionOf(take, i), skeleton) ?? []);
+    return {
+      base: baseOf(take),
+      layers,
+      add(timeSeconds, out, count) {
+        for (const layer of layers) addLayer(layer, timeSeconds, out, count);
+      },
+    };
   }),
 );
 
@@ -121,23 +124,6 @@ const jointOfDofs = perObject((skeleton: Skeleton): Int32Array => {
   return joints;
 });
 
-/**
- * Writes the take's values of the first `count` DOFs to `out`; other ones are left alone. Allocates nothing.
- * @param rotations receives the rotations that samples give to joints
- */
-export function evaluateMotion(
-  { curves, joints, layers }: TakeMotion,
-  timeSeconds: number,
-  out: Float64Array,
-  count: number,
-  rotations?: PoseRotations,
-): void {
-  // A base may have fewer channels than the take that is edited.
-  evaluateTake(curves, timeSeconds, out, Math.min(count, curves.channelCount));
-  if (curves.samples && joints) samplePose(curves.samples, curves, joints, timeSeconds, out, count, rotations);
-  for (const layer of layers) addLayer(layer, timeSeconds, out, count);
-}
-
 function addLayer(layer: CompiledLayer, timeSeconds: number, out: Float64Array, count: number): void {
   const { dofs, curves, values, isAdditive } = layer;
   const weight = weightAt(layer, timeSeconds);
@@ -177,7 +163,7 @@ export function shareOf(
 ): (dof: number) => LayerShare {
   const { list } = take.layers ?? { list: [] };
   const counting = new Set(countingLayers(list));
-  const { layers } = takeMotion(take, skeleton);
+  const layers = compileLayers(take, skeleton);
   const compiled = new Map(layers.map((each) => [each.index, each]));
   const weights = list.map((one) => layerWeight(one, timeSeconds));
   for (const each of layers) evaluateTake(each.curves, timeSeconds, each.values);
@@ -217,6 +203,15 @@ const NO_MASK: LayerSettings = {
 };
 
 /** A layer's weight at a time, within 0 … 1, whether it counts or not. */
-export function layerWeight({ weight }: Layer, timeSeconds: number): number {
+function layerWeight({ weight }: Layer, timeSeconds: number): number {
   return clampedWeight(typeof weight === 'number' ? weight : evaluateChannel(compiledWeight(weight), 0, timeSeconds));
+}
+
+function infos({ layers }: Take, timeSeconds: number): LayerInfo[] {
+  return (layers?.list ?? []).map((layer, i) => ({
+    ...{ name: layer.name, mode: layer.mode, weight: layerWeight(layer, timeSeconds) },
+    ...{ mute: layer.mute, solo: layer.solo, active: layers?.active === i },
+    ...(layer.joints && { joints: layer.joints }),
+    ...{ root: layer.root, morphs: layer.morphs },
+  }));
 }

@@ -16,9 +16,9 @@ import { rootDofCount } from '../model/skeleton/dofs.ts';
 import type { Channel } from '../model/takes/take.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
-import { evaluateMotion, type TakeMotion, takeMotion } from './layers.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import type { PoseRotations } from './rotations/pose-rotations.ts';
+import { evaluateMotion, type TakeMotion, takeMotion } from './take-motion.ts';
 
 /** Times closer than this are the same; seconds. */
 const SAME_MOMENT = 1e-9;

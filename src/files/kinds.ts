@@ -17,7 +17,7 @@ import { withPositions } from '../model/skeleton/position-channels.ts';
 import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
-import { LAYERS_EXTENSION } from '../model/takes/layers.ts';
+import { LAYERS_EXTENSION } from '../model/takes/layers-file.ts';
 import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { keysOf, type Take } from '../model/takes/take.ts';

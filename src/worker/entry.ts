@@ -1,5 +1,6 @@
 /** The worker's side: receives a job, runs it, responds. */
 
+import { provideLayers } from '../evaluate/layers.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { testKit } from '../teaching/kit/kit.ts';
 import { compareDumps } from './compare-program.ts';
@@ -17,6 +18,8 @@ interface WorkerScope {
 // To the compiler `self` is a window; in a worker it is this.
 const scope = self as unknown as WorkerScope;
 
+// Characters and takes that are passed on may have layers.
+provideLayers();
 scope.onmessage = async ({ data }) => {
   const { id } = data;
   try {

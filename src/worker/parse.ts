@@ -45,7 +45,7 @@ export async function parse(
     diagnostics.push(
       withoutPlace('error', 'too-many-files', `None of the ${of} files was opened: ${tooManyFiles(maxFiles)}.`, ''),
     );
-    return { files, broken, diagnostics, facts: [], keeps: [], edited: [] };
+    return { files, broken, diagnostics, facts: [], keeps: [] };
   }
   const withoutNumbers: SourceFile[] = [];
   const bytesTotal = given.reduce((sum, { blob }) => sum + blob.size, 0);
@@ -105,11 +105,22 @@ export async function parse(
   diagnostics.push(...unreadFiles({ passedOver, uncounted }, severity));
   for (const source of withoutNumbers) diagnostics.push(skipped(source, emptyDumpMessage(source.bytes), severity));
 
+  const { joined, ...layers } = await joinedFiles(files, given, input.keep, diagnostics);
+  return { files: joined, broken, diagnostics, facts: factsOf(joined, broken), keeps, ...layers };
+}
+
+/** The files with those of takes with layers as one, and what the output says about these. */
+async function joinedFiles(
+  files: readonly ParsedFile[],
+  given: readonly GivenBlob[],
+  keep: ParseInput['keep'],
+  diagnostics: Diagnostic[],
+): Promise<{ readonly joined: readonly ParsedFile[] } & Pick<ParseOutput, 'layers'>> {
   const hashed = await withHashes(files, given);
-  const joined = joinLayers(hashed, input.keep ?? 'edit', byFileName);
-  diagnostics.push(...joined.diagnostics);
-  const edited = editedPlainFiles(hashed).map(({ source }) => source.name);
-  return { files: joined.files, broken, diagnostics, facts: factsOf(joined.files, broken), keeps, edited };
+  const { files: joined, diagnostics: problems } = joinLayers(hashed, keep ?? 'edit', byFileName);
+  diagnostics.push(...problems);
+  if (joined === hashed) return { joined };
+  return { joined, layers: { edited: editedPlainFiles(hashed).map(({ source }) => source.name) } };
 }
 
 /** The files with the hashes that others of them ask for. */

@@ -39,7 +39,7 @@ export interface ParseInput {
   /** Given earlier, of those that an output `keeps`: only looked at by files that are read from several. */
   readonly before?: readonly GivenBlob[];
   /** What counts where a plain file was edited since it was saved with its layers; default the edit. */
-  readonly keep?: Keep;
+  readonly keep?: Keep | undefined;
 }
 
 /** A file as the browser provides it: its bytes are read in the worker, and never pass through the page. */
@@ -58,8 +58,8 @@ export interface ParseOutput {
   readonly facts: readonly KnownSkin[];
   /** Paths of given files that are to be given again, as `before`, with those that come later. */
   readonly keeps: readonly string[];
-  /** Names of plain files that were edited since they were saved with their layers. */
-  readonly edited: readonly string[];
+  /** Of takes with layers: names of plain files that were edited since they were saved with them. Absent without any. */
+  readonly layers?: { readonly edited: readonly string[] };
 }
 
 /** Some of the files of an output. */

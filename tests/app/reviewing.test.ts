@@ -25,7 +25,7 @@ function page() {
   const jobs: {
     readonly [K in 'parse' | 'review' | 'unpack']: (input: Jobs[K]['takes']) => Promise<Jobs[K]['gives']>;
   } = {
-    parse: async () => ({ files: [], broken: [], diagnostics: [], facts: [], keeps: [], edited: [] }),
+    parse: async () => ({ files: [], broken: [], diagnostics: [], facts: [], keeps: [] }),
     unpack: unpackTakes,
     review: async ({ files }) => {
       await asked;

@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { evaluateMotion, shareOf, takeMotion } from '../../src/evaluate/layers.ts';
+import { shareOf } from '../../src/evaluate/layers.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
+import { evaluateMotion, takeMotion } from '../../src/evaluate/take-motion.ts';
 import { withActive } from '../../src/model/takes/layers.ts';
 import { type Channel, restChannel, type Take } from '../../src/model/takes/take.ts';
 import { between, channelOf, channels } from '../edit/keys/channels.ts';

@@ -28,7 +28,7 @@ class StandIn implements WorkerLike {
   }
 }
 
-const nothing: ParseOutput = { files: [], broken: [], diagnostics: [], facts: [], keeps: [], edited: [] };
+const nothing: ParseOutput = { files: [], broken: [], diagnostics: [], facts: [], keeps: [] };
 
 function client() {
   const workers: StandIn[] = [];

@@ -55,6 +55,8 @@ export async function readSession(
   const chunks = await readChunks(id, store, content.chunks);
   const arrays = await readArrays(id, store, [head.tree, ...[...chunks.values()].flat()]);
   options.signal.throwIfAborted();
+  // The history may have layers where the document has none.
+  (await import('../../evaluate/layers.ts')).provideLayers();
   // `Keeper` wrote it.
   const { knownSkins, ...state } = decode(head.tree, { files, arrays, chunks }) as KeptState;
   if (state.document.characters.some(({ driver }) => driver)) {

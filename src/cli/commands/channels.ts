@@ -2,8 +2,8 @@
 import { flattened } from '../../edit/layers/flatten.ts';
 import { compileTake } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
-import { evaluateMotion, takeMotion } from '../../evaluate/layers.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
+import { evaluateMotion, takeMotion } from '../../evaluate/take-motion.ts';
 import { neighboursAt, tweened } from '../../evaluate/tween.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -91,7 +91,7 @@ function valuesAt({ take, skeleton }: Found, times: readonly number[]): number[]
   const motion = takeMotion(take, skeleton);
   const values = times.map((time) => {
     const row = new Float64Array(take.channels.length);
-    // Samples of a take without layers are told as they are.
+    // Samples of a take without layers are printed as they are.
     if (take.layers) evaluateMotion(motion, time, row, row.length);
     else for (let c = 0; c < row.length; c++) row[c] = evaluateChannel(motion.curves, c, time);
     return row;

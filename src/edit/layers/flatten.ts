@@ -8,7 +8,7 @@
  */
 
 import { evaluateChannel } from '../../evaluate/curves.ts';
-import { type CompiledLayer, takeMotion, weightAt } from '../../evaluate/layers.ts';
+import { type CompiledLayer, compileLayers, weightAt } from '../../evaluate/layers.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
@@ -78,7 +78,7 @@ class LayerSum {
   ) {
     const { tolerance = FLATTEN_TOLERANCE, framesPerSecond } = options;
     const base = baseOf(take);
-    this.layers = takeMotion(take, skeleton).layers;
+    this.layers = compileLayers(take, skeleton);
     for (const layer of this.layers) {
       layer.dofs.forEach((dof, i) => {
         const above = this.above.get(dof);

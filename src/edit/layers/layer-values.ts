@@ -2,7 +2,8 @@
  * Between what is shown and what the active layer has: while posing one sees the sum of all layers, and keys the value
  * of one, x = (wanted − a) / b, where the sum is a + b·x.
  */
-import { evaluateMotion, type LayerShare, shareOf, takeMotion, touches } from '../../evaluate/layers.ts';
+import { type LayerShare, shareOf, touches } from '../../evaluate/layers.ts';
+import { evaluateMotion, takeMotion } from '../../evaluate/take-motion.ts';
 import { type Character, shownTake } from '../../model/document.ts';
 import { activeLayer } from '../../model/takes/layers.ts';
 import { CommandError } from '../command-error.ts';
@@ -17,7 +18,7 @@ export function activeShare(character: Character, timeSeconds: number): ((dof: n
   const { skeleton, timeOffsetSeconds } = character;
   const time = timeSeconds + timeOffsetSeconds;
   const base = new Float64Array(take.channels.length);
-  evaluateMotion({ ...takeMotion(take, skeleton), layers: [] }, time, base, base.length);
+  evaluateMotion({ ...takeMotion(take, skeleton), layers: undefined }, time, base, base.length);
   return shareOf(take, skeleton, take.layers.active, time, base);
 }
 

@@ -164,7 +164,7 @@ export function unionOfTimes(channels: readonly KeyedChannel[]): readonly number
   return union;
 }
 
-/** A channel that is asked for values at ascending times. */
+/** A channel evaluated at ascending times. */
 export class Curve {
   private readonly compiled: CompiledTake;
   private next = 0;

@@ -4,7 +4,7 @@
  */
 import type { DriverSource } from '../../model/document.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
-import { evaluateMotion, type TakeMotion, takeMotion } from '../layers.ts';
+import { evaluateMotion, type TakeMotion, takeMotion } from '../take-motion.ts';
 
 /** A source of retargeting, compiled. */
 export interface PlayedSource {

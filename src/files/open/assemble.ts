@@ -21,11 +21,10 @@ import {
 import type { Morph } from '../../model/morph.ts';
 import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
 import { jointDofCount } from '../../model/skeleton/dofs.ts';
-import { jointReferred } from '../../model/skeleton/joint-reference.ts';
 import { ownChannels } from '../../model/skeleton/skel-motion.ts';
 import { type Skin, textureNames } from '../../model/skin.ts';
 import type { Space } from '../../model/space.ts';
-import { LAYERS_EXTENSION } from '../../model/takes/layers.ts';
+import { layerCode } from '../../model/takes/layer-code.ts';
 import { firstTake } from '../../model/takes/moving.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { renamedTake } from '../../model/takes/tracked-take.ts';
@@ -234,7 +233,9 @@ export function checkParts(before: Character | undefined, after: Character, nami
     if (skin && isNew) problems.push(...checkMorph(morph, skin, called(parts.morphs[i], `${morph.name}.morph`)));
   });
   for (const each of after.takes) {
-    if (each.layers && (newSkeleton || !before?.takes.includes(each))) problems.push(...unknownJoints(each, after));
+    if (each.layers && (newSkeleton || !before?.takes.includes(each))) {
+      problems.push(...layerCode(each).unknownJoints(each, after));
+    }
   }
   const take = shownTake(after);
   const needsAnother = newSkeleton && jointDofCount(before?.skeleton) !== jointDofCount(after.skeleton);
@@ -243,19 +244,4 @@ export function checkParts(before: Character | undefined, after: Character, nami
     problems.push(...checkTake(take, after.skeleton, after.morphs.length, file));
   }
   return problems;
-}
-
-/** Joints that layers of a take touch and the skeleton lacks, with their places in the JSON. */
-function unknownJoints({ name, layers }: Take, { skeleton, sources }: Character): readonly Diagnostic[] {
-  if (!skeleton) return [];
-  const indexOf = jointReferred(skeleton.joints);
-  const json = `${name}.${LAYERS_EXTENSION}`;
-  const file = sources.find((source) => sameName(source.name, json))?.path ?? json;
-  return (layers?.list ?? []).flatMap(({ joints = [] }, i) =>
-    joints.flatMap((joint, j) => {
-      if (indexOf(joint) !== undefined) return [];
-      const message = `layers[${i}].joints[${j}]: ${skeleton.name} has no joint "${joint}".`;
-      return [withoutPlace('warning', 'layer-joint-unknown', message, file, 'left out')];
-    }),
-  );
 }

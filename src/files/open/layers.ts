@@ -1,10 +1,11 @@
 /**
- * Joins the files of takes with layers, when files have been read and before they are opened: each `.layers.json` with its base and its
- * layers, found by base name among the files given, becomes one file of a take with the name of the JSON. Its parts are
- * no takes of their own, nor is the plain file beside it, which holds the flattened result.
+ * Joins the files of takes with layers, when files have been read and before they are opened: each `.layers.json` with
+ * its base and its layers, found by base name among the files given, becomes one file of a take with the name of the
+ * JSON. Its parts are no takes of their own, nor is the plain file beside it, which holds the flattened result.
  *
  *     walk.base.anim  walk.arm.anim  walk.layers.json  walk.anim   →   walk.anim, of a take with layers
  */
+import { provideLayers } from '../../evaluate/layers.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import {
   baseName,
@@ -16,8 +17,8 @@ import {
   stemOf,
 } from '../../model/files.ts';
 import { ownChannels } from '../../model/skeleton/skel-motion.ts';
-import { arranged, LAYERS_EXTENSION } from '../../model/takes/layers.ts';
-import type { FlattenedFile, LayersFile } from '../../model/takes/layers-file.ts';
+import { arranged } from '../../model/takes/layers.ts';
+import { type FlattenedFile, LAYERS_EXTENSION, type LayersFile } from '../../model/takes/layers-file.ts';
 import { type Layer, restChannel, type Take } from '../../model/takes/take.ts';
 
 /** The two ways to take a plain file with other bytes than those that were saved with its controls. */
@@ -63,6 +64,7 @@ export function editedPlainFiles(files: readonly ParsedFile[]): readonly ParsedF
 export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: FileNaming): Joined {
   const jsons = files.filter((file) => file.kind === 'layers');
   if (jsons.length === 0) return { files, diagnostics: [] };
+  provideLayers();
   const diagnostics: Diagnostic[] = [];
   const replaced = new Map<ParsedFile, ParsedFile>();
   const gone = new Set<ParsedFile>();

@@ -6,8 +6,9 @@
  *       "layers": [ { "name": "arm", "file": "walk.arm.anim", "mode": "additive", "weight": 0.5,
  *                     "mute": false, "solo": false, "joints": ["upper_arm_l", "#7"], "root": false, "morphs": false } ] }
  */
+
+import { LAYER_MODES } from '../../model/takes/layers.ts';
 import type { FlattenedFile, LayerRow, LayersFile } from '../../model/takes/layers-file.ts';
-import { LAYER_MODES } from '../../model/takes/take.ts';
 import { type JsonCurve, readCurve } from '../json/curve.ts';
 import { type JsonValue, jsonReader } from '../json/read.ts';
 import { WHOLE_FILE } from '../places.ts';

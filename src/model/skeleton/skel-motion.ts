@@ -10,7 +10,7 @@
  * Where position channels replace the offset, the offset becomes 0 on their axes.
  */
 
-import { withMotions } from '../takes/layers.ts';
+import { layerCode } from '../takes/layer-code.ts';
 import { columnOf, type Samples } from '../takes/samples.ts';
 import { type Channel, restChannel, type Take } from '../takes/take.ts';
 import { firstDofs, jointDofCount, rootDofCount, rootDofs } from './dofs.ts';
@@ -64,15 +64,7 @@ export function skelSkeleton(skeleton: Skeleton): Skeleton {
  * @param pose values of the DOFs that the take has no channels for
  */
 export function skelChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
-  return inOrder(take, pose, (each, values) => inSkelOrder(each, skeleton, values));
-}
-
-/** The take with its channels, and those of its layers, in another order; layers leave what they lack alone. */
-function inOrder(take: Take, pose: readonly number[], order: (take: Take, pose: readonly number[]) => Take): Take {
-  return take.layers ? withMotions(take, (each, layer) => order(each, layer < 0 ? pose : [])) : order(take, pose);
-}
-
-function inSkelOrder(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
+  if (take.layers) return ofEach(take, pose, (each, values) => skelChannels(each, skeleton, values));
   const own = rootDofCount(skeleton);
   const order = channelOrder(skeleton);
   if (order.every((c, i) => c === i)) return take;
@@ -94,10 +86,7 @@ function inSkelOrder(take: Take, skeleton: Skeleton, pose: readonly number[]): T
  * its own DOFs. The same object if nothing changes.
  */
 export function ownChannels(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
-  return inOrder(take, pose, (each, values) => inOwnOrder(each, skeleton, values));
-}
-
-function inOwnOrder(take: Take, skeleton: Skeleton, pose: readonly number[]): Take {
+  if (take.layers) return ofEach(take, pose, (each, values) => ownChannels(each, skeleton, values));
   const order = channelOrder(skeleton);
   if (order.every((c, i) => c === i)) return take;
   const channels: Channel[] = [];
@@ -108,6 +97,11 @@ function inOwnOrder(take: Take, skeleton: Skeleton, pose: readonly number[]): Ta
     if (c >= 0) channels[c] = take.channels[i];
   });
   return { ...take, channels: [...channels, ...take.channels.slice(order.length)] };
+}
+
+/** A take with layers with the channels of each in another order; layers leave what they lack alone. */
+function ofEach(take: Take, pose: readonly number[], order: (take: Take, pose: readonly number[]) => Take): Take {
+  return layerCode(take).withMotions(take, (each, layer) => order(each, layer < 0 ? pose : []));
 }
 
 /** For each channel of a take of its `skelSkeleton`, the skeleton's own; -1 for none. */

@@ -2,6 +2,9 @@
 import type { OtherFields } from '../other-fields.ts';
 import type { LayerSettings } from './take.ts';
 
+/** The end of what files of layers are called: `walk.layers.json`. */
+export const LAYERS_EXTENSION = 'layers.json';
+
 /** The plain file beside a JSON, as it was saved with it. */
 export interface FlattenedFile {
   readonly file: string;

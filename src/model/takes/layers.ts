@@ -12,6 +12,7 @@
 import {
   type Channel,
   type Layer,
+  type LayerMode,
   type LayerSettings,
   type LayerStack,
   type Motion,
@@ -19,8 +20,8 @@ import {
   type Take,
 } from './take.ts';
 
-/** The end of what files of layers are called: `walk.layers.json`. */
-export const LAYERS_EXTENSION = 'layers.json';
+/** All modes, as files and commands call them. */
+export const LAYER_MODES = ['additive', 'override'] as const satisfies readonly LayerMode[];
 
 const NO_MOTION: Motion = { channels: [] };
 
@@ -116,22 +117,20 @@ export function clampedWeight(weight: number): number {
   return Math.min(1, Math.max(0, weight));
 }
 
-/**
- * Whether the layers of two takes are the same, and their motions, whichever is active.
- * @param takes the takes: they have the motions of the active layers
- */
-export function haveSameLayers(
-  a: LayerStack,
-  b: LayerStack,
-  takes: readonly [Partial<Motion>, Partial<Motion>],
-): boolean {
-  if (a.list.length !== b.list.length || a.others !== b.others || a.baseFile !== b.baseFile) return false;
+/** Whether two takes with layers are the same but for their markers and which layer is active. */
+export function haveSameFiles(a: Partial<Take>, b: Partial<Take>): boolean {
+  if (a.name !== b.name || a.framesPerSecond !== b.framesPerSecond) return false;
+  return a.range?.[0] === b.range?.[0] && a.range?.[1] === b.range?.[1] && haveSameLayers(a, b);
+}
+
+function haveSameLayers(a: Partial<Take>, b: Partial<Take>): boolean {
+  const [one, other] = [a.layers, b.layers];
+  if (!one || !other || one.list.length !== other.list.length) return false;
+  if (one.others !== other.others || one.baseFile !== other.baseFile) return false;
   const motionIn = (stack: LayerStack, own: Partial<Motion>, layer: number): Partial<Motion> =>
     (stack.active === layer ? own : layer < 0 ? stack.base : stack.list[layer].motion) ?? NO_MOTION;
-  const isSame = (layer: number) => {
-    return isSameMotion(motionIn(a, takes[0], layer), motionIn(b, takes[1], layer));
-  };
-  return isSame(-1) && a.list.every((layer, i) => isSame(i) && isSameBesideMotion(layer, b.list[i]));
+  const isSame = (layer: number) => isSameMotion(motionIn(one, a, layer), motionIn(other, b, layer));
+  return isSame(-1) && one.list.every((layer, i) => isSame(i) && isSameBesideMotion(layer, other.list[i]));
 }
 
 function isSameBesideMotion(a: Layer, b: Layer): boolean {

@@ -25,9 +25,7 @@ export interface Take {
 }
 
 /** How a layer's values meet those beneath: added to them, or in their place. */
-export const LAYER_MODES = ['additive', 'override'] as const;
-/** See `LAYER_MODES`. */
-export type LayerMode = (typeof LAYER_MODES)[number];
+export type LayerMode = 'additive' | 'override';
 
 /** Channels and the samples that drive them: what a take and a layer move by. */
 export type Motion = Pick<Take, 'channels' | 'samples'>;

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { flattened } from '../../../src/edit/layers/flatten.ts';
 import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { evaluateMotion, takeMotion } from '../../../src/evaluate/layers.ts';
+import { evaluateMotion, takeMotion } from '../../../src/evaluate/take-motion.ts';
 import { motionsOf } from '../../../src/model/takes/layers.ts';
 import { keysOf, restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { checkChannel } from '../../helpers/invariants.ts';

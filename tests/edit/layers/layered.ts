@@ -1,8 +1,11 @@
 /** Takes with layers for tests: of any channels, or written out. */
 import fc from 'fast-check';
+import { provideLayers } from '../../../src/evaluate/layers.ts';
 import { arranged } from '../../../src/model/takes/layers.ts';
 import { type Channel, type KeyedChannel, type Layer, restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { between, channels, channelsOrRest } from '../keys/channels.ts';
+
+provideLayers();
 
 /** A layer with these channels, additive and of weight 1 if nothing else is said. */
 export function layerOf(own: readonly Channel[], more: Partial<Layer> = {}): Layer {

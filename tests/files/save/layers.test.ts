@@ -3,7 +3,7 @@ import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import { compileTake } from '../../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { evaluateMotion, takeMotion } from '../../../src/evaluate/layers.ts';
+import { evaluateMotion, takeMotion } from '../../../src/evaluate/take-motion.ts';
 import { joinLayers } from '../../../src/files/open/layers.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { formatOf } from '../../../src/files/readers.ts';

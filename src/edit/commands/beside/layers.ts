@@ -2,10 +2,11 @@
  * Layers of the shown take. What is keyed and edited otherwise belongs to the active one, whose channels are the take's
  * (`model/takes/layers.ts`).
  */
+import { provideLayers } from '../../../evaluate/layers.ts';
 import { type Document, shownTake } from '../../../model/document.ts';
 import { jointReferences } from '../../../model/skeleton/joint-reference.ts';
-import { arranged, emptyMotion, motionOf, unlayered, withActive } from '../../../model/takes/layers.ts';
-import { LAYER_MODES, type Layer, type Take } from '../../../model/takes/take.ts';
+import { arranged, emptyMotion, LAYER_MODES, motionOf, unlayered, withActive } from '../../../model/takes/layers.ts';
+import type { Layer, Take } from '../../../model/takes/take.ts';
 import { TANGENT_KINDS } from '../../../model/takes/tangent-kinds.ts';
 import { indexIn } from '../../arguments.ts';
 import type { Edit } from '../../change.ts';
@@ -194,6 +195,7 @@ export const flattenLayers = command({
 
 /** The document with another shown take; unkeyed changes and selected keys were of the one before. */
 function changed(document: Document, characterId: string, change: (take: Take) => Take): Document | Edit {
+  provideLayers();
   const before = requireCharacter(document, characterId);
   requireTake(before);
   const taking = withChannels(before, [0, 1]);

@@ -1,0 +1,53 @@
+/**
+ * The one place where what controls a take becomes values of DOFs: its base, then its layers. The code for layers
+ * (`layers.ts`) is passed on once there are any: see `model/takes/layer-code.ts`.
+ */
+import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import { type LayersOverBase, layerCode } from '../model/takes/layer-code.ts';
+import type { Take } from '../model/takes/take.ts';
+import { type CompiledTake, compileTake } from './compiled-take.ts';
+import { evaluateTake } from './curves.ts';
+import type { PoseRotations } from './rotations/pose-rotations.ts';
+import { type SampledJoints, sampledJoints } from './samples/sampled-joints.ts';
+import { samplePose } from './samples/sampled-pose.ts';
+
+/** A take with its layers, ready for evaluation. */
+export interface TakeMotion {
+  /** Of the motion beneath the layers. */
+  readonly curves: CompiledTake;
+  /** If samples drive it, and there is a skeleton. */
+  readonly joints: SampledJoints | undefined;
+  /** Absent without any. */
+  readonly layers: LayersOverBase | undefined;
+}
+
+/**
+ * Compiles a take with its layers; cached. Without a skeleton, layers with joints touch nothing but what follows.
+ * @throws Error for a take with layers whose code was not provided
+ */
+export function takeMotion(take: Take, skeleton: Skeleton | undefined): TakeMotion {
+  const layers = take.layers && layerCode(take).overBase(take, skeleton);
+  const curves = compileTake(layers?.base ?? take);
+  return {
+    curves,
+    joints: curves.samples && skeleton && sampledJoints(curves, skeleton),
+    layers,
+  };
+}
+
+/**
+ * Writes the take's values of the first `count` DOFs to `out`; other ones are left alone. Allocates nothing.
+ * @param rotations receives the rotations that samples give to joints
+ */
+export function evaluateMotion(
+  { curves, joints, layers }: TakeMotion,
+  timeSeconds: number,
+  out: Float64Array,
+  count: number,
+  rotations?: PoseRotations,
+): void {
+  // A base may have fewer channels than the take that is edited.
+  evaluateTake(curves, timeSeconds, out, Math.min(count, curves.channelCount));
+  if (curves.samples && joints) samplePose(curves.samples, curves, joints, timeSeconds, out, count, rotations);
+  layers?.add(timeSeconds, out, count);
+}

@@ -1,0 +1,56 @@
+/**
+ * What pages without layers do with takes of others: nothing, since the code for that (`layers.ts`) is a separate script.
+ * Takes can't wait for it to load, so code that brings layers into a document passes it on before:
+ *
+ *     provideLayers();
+ *
+ * of `evaluate/layers.ts`. The opener, the session reader, the commands for layers, the joining of files, and the
+ * worker do.
+ */
+import type { Skeleton } from '../skeleton/skeleton.ts';
+import type * as LayerJoints from './layer-joints.ts';
+import type * as Layers from './layers.ts';
+import type { LayerSettings, Motion, Take } from './take.ts';
+
+/** A layer at a time. */
+export interface LayerInfo extends Omit<LayerSettings, 'weight' | 'ofWeight' | 'others'> {
+  /** Within 0 … 1. */
+  readonly weight: number;
+  /** Whether keys and curves of the take are its own. */
+  readonly active: boolean;
+}
+
+/** The layers of a take, ready for evaluation. */
+export interface LayersOverBase {
+  /** The motion beneath. */
+  readonly base: Motion;
+  /** Changes the first `count` values, from those of the base, by all layers that count. Allocates nothing. */
+  add(timeSeconds: number, out: Float64Array, count: number): void;
+}
+
+/** The functions that the first script calls. */
+export interface LayerCode
+  extends Pick<typeof Layers, 'haveSameFiles' | 'withMotions'>,
+    Pick<typeof LayerJoints, 'unknownJoints'> {
+  /** Cached. Without a skeleton, layers with joints touch nothing. */
+  overBase(take: Take, skeleton: Skeleton | undefined): LayersOverBase;
+  /** All layers of a take at a time of it, from the lowest up. */
+  infos(take: Take, timeSeconds: number): LayerInfo[];
+}
+
+let provided: LayerCode | undefined;
+
+/** Passes on the functions, before there is a take with layers. */
+export function provideLayerCode(code: LayerCode): void {
+  provided = code;
+}
+
+/**
+ * The functions that were provided.
+ * @param name of the take that needs them
+ * @throws Error if none were
+ */
+export function layerCode({ name }: Pick<Take, 'name'>): LayerCode {
+  if (!provided) throw new Error(`${name} has layers, but the code for that is not loaded.`);
+  return provided;
+}
