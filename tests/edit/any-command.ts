@@ -254,15 +254,17 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     mode: dice.pick(['additive', 'override', undefined] as const),
     joints: dice.is(0.7) ? undefined : [dice.below(character.skeleton?.joints.length ?? 0)],
   }),
-  'layers.remove': (s) => ofLayer(s, {}),
+  // Rarely, so that there are several to be moved.
+  'layers.remove': (s) => (s.dice.is(0.4) ? ofLayer(s, {}) : undefined),
   'layers.rename': (s) => ofLayer(s, { name: s.dice.pick(['arm', 'face', 'layer']) }),
   'layers.set': (s) =>
     ofLayer(s, { weight: s.dice.pick([undefined, 0, 0.5, 1]), mute: s.dice.is(0.3), solo: s.dice.is(0.2) }),
   'layers.keyWeight': (s) => ofLayer(s, { timeSeconds: time(s.dice), weight: s.dice.pick([0, 0.5, 1]) }),
   'layers.move': (s) => ofLayer(s, { to: s.dice.below(s.take.layers?.list.length ?? 1) }),
   'layers.activate': (s) => ofLayer(s, {}),
-  'layers.mergeDown': (s) => ofLayer(s, {}),
-  'layers.flatten': ({ character, take }) => take.layers && { characterId: character.id },
+  'layers.mergeDown': (s) => (s.dice.is(0.4) ? ofLayer(s, {}) : undefined),
+  'layers.flatten': ({ dice, character, take }) =>
+    take.layers && dice.is(0.3) ? { characterId: character.id } : undefined,
   'markers.add': ({ dice, character }) => {
     const [timeSeconds, endSeconds] = range(dice);
     const marker = { timeSeconds, label: dice.pick(['step', 'turn', '']) };
