@@ -1,13 +1,8 @@
 /** What readers of arrays share: checks of shapes and rates, and rotations as quaternions x y z w. */
 import { LONGEST_FRAME, SHORTEST_FRAME } from '../../model/takes/samples.ts';
-import { ImportError, type Remarks } from '../imported.ts';
-import { type Numbers, type NumpyArray, shapeText } from './npy.ts';
+import type { Remarks } from '../imported.ts';
+import { fail, type Numbers, type NumpyArray, shapeText } from './npy.ts';
 import type { Arrays } from './npz.ts';
-
-/** Throws an `ImportError`. */
-export function fail(code: string, message: string): never {
-  throw new ImportError(code, message);
-}
 
 /** Numbers of an array a frame, all but the first dimension together; 0 without frames. */
 export function widthOf({ shape, values }: NumpyArray): number {

@@ -246,6 +246,10 @@ function textsOf(bytes: Uint8Array, header: NumpyHeader): readonly string[] {
   return texts;
 }
 
-function fail(code: string, message: string): never {
-  throw new ImportError(code, message);
+/** The name of the only array of a `.npy`. */
+export const ONLY = 'the array';
+
+/** Throws an `ImportError`, whose sentence may begin with an array's name. */
+export function fail(code: string, message: string): never {
+  throw new ImportError(code, message.startsWith(ONLY) ? `T${message.slice(1)}` : message);
 }

@@ -8,12 +8,14 @@ import type { Budget } from '../budget.ts';
 import { ImportError } from '../imported.ts';
 import {
   checkHeader,
+  fail,
   isNpy,
   itemsOf,
   MAX_BYTES,
   type NumpyArray,
   type NumpyHeader,
   npyHeader,
+  ONLY,
   readNpy,
 } from './npy.ts';
 
@@ -112,9 +114,6 @@ export class Arrays {
   }
 }
 
-/** The name of the only array of a `.npy`. */
-export const ONLY = 'the array';
-
 /**
  * The bytes of an entry, or the first of them.
  * @param most as many as are wanted; default: all
@@ -168,8 +167,4 @@ function wrongSize(name: string, size: number, found: number | string): string {
 /** Numbers can only be viewed at multiples of their size; the header of an array is made so that they are. */
 function aligned(bytes: Uint8Array): Uint8Array {
   return bytes.byteOffset % 8 === 0 ? bytes : bytes.slice();
-}
-
-function fail(code: string, message: string): never {
-  throw new ImportError(code, message);
 }

@@ -4,9 +4,9 @@ import { statedSpace } from '../../evaluate/space/metres.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { FileSpace } from '../../model/space.ts';
 import type { Remarks } from '../imported.ts';
-import { fail, framesOf, rateOf, turnBack } from './frames.ts';
+import { framesOf, rateOf, turnBack } from './frames.ts';
 import type { ArraysKind, ReadMotion } from './kind.ts';
-import type { Numbers } from './npy.ts';
+import { fail, type Numbers } from './npy.ts';
 import type { Arrays } from './npz.ts';
 
 /** How far a joint may be off its offset, as a fraction of the size, before it has positions of its own. */

@@ -6,9 +6,9 @@ import { FittedTree } from '../../evaluate/tree-fit/fit-tree.ts';
 import { type JointTree, knownCounts, SMPL_BODY, treesOf } from '../../evaluate/tree-fit/known-trees.ts';
 import type { PointPaths } from '../../evaluate/tree-fit/point-paths.ts';
 import type { Remarks } from '../imported.ts';
-import { fail, rateOf } from './frames.ts';
+import { rateOf } from './frames.ts';
 import type { ArraysKind, ReadMotion } from './kind.ts';
-import type { Numbers } from './npy.ts';
+import { fail, type Numbers } from './npy.ts';
 import type { Arrays } from './npz.ts';
 
 /** Names of the array, the first that has the shape counts. */

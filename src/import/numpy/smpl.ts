@@ -5,9 +5,9 @@
  */
 import { median } from '../../evaluate/tree-fit/bones.ts';
 import type { Remarks } from '../imported.ts';
-import { fail, framesOf, multiplyInto, rateOf, turnBack, widthOf, writeOfVector } from './frames.ts';
+import { framesOf, multiplyInto, rateOf, turnBack, widthOf, writeOfVector } from './frames.ts';
 import type { ArraysKind, ReadMotion } from './kind.ts';
-import { type Numbers, type NumpyArray, shapeText } from './npy.ts';
+import { fail, type Numbers, type NumpyArray, shapeText } from './npy.ts';
 import type { Arrays } from './npz.ts';
 import { type BodyCount, bodyTree } from './smpl-tree.ts';
 

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { Budget } from '../../../src/import/budget.ts';
-import { readNpy } from '../../../src/import/numpy/npy.ts';
+import { ONLY, readNpy } from '../../../src/import/numpy/npy.ts';
 import { Arrays } from '../../../src/import/numpy/npz.ts';
 import { npyOf, npyWith, npzOf } from '../../helpers/numpy.ts';
 
@@ -76,7 +76,7 @@ describe('a .npy', () => {
   });
 
   it.each([
-    [header(`'|O'`, '(1,)'), /Python objects \(pickled\)/],
+    [header(`'|O'`, '(1,)'), /^x holds Python objects \(pickled\)/],
     [header(`[('a', '<f4')]`, '(1,)'), /found a structure/],
     [header(`'<c8'`, '(1,)'), /found <c8/],
     [header(`'<f16'`, '(1,)'), /found <f16/],
@@ -147,6 +147,11 @@ describe('a .npz', () => {
     view.setUint16(at + 30, 20, true);
     const wide = Buffer.concat([made.subarray(0, at + 46 + name), new Uint8Array(extra.buffer), made.subarray(end)]);
     expect(arraysIn(new Uint8Array(wide)).array('a')?.values).toEqual(numbers);
+  });
+
+  it('what is said of the only array of a .npy is a sentence', () => {
+    const objects = npyWith(header(`'|O'`, '(1,)'), of(1, 2, 3));
+    expect(() => readNpy(objects, ONLY)).toThrow(/^The array holds Python objects/);
   });
 
   it('objects are refused only where they are needed', () => {
