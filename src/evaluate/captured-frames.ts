@@ -109,20 +109,23 @@ function valuesOf({ names, moves }: FrameJoints, frames: JointFrames, order: rea
   const places = new Float64Array(3 * count);
   const angles = new Float64Array(3 * count);
   const [even, odd] = [new Float64Array(4 * count), new Float64Array(4 * count)];
-  const views = [even, odd].map((all) => Array.from({ length: count }, (_, j) => all.subarray(4 * j, 4 * j + 4)));
+  const joints = Int32Array.from(order);
+  const hasPlace = Uint8Array.from(moves, Number);
   let at = 0;
   for (let frame = 0; frame < frames.frameCount; frame++) {
-    const [now, before] = frame % 2 ? [views[1], views[0]] : views;
-    frames.write(frame, frame % 2 ? odd : even, places);
+    const q = frame % 2 ? odd : even;
+    const p = frame % 2 ? even : odd;
+    frames.write(frame, q, places);
     const isExact = frame % EXACT === 0;
-    for (const j of order) {
+    for (let i = 0; i < count; i++) {
+      const j = joints[i];
       const a = 3 * j;
-      const q = now[j];
-      const p = before[j];
+      const o = 4 * j;
       // Most joints of hands rest all the time.
-      const rests = frame > 0 && q[0] === p[0] && q[1] === p[1] && q[2] === p[2] && q[3] === p[3];
-      if (!rests && (isExact || !turnEuler(p, q, angles, a))) eulerNear(q, angles, a);
-      if (moves[j]) {
+      const rests =
+        frame > 0 && q[o] === p[o] && q[o + 1] === p[o + 1] && q[o + 2] === p[o + 2] && q[o + 3] === p[o + 3];
+      if (!rests && (isExact || !turnEuler(p, o, q, o, angles, a))) eulerNear(q, angles, a, o);
+      if (hasPlace[j]) {
         values[at++] = places[a];
         values[at++] = places[a + 1];
         values[at++] = places[a + 2];

@@ -102,15 +102,15 @@ const LOCKED = 1e-12;
 const TURN = 2 * Math.PI;
 
 /**
- * Replaces the three angles at `angles[o]` by the nearest ones that give the unit quaternion at `q[0]`. Each rotation
+ * Replaces the three angles at `angles[o]` by the nearest ones that give the unit quaternion at `q[qo]`. Each rotation
  * has two sets of angles, (α, β, γ) and (α + 180°, 180° − β, γ + 180°), each up to whole turns. In gimbal lock the
  * rotation determines only one of γ + α and γ − α; the other is kept.
  */
-export function eulerNear(q: Float64Array, angles: Float64Array, o: number): void {
-  const x = q[0];
-  const y = q[1];
-  const z = q[2];
-  const w = q[3];
+export function eulerNear(q: Float64Array, angles: Float64Array, o: number, qo = 0): void {
+  const x = q[qo];
+  const y = q[qo + 1];
+  const z = q[qo + 2];
+  const w = q[qo + 3];
   const alpha0 = angles[o];
   const beta0 = angles[o + 1];
   const gamma0 = angles[o + 2];
@@ -153,20 +153,27 @@ export function eulerNear(q: Float64Array, angles: Float64Array, o: number): voi
 }
 
 /**
- * If the three angles at `angles[o]` are those of the quaternion p at `from[0]` and q is close to p, updates them to
- * those of q by small changes. Otherwise returns false and changes nothing; then use `eulerNear`, which takes three
- * times as long. Neither quaternion has to be normalised.
+ * If the three angles at `angles[o]` are those of the quaternion p at `from[fo]` and the one at `q[qo]` is close to p,
+ * updates them to those of q by small changes. Otherwise returns false and changes nothing; then use `eulerNear`, which
+ * takes three times as long. Neither quaternion has to be normalised.
  */
-export function turnEuler(from: Float64Array, q: Float64Array, angles: Float64Array, o: number): boolean {
+export function turnEuler(
+  from: Float64Array,
+  fo: number,
+  q: Float64Array,
+  qo: number,
+  angles: Float64Array,
+  o: number,
+): boolean {
   // Sine and cosine of half the sum and half the difference, times the lengths of the vectors.
-  const s0 = from[0] + from[2];
-  const c0 = from[3] - from[1];
-  const d0 = from[2] - from[0];
-  const e0 = from[3] + from[1];
-  const s1 = q[0] + q[2];
-  const c1 = q[3] - q[1];
-  const d1 = q[2] - q[0];
-  const e1 = q[3] + q[1];
+  const s0 = from[fo] + from[fo + 2];
+  const c0 = from[fo + 3] - from[fo + 1];
+  const d0 = from[fo + 2] - from[fo];
+  const e0 = from[fo + 3] + from[fo + 1];
+  const s1 = q[qo] + q[qo + 2];
+  const c1 = q[qo + 3] - q[qo + 1];
+  const d1 = q[qo + 2] - q[qo];
+  const e1 = q[qo + 3] + q[qo + 1];
   const sumCosine = c0 * c1 + s0 * s1;
   const sum = (c0 * s1 - s0 * c1) / sumCosine;
   const differenceCosine = e0 * e1 + d0 * d1;

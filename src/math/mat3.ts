@@ -1,4 +1,5 @@
 /** Rotations as nine numbers of a Float64Array, column-major, for loops over frames; nothing allocates. */
+import { length3 } from './vec3.ts';
 
 /** `out = a · b`; `out` may not overlap `a` or `b`. */
 export function multiply3(
@@ -174,7 +175,7 @@ export function turnAbout(
  * use any perpendicular axis; a vector without a direction gives the identity.
  */
 export function swing(from: Float64Array, fo: number, to: Float64Array, t: number, out: Float64Array, o: number): void {
-  const lengths = Math.hypot(from[fo], from[fo + 1], from[fo + 2]) * Math.hypot(to[t], to[t + 1], to[t + 2]);
+  const lengths = length3(from[fo], from[fo + 1], from[fo + 2]) * length3(to[t], to[t + 1], to[t + 2]);
   if (!(lengths > 0)) {
     setIdentity3(out, o);
     return;
@@ -194,12 +195,12 @@ export function swing(from: Float64Array, fo: number, to: Float64Array, t: numbe
     if (a <= b && a <= c) [x, y, z] = [0, -from[fo + 2], from[fo + 1]];
     else if (b <= c) [x, y, z] = [from[fo + 2], 0, -from[fo]];
     else [x, y, z] = [-from[fo + 1], from[fo], 0];
-    const s = 1 / Math.hypot(x, y, z);
+    const s = 1 / length3(x, y, z);
     turnAbout(x * s, y * s, z * s, -1, 0, out, o);
     return;
   }
   const s = 1 / sin;
-  const length = Math.hypot(cos, sin);
+  const length = Math.sqrt(cos * cos + sin * sin);
   sin /= length;
   turnAbout(x * s, y * s, z * s, cos / length, sin, out, o);
 }

@@ -129,7 +129,7 @@ describe('turning Euler angles by a little', () => {
         const to = angles.map((value, i) => value + steps[i]);
         const found = Float64Array.from(angles);
         const q = quaternion(to);
-        if (!turnEuler(quaternion(angles), q, found, 0)) {
+        if (!turnEuler(quaternion(angles), 0, q, 0, found, 0)) {
           expect([...found]).toEqual(angles);
           return;
         }
@@ -146,8 +146,8 @@ describe('turning Euler angles by a little', () => {
 
   it('says so where the rotations are far apart', () => {
     const angles = Float64Array.of(0.1, 0.2, 0.3);
-    expect(turnEuler(quaternion([0.1, 0.2, 0.3]), quaternion([2, 0.2, 0.3]), angles, 0)).toBe(false);
-    expect(turnEuler(quaternion([0.1, 0.2, 0.3]), Float64Array.of(NaN, 0, 0, 1), angles, 0)).toBe(false);
+    expect(turnEuler(quaternion([0.1, 0.2, 0.3]), 0, quaternion([2, 0.2, 0.3]), 0, angles, 0)).toBe(false);
+    expect(turnEuler(quaternion([0.1, 0.2, 0.3]), 0, Float64Array.of(NaN, 0, 0, 1), 0, angles, 0)).toBe(false);
     expect([...angles]).toEqual([0.1, 0.2, 0.3]);
   });
 });

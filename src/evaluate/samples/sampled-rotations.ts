@@ -116,7 +116,7 @@ function turnAngles(alpha: number, beta: number, gamma: number, part: number): v
   const b = beta - angles[1];
   const c = gamma - angles[2];
   const isSmooth = a < 1 && a > -1 && b < 1 && b > -1 && c < 1 && c > -1;
-  if (isSmooth && turnEuler(here, turned, angles, 0)) return;
+  if (isSmooth && turnEuler(here, 0, turned, 0, angles, 0)) return;
   angles[0] = between(angles[0], alpha, part);
   angles[1] = between(angles[1], beta, part);
   angles[2] = between(angles[2], gamma, part);

@@ -1,4 +1,5 @@
 /** Bones of a tree whose joints are given by their positions: how long they are, and which tree they are those of. */
+import { length3 } from '../../math/vec3.ts';
 import type { JointTree } from './known-trees.ts';
 import { type JointFrameSet, type PointPaths, someFrames } from './point-paths.ts';
 
@@ -44,7 +45,7 @@ function variation({ parents }: JointTree, frames: JointFrameSet): number {
 function writeLengths({ count, positions }: JointFrameSet, joints: number, a: number, b: number, out: Float64Array) {
   for (let i = 0; i < count; i++) {
     const [p, q] = [3 * (i * joints + a), 3 * (i * joints + b)];
-    out[i] = Math.hypot(
+    out[i] = length3(
       positions[p] - positions[q],
       positions[p + 1] - positions[q + 1],
       positions[p + 2] - positions[q + 2],

@@ -10,44 +10,52 @@
  *
  * At rest all rotations are 0, and the bones have the directions of the first frame.
  */
-import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
-import { quaternionOfRotation } from '../../math/quaternion.ts';
+import { backMultiply3, copy3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
+import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import { length3 } from '../../math/vec3.ts';
 import type { FrameJoints } from '../captured-frames.ts';
 import { boneLengths, measuredFrames } from './bones.ts';
 import type { JointTree } from './known-trees.ts';
 import { nearestRotation } from './nearest-rotation.ts';
-import { type PointPaths, writeJoints } from './point-paths.ts';
+import { jointsWriter, type PointPaths } from './point-paths.ts';
 import { addProduct, restShape } from './rest-shape.ts';
 
 /** A tree with bones, and what writes its frames. */
 export class FittedTree {
   readonly joints: FrameJoints;
   private readonly children: readonly (readonly number[])[];
-  /** x y z of each joint in its parent's space. */
+  private readonly onlyChild: Int32Array;
+  private readonly parents: Int32Array;
+  private readonly order: Int32Array;
+  private readonly read: (frame: number, out: Float64Array, o: number) => void;
+  /** x y z of each joint in its parent's space, and the length of that. */
   private readonly offsets: Float64Array;
-  private readonly order: readonly number[];
-  /** Of each joint, in a frame: x y z as given and as fitted, and its rotation in the world, 9 numbers. */
+  private readonly lengths: Float64Array;
+  /** Of each joint, in a frame: x y z as given and as fitted, and its rotation in the world, x y z w. */
   private readonly given: Float64Array;
   private readonly fitted: Float64Array;
   private readonly world: Float64Array;
+  /** The same as 9 numbers, of joints with several children. */
+  private readonly matrices: Float64Array;
   private sum = 0;
   private count = 0;
   private largest = 0;
 
-  constructor(
-    private readonly paths: PointPaths,
-    private readonly tree: JointTree,
-  ) {
+  constructor(paths: PointPaths, tree: JointTree) {
     const { names, parents } = tree;
     const count = names.length;
     this.children = names.map((_, j) => parents.flatMap((parent, child) => (parent === j ? [child] : [])));
-    this.order = parentsFirst(this.children, parents);
+    this.onlyChild = Int32Array.from(this.children, (own) => (own.length > 1 ? SEVERAL : (own[0] ?? NONE)));
+    this.parents = Int32Array.from(parents);
+    this.order = Int32Array.from(parentsFirst(this.children, parents));
+    this.read = jointsWriter(paths, tree);
+    this.offsets = offsetsOf(paths, tree, this.children);
+    this.lengths = Float64Array.from(names, (_, j) => Math.hypot(...this.offsets.subarray(3 * j, 3 * j + 3)));
     this.given = new Float64Array(3 * count);
     this.fitted = new Float64Array(3 * count);
-    this.world = new Float64Array(9 * count);
-    for (let j = 0; j < count; j++) setIdentity3(this.world, 9 * j);
-    this.offsets = this.offsetsOf();
+    this.world = new Float64Array(4 * count);
+    this.matrices = new Float64Array(9 * count);
+    for (let j = 0; j < count; j++) setIdentity3(this.matrices, 9 * j);
     this.joints = { names, parents, offsets: this.offsets, moves: parents.map((parent) => parent < 0) };
   }
 
@@ -63,88 +71,181 @@ export class FittedTree {
 
   /** Writes a frame, as `JointFrames` has it. */
   write(frame: number, rotations: Float64Array, places: Float64Array): void {
-    const { paths, tree, given, fitted, world, offsets, order } = this;
-    const { parents } = tree;
-    writeJoints(paths, tree, frame, given, 0);
-    for (const j of order) {
-      const parent = parents[j];
-      if (parent < 0) for (let k = 3 * j; k < 3 * j + 3; k++) places[k] = fitted[k] = given[k];
-      else {
-        turnVector(world, 9 * parent, offsets, 3 * j, fitted, 3 * j);
-        for (let k = 0; k < 3; k++) fitted[3 * j + k] += fitted[3 * parent + k];
-      }
-      this.turn(j, parent);
-      if (parent < 0) copy3(world, 9 * j, local, 0);
-      else backMultiply3(world, 9 * parent, world, 9 * j, local, 0);
-      quaternionOfRotation(local, 0, quaternion);
-      for (let k = 0; k < 4; k++) rotations[4 * j + k] = quaternion[k];
-      this.measure(j);
+    const { given, fitted, order, parents, onlyChild } = this;
+    this.read(frame, given, 0);
+    for (let i = 0; i < order.length; i++) {
+      const j = order[i];
+      if (parents[j] < 0) for (let k = 3 * j; k < 3 * j + 3; k++) places[k] = fitted[k] = given[k];
+      if (onlyChild[j] >= 0) this.aim(j, onlyChild[j], rotations);
+      else if (onlyChild[j] === SEVERAL) this.fit(j, rotations);
+      else this.keep(j, rotations);
     }
+    this.count += order.length;
   }
 
-  /** Writes the rotation of a joint whose position and parent are known. */
-  private turn(j: number, parent: number): void {
-    const { world, offsets, children, given, fitted } = this;
+  /** Leaves a joint turned as its parent is. */
+  private keep(j: number, rotations: Float64Array): void {
+    const o = 4 * j;
+    rotations[o] = rotations[o + 1] = rotations[o + 2] = 0;
+    rotations[o + 3] = 1;
+    if (this.onlyChild[j] !== NONE) this.carry(j, rotations);
+  }
+
+  /** Writes the rotation of a joint in the world, from that of its parent. */
+  private carry(j: number, rotations: Float64Array): void {
+    const { world, parents } = this;
+    const o = 4 * j;
+    const x = rotations[o];
+    const y = rotations[o + 1];
+    const z = rotations[o + 2];
+    const w = rotations[o + 3];
+    const p = 4 * parents[j];
+    if (p < 0) {
+      world[o] = x;
+      world[o + 1] = y;
+      world[o + 2] = z;
+      world[o + 3] = w;
+      return;
+    }
+    const a = world[p];
+    const b = world[p + 1];
+    const c = world[p + 2];
+    const d = world[p + 3];
+    world[o] = d * x + a * w + b * z - c * y;
+    world[o + 1] = d * y - a * z + b * w + c * x;
+    world[o + 2] = d * z + a * y - b * x + c * w;
+    world[o + 3] = d * w - a * x - b * y - c * z;
+  }
+
+  /**
+   * Turns a joint from its parent's rotation so that it aims at its only child. The smallest turn that takes o to v is the
+   * quaternion along o × v and |o||v| + o·v.
+   */
+  private aim(j: number, child: number, rotations: Float64Array): void {
+    const { world, offsets, given, fitted, parents } = this;
+    const a = 3 * j;
+    const c = 3 * child;
+    let x = given[c] - fitted[a];
+    let y = given[c + 1] - fitted[a + 1];
+    let z = given[c + 2] - fitted[a + 2];
+    const length = this.lengths[child];
+    const distance = length3(x, y, z);
+    const product = length * distance;
+    if (!(product > TINY)) {
+      this.keep(j, rotations);
+      writeRotation(world[4 * j], world[4 * j + 1], world[4 * j + 2], world[4 * j + 3], rotation, 0, 3);
+      this.place(rotation, 0, j, child);
+      return;
+    }
+    const part = length / distance;
+    fitted[c] = fitted[a] + x * part;
+    fitted[c + 1] = fitted[a + 1] + y * part;
+    fitted[c + 2] = fitted[a + 2] + z * part;
+    this.measure(Math.abs(distance - length));
+    const p = 4 * parents[j];
+    if (p >= 0) {
+      // Into the parent's space.
+      const qx = world[p];
+      const qy = world[p + 1];
+      const qz = world[p + 2];
+      const w = 2 * world[p + 3];
+      const tx = y * qz - z * qy;
+      const ty = z * qx - x * qz;
+      const tz = x * qy - y * qx;
+      x += w * tx + 2 * (ty * qz - tz * qy);
+      y += w * ty + 2 * (tz * qx - tx * qz);
+      z += w * tz + 2 * (tx * qy - ty * qx);
+    }
+    const ox = offsets[c];
+    const oy = offsets[c + 1];
+    const oz = offsets[c + 2];
+    const o = 4 * j;
+    const sum = product + ox * x + oy * y + oz * z;
+    if (sum < NEARLY_OPPOSITE * product) {
+      wanted[0] = x;
+      wanted[1] = y;
+      wanted[2] = z;
+      swing(offsets, c, wanted, 0, rotation, 0);
+      quaternionOfRotation(rotation, 0, quaternion);
+      for (let k = 0; k < 4; k++) rotations[o + k] = quaternion[k];
+    } else {
+      const s = 1 / Math.sqrt(2 * product * sum);
+      rotations[o] = (oy * z - oz * y) * s;
+      rotations[o + 1] = (oz * x - ox * z) * s;
+      rotations[o + 2] = (ox * y - oy * x) * s;
+      rotations[o + 3] = sum * s;
+    }
+    // A leaf is at the end of its bone, whichever way that is turned.
+    if (this.onlyChild[child] !== NONE) this.carry(j, rotations);
+  }
+
+  /** Turns a joint so that its children are as near as they can be to where they are given. */
+  private fit(j: number, rotations: Float64Array): void {
+    const { world, matrices, offsets, children, given, fitted, parents } = this;
     const own = children[j];
-    if (own.length > 1) {
-      products.fill(0);
-      for (const child of own) {
-        for (let k = 0; k < 3; k++) wanted[k] = given[3 * child + k] - fitted[3 * j + k];
-        addProduct(wanted, 0, offsets, 3 * child, products);
-      }
-      // From the frame before.
-      copy3(world, 9 * j, rotation, 0);
-      if (parent < 0) nearestRotation(products, rotation, IDENTITY);
-      else nearestRotation(products, rotation, world, 9 * parent);
-      copy3(rotation, 0, world, 9 * j);
-      return;
+    products.fill(0);
+    for (let i = 0; i < own.length; i++) {
+      const c = 3 * own[i];
+      for (let k = 0; k < 3; k++) wanted[k] = given[c + k] - fitted[3 * j + k];
+      addProduct(wanted, 0, offsets, c, products);
     }
-    if (parent < 0) copy3(IDENTITY, 0, rotation, 0);
-    else copy3(world, 9 * parent, rotation, 0);
-    if (own.length === 0) {
-      copy3(rotation, 0, world, 9 * j);
-      return;
-    }
-    const [child] = own;
-    for (let k = 0; k < 3; k++) wanted[k] = given[3 * child + k] - fitted[3 * j + k];
-    turnVector(rotation, 0, offsets, 3 * child, aimed, 0);
-    swing(aimed, 0, wanted, 0, turned, 0);
-    multiply3(turned, 0, rotation, 0, world, 9 * j);
+    const p = 4 * parents[j];
+    if (p < 0) setIdentity3(near);
+    else writeRotation(world[p], world[p + 1], world[p + 2], world[p + 3], near, 0, 3);
+    // From the frame before.
+    copy3(matrices, 9 * j, rotation, 0);
+    nearestRotation(products, rotation, near);
+    copy3(rotation, 0, matrices, 9 * j);
+    backMultiply3(near, 0, matrices, 9 * j, rotation, 0);
+    quaternionOfRotation(rotation, 0, quaternion);
+    for (let k = 0; k < 4; k++) rotations[4 * j + k] = quaternion[k];
+    this.carry(j, rotations);
+    for (let i = 0; i < own.length; i++) this.place(matrices, 9 * j, j, own[i]);
   }
 
-  private measure(j: number): void {
-    const { given, fitted } = this;
-    const distance = length3(
-      given[3 * j] - fitted[3 * j],
-      given[3 * j + 1] - fitted[3 * j + 1],
-      given[3 * j + 2] - fitted[3 * j + 2],
-    );
+  /** Puts a child to the end of its bone, from a joint with that rotation in the world. */
+  private place(matrix: Float64Array, m: number, j: number, child: number): void {
+    const { offsets, given, fitted } = this;
+    const a = 3 * j;
+    const c = 3 * child;
+    turnVector(matrix, m, offsets, c, fitted, c);
+    for (let k = 0; k < 3; k++) fitted[c + k] += fitted[a + k];
+    this.measure(length3(given[c] - fitted[c], given[c + 1] - fitted[c + 1], given[c + 2] - fitted[c + 2]));
+  }
+
+  private measure(distance: number): void {
     this.sum += distance;
-    this.count++;
-    this.largest = Math.max(this.largest, distance);
+    if (distance > this.largest) this.largest = distance;
   }
+}
 
-  private offsetsOf(): Float64Array {
-    const { tree, paths, children } = this;
-    const { parents } = tree;
-    const frames = measuredFrames(paths, tree);
-    const lengths = boneLengths(tree, frames);
-    const offsets = new Float64Array(3 * parents.length);
-    parents.forEach((parent, j) => {
-      if (parent < 0) for (let k = 3 * j; k < 3 * j + 3; k++) offsets[k] = frames.positions[k];
+/** Instead of an only child. */
+const [NONE, SEVERAL] = [-1, -2];
+/** Vectors whose lengths have a smaller product have no direction: its square would be 0. */
+const TINY = 1e-140;
+/** Of the largest sum: below it, a quaternion has lost digits. */
+const NEARLY_OPPOSITE = 1e-3;
+
+/** The median lengths, in the directions of the first frame. */
+function offsetsOf(paths: PointPaths, tree: JointTree, children: readonly (readonly number[])[]): Float64Array {
+  const { parents } = tree;
+  const frames = measuredFrames(paths, tree);
+  const lengths = boneLengths(tree, frames);
+  const offsets = new Float64Array(3 * parents.length);
+  parents.forEach((parent, j) => {
+    if (parent < 0) for (let k = 3 * j; k < 3 * j + 3; k++) offsets[k] = frames.positions[k];
+  });
+  children.forEach((own, j) => {
+    if (own.length === 0) return;
+    const shape = restShape(frames, parents.length, j, own);
+    own.forEach((child, c) => {
+      const length = Math.hypot(shape[3 * c], shape[3 * c + 1], shape[3 * c + 2]);
+      // One that is where its parent is in most frames has no direction.
+      for (let k = 0; k < 3; k++)
+        offsets[3 * child + k] = length > 0 ? (shape[3 * c + k] * lengths[child]) / length : 0;
     });
-    children.forEach((own, j) => {
-      if (own.length === 0) return;
-      const shape = restShape(frames, parents.length, j, own);
-      own.forEach((child, c) => {
-        const length = Math.hypot(shape[3 * c], shape[3 * c + 1], shape[3 * c + 2]);
-        // One that is where its parent is in most frames has no direction.
-        for (let k = 0; k < 3; k++)
-          offsets[3 * child + k] = length > 0 ? (shape[3 * c + k] * lengths[child]) / length : 0;
-      });
-    });
-    return offsets;
-  }
+  });
+  return offsets;
 }
 
 function parentsFirst(children: readonly (readonly number[])[], parents: readonly number[]): readonly number[] {
@@ -153,12 +254,9 @@ function parentsFirst(children: readonly (readonly number[])[], parents: readonl
   return order;
 }
 
-const IDENTITY = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 /** Scratch; never escapes. */
 const products = new Float64Array(9);
+const near = new Float64Array(9);
 const rotation = new Float64Array(9);
-const turned = new Float64Array(9);
-const local = new Float64Array(9);
 const wanted = new Float64Array(3);
-const aimed = new Float64Array(3);
 const quaternion = new Float64Array(4);

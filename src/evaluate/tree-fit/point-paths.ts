@@ -11,31 +11,29 @@ export interface PointPaths {
   readonly width: number;
 }
 
-/** Writes x y z of each joint of a tree in a frame, from `out[o]`. */
-export function writeJoints(
-  paths: PointPaths,
+/** Makes what writes x y z of each joint of a tree in a frame, from `out[o]`. */
+export function jointsWriter(
+  { values, width, pointCount }: PointPaths,
   { points }: JointTree,
-  frame: number,
-  out: Float64Array,
-  o: number,
-): void {
-  const { values, width, pointCount } = paths;
-  const from = frame * pointCount * width;
-  for (let j = 0; j < points.length; j++) {
-    const [first, second] = points[j];
-    const a = from + first * width;
-    const at = o + 3 * j;
-    if (second === undefined) {
-      out[at] = values[a];
-      out[at + 1] = values[a + 1];
-      out[at + 2] = values[a + 2];
-      continue;
+): (frame: number, out: Float64Array, o: number) => void {
+  const firsts = Int32Array.from(points, ([first]) => width * first);
+  const seconds = Int32Array.from(points, ([first, second = first]) => width * second);
+  return (frame, out, o) => {
+    const from = frame * pointCount * width;
+    for (let j = 0, at = o; j < firsts.length; j++, at += 3) {
+      const a = from + firsts[j];
+      const b = from + seconds[j];
+      if (a === b) {
+        out[at] = values[a];
+        out[at + 1] = values[a + 1];
+        out[at + 2] = values[a + 2];
+        continue;
+      }
+      out[at] = (values[a] + values[b]) / 2;
+      out[at + 1] = (values[a + 1] + values[b + 1]) / 2;
+      out[at + 2] = (values[a + 2] + values[b + 2]) / 2;
     }
-    const b = from + second * width;
-    out[at] = (values[a] + values[b]) / 2;
-    out[at + 1] = (values[a + 1] + values[b + 1]) / 2;
-    out[at + 2] = (values[a + 2] + values[b + 2]) / 2;
-  }
+  };
 }
 
 /** The joints of some frames, evenly chosen, one after the other: 3 numbers of each joint. */
@@ -49,8 +47,7 @@ export function someFrames(paths: PointPaths, tree: JointTree, most: number): Jo
   const count = Math.min(paths.frameCount, most);
   const width = 3 * tree.names.length;
   const positions = new Float64Array(count * width);
-  for (let i = 0; i < count; i++) {
-    writeJoints(paths, tree, Math.floor((i * paths.frameCount) / count), positions, i * width);
-  }
+  const write = jointsWriter(paths, tree);
+  for (let i = 0; i < count; i++) write(Math.floor((i * paths.frameCount) / count), positions, i * width);
   return { count, positions };
 }

@@ -78,8 +78,14 @@ function firstDirection(vectors: Float64Array): Float64Array {
 
 /** Adds b·aᵀ to 9 numbers, column-major. */
 export function addProduct(b: Float64Array, bo: number, a: Float64Array, ao: number, out: Float64Array): void {
+  const x = b[bo];
+  const y = b[bo + 1];
+  const z = b[bo + 2];
   for (let column = 0; column < 3; column++) {
-    for (let row = 0; row < 3; row++) out[3 * column + row] += b[bo + row] * a[ao + column];
+    const own = a[ao + column];
+    out[3 * column] += x * own;
+    out[3 * column + 1] += y * own;
+    out[3 * column + 2] += z * own;
   }
 }
 

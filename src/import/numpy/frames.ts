@@ -65,14 +65,29 @@ export function turnBack(q: Numbers, o: number, v: Float64Array, out: Float64Arr
 
 /** Writes the quaternion of an axis-angle vector in radians to `out[o …]`. */
 export function writeOfVector(x: number, y: number, z: number, out: Float64Array, o: number): void {
-  const angle = Math.sqrt(x * x + y * y + z * z);
-  // sin(a/2)/a is 1/2 at 0.
-  const s = angle > 1e-12 ? Math.sin(angle / 2) / angle : 0.5;
-  out[o] = x * s;
-  out[o + 1] = y * s;
-  out[o + 2] = z * s;
-  out[o + 3] = Math.cos(angle / 2);
+  const s = (x * x + y * y + z * z) / 4;
+  let sine = 0;
+  let cosine = 0;
+  if (s < SMALL_SQUARE) {
+    // sin √s / √s and cos √s by their series, arranged to shorten chains of dependent operations.
+    const t = s * s;
+    const sineTail = 1 / 362880 - s * (1 / 39916800) + t * (1 / 6227020800 - s * (1 / 1307674368000));
+    sine = 1 - s * (1 / 6) + t * (1 / 120 - s * (1 / 5040)) + t * t * sineTail;
+    const cosineTail = 1 / 40320 - s * (1 / 3628800) + t * (1 / 479001600 - s * (1 / 87178291200));
+    cosine = 1 - s * (1 / 2) + t * (1 / 24 - s * (1 / 720)) + t * t * cosineTail;
+  } else {
+    const half = Math.sqrt(s);
+    sine = Math.sin(half) / half;
+    cosine = Math.cos(half);
+  }
+  out[o] = 0.5 * x * sine;
+  out[o + 1] = 0.5 * y * sine;
+  out[o + 2] = 0.5 * z * sine;
+  out[o + 3] = cosine;
 }
+
+/** Up to it, the next terms of the series above are less than 1e-17. */
+const SMALL_SQUARE = 0.36;
 
 /** `out` = p · q, of quaternions; `out` may be neither. */
 export function multiplyInto(

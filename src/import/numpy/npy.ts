@@ -5,7 +5,6 @@
  *     then the numbers, row-major (C) or column-major (Fortran)
  */
 
-import { firstNotFinite } from '../finite.ts';
 import { ImportError } from '../imported.ts';
 import { dictionaryOf, type Literal } from './literal.ts';
 
@@ -168,9 +167,8 @@ export function readNpy(bytes: Uint8Array, name: string): NumpyArray {
 
 /** Index of the first number that is not finite, or so large that products of it would not be; -1 if there is none. */
 function firstWrong(values: Numbers): number {
-  const wrong = firstNotFinite(values);
-  if (wrong >= 0) return wrong;
-  for (let i = 0; i < values.length; i++) if (values[i] > LARGEST || values[i] < -LARGEST) return i;
+  // Written so that NaN counts.
+  for (let i = 0; i < values.length; i++) if (!(values[i] <= LARGEST && values[i] >= -LARGEST)) return i;
   return -1;
 }
 

@@ -2,7 +2,7 @@
  * The arrays of a `.npy` or a `.npz`, a zip of them. Only those that are asked for are unpacked, each up to the size
  * that the directory claims.
  */
-import { Inflate } from 'fflate';
+import { inflate } from '../../formats/inflate.ts';
 import { type DirectoryEntry, packedBytes, zipDirectory } from '../../formats/zip-directory.ts';
 import type { Budget } from '../budget.ts';
 import { ImportError } from '../imported.ts';
@@ -27,12 +27,6 @@ const MAX_ENTRIES = 10_000;
 const MAX_RATIO = 1032;
 /** Bytes that are unpacked to see a header: those of a shape are fewer. */
 const HEAD = 4096;
-/**
- * Packed bytes that are handed to the decoder at once: it unpacks all of them, whatever becomes of it. Large pieces are
- * twice as fast, and are for arrays of more than so many bytes.
- */
-const [SMALL_PIECE, LARGE_PIECE, LARGE] = [4096, 1 << 17, 4 << 20];
-
 /** The arrays of a file by their names. */
 export class Arrays {
   private readonly entries = new Map<string, Uint8Array | DirectoryEntry>();
@@ -136,27 +130,14 @@ function unpacked(bytes: Uint8Array, entry: DirectoryEntry, name: string, most =
   return inflated(packed, size, Math.min(most, size), name);
 }
 
-/** Unpacks no more than is wanted. */
 function inflated(packed: Uint8Array, size: number, most: number, name: string): Uint8Array {
   const out = new Uint8Array(most);
-  let length = 0;
-  let isDone = false;
-  const inflate = new Inflate((piece, isLast) => {
-    if (length < most) out.set(length + piece.length > most ? piece.subarray(0, most - length) : piece, length);
-    length += piece.length;
-    isDone = isLast;
-  });
-  try {
-    for (let at = 0, step = 0; at < packed.length && length <= most && !isDone; at += step) {
-      step = most - length > LARGE ? LARGE_PIECE : SMALL_PIECE;
-      inflate.push(packed.subarray(at, at + step), at + step >= packed.length);
-      if (most < size && length >= most) return out;
-    }
-  } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
-    fail('zip-damaged', `${name} can't be unpacked (${why}): copy or export the file again.`);
-  }
-  if (length !== size) fail('zip-damaged', wrongSize(name, size, length > size ? `more` : length));
+  const { ending, length } = inflate(packed, out);
+  if (ending === 'more' && most < size) return out;
+  if (ending === 'damaged' || ending === 'cut')
+    fail('zip-damaged', `${name} can't be unpacked: copy or export the file again.`);
+  if (ending === 'more' || length !== size)
+    fail('zip-damaged', wrongSize(name, size, ending === 'more' ? 'more' : length));
   return out;
 }
 

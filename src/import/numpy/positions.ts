@@ -84,7 +84,7 @@ function fitted(paths: PointPaths, tree: JointTree, framesPerSecond: number, rem
   const { frameCount } = paths;
   return {
     joints: fit.joints,
-    frames: { frameCount, framesPerSecond, write: (...frame) => fit.write(...frame) },
+    frames: { frameCount, framesPerSecond, write: (frame, rotations, places) => fit.write(frame, rotations, places) },
     told() {
       const [mean, largest] = [fit.meanDistance, fit.largestDistance].map((v) => Number(v.toPrecision(3)));
       const message = `Bones of constant length are fitted to the positions: joints are ${mean} off on average, at most ${largest}, in the file’s unit.`;
