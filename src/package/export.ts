@@ -3,9 +3,11 @@
  *
  *     const { bytes } = writeGlb(character);
  */
+import { writeFbx as fbxOf } from '../export/fbx/write.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../export/glb/options.ts';
 import { writeGlb as glbOf } from '../export/glb/write.ts';
-import { diagnosticsOf, type ExchangeReport } from '../export/shared/report.ts';
+import type { ExchangeOptions } from '../export/shared/options.ts';
+import { diagnosticsOf, type ExchangeFile, type ExchangeReport } from '../export/shared/report.ts';
 import { outputsOf, type Target } from '../files/save/conversion.ts';
 import type { Output } from '../files/save/output.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
@@ -13,6 +15,7 @@ import type { Character } from '../model/document.ts';
 import { joined } from './joined.ts';
 
 export type { GlbOptions } from '../export/glb/options.ts';
+export type { ExchangeOptions } from '../export/shared/options.ts';
 export type { ExchangeReport, Loss, TakeReport } from '../export/shared/report.ts';
 export type { Target as ConvertFormat } from '../files/save/conversion.ts';
 export type { Diagnostic } from '../model/diagnostic.ts';
@@ -24,8 +27,8 @@ export interface GlbSettings extends Partial<GlbOptions> {
   readonly raw?: boolean;
 }
 
-/** A GLB file. */
-export interface WrittenGlb {
+/** A file for other programs. */
+export interface WrittenExchange {
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** What is in it, and what it can't have as the character has it. */
   readonly report: ExchangeReport;
@@ -36,10 +39,24 @@ export interface WrittenGlb {
  * Writes a character with its takes as GLB: glTF 2.0 in one binary file.
  * @throws UserError if a take can't be written, or `take` names none
  */
-export function writeGlb(character: Character, settings: GlbSettings = {}): WrittenGlb {
+export function writeGlb(character: Character, settings: GlbSettings = {}): WrittenExchange {
   const { raw = false, ...options } = settings;
-  const { pieces, report } = glbOf(character, { ...DEFAULT_GLB, ...options }, !raw);
-  return { bytes: joined(pieces), report, diagnostics: diagnosticsOf(report, `${character.name}.glb`) };
+  return written(glbOf(character, { ...DEFAULT_GLB, ...options }, !raw), `${character.name}.glb`);
+}
+
+/** Options of `writeFbx`: a character without a skin needs no body. */
+export type FbxSettings = Omit<ExchangeOptions, 'body'>;
+
+/**
+ * Writes a character with its takes as binary FBX, in its own unit and axes, which the file states.
+ * @throws UserError if a take can't be written, or `take` names none
+ */
+export function writeFbx(character: Character, settings: FbxSettings = {}): WrittenExchange {
+  return written(fbxOf(character, { ...settings, body: false }), `${character.name}.fbx`);
+}
+
+function written({ pieces, report }: ExchangeFile, name: string): WrittenExchange {
+  return { bytes: joined(pieces), report, diagnostics: diagnosticsOf(report, name) };
 }
 
 /** A file that a character was converted to. */

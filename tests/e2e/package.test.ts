@@ -179,7 +179,7 @@ console.log(readSkel, readAnim, createCharacter, poseAt, worldMatrices);
 const PROGRAM = `
 import { takeArrays, writeNpz } from 'marrow/dataset';
 import { bakeRetarget, deformSkin, poseAt, retarget, worldMatrices } from 'marrow/evaluate';
-import { convertCharacter, type GlbSettings, writeGlb } from 'marrow/export';
+import { convertCharacter, type FbxSettings, type GlbSettings, writeFbx, writeGlb } from 'marrow/export';
 import { readBvh, readSkel, readSkin, writeSkel } from 'marrow/formats';
 import { readCharacters, readGltf } from 'marrow/import';
 import { type Character, createCharacter, type Skeleton, vertexCount } from 'marrow/model';
@@ -198,8 +198,9 @@ export async function all(text: string, bytes: ArrayBuffer, other: Uint8Array): 
   const { character: model } = await readGltf(bytes);
   const target = model ?? characters[0];
   const settings: GlbSettings = { keys: 'cubic' };
+  const rate: FbxSettings = { framesPerSecond: 30 };
   const made = bakeRetarget(retarget(target, character, { plantsFeet: false }), 30);
-  const size = writeGlb(made, settings).bytes.length + writeNpz(takeArrays(made, { fps: 30 })).length;
+  const size = writeGlb(made, settings).bytes.length + writeNpz(takeArrays(made, { fps: 30 })).length + writeFbx(made, rate).bytes.length;
   const first: number = worldMatrices(checked, dofs)[0];
   return [writeSkel(checked).text, ...convertCharacter(made, 'bvh').map((file) => file.text), first + size + captures[0].skeleton.name];
 }

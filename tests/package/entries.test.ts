@@ -17,7 +17,7 @@ import {
   solveIk,
   worldMatrices,
 } from '../../src/package/evaluate.ts';
-import { convertCharacter, writeGlb } from '../../src/package/export.ts';
+import { convertCharacter, writeFbx, writeGlb } from '../../src/package/export.ts';
 import * as formats from '../../src/package/formats.ts';
 import { readCharacters, readFbx, readGltf } from '../../src/package/import.ts';
 import { createCharacter, shownTake, UserError, vertexCount } from '../../src/package/model.ts';
@@ -151,8 +151,23 @@ describe('marrow/import and marrow/export', () => {
     expect(bvh.name).toBe('cube_spin.bvh');
     const { take } = formats.readBvh(bvh.text, bvh.name);
     expect(take?.samples?.frameSeconds).toBeCloseTo(0.04, 12);
-    const wrong = () => writeGlb(characters[0], { take: 'dance' });
-    expect(wrong).toThrow('cube has no take dance; its takes are cube_spin.');
+    for (const write of [writeGlb, writeFbx]) {
+      const wrong = () => write(characters[0], { take: 'dance' });
+      expect(wrong).toThrow('cube has no take dance; its takes are cube_spin.');
+    }
+  });
+
+  it('writeFbx writes joints, skin, morphs and takes, which readFbx reads', async () => {
+    const whole = await walker();
+    const { bytes, report, diagnostics } = writeFbx(whole);
+    expect(report).toMatchObject({ bytes: bytes.length, joints: whole.skeleton?.joints.length, morphs: 1 });
+    expect(diagnostics.every(({ file }) => file === 'walker.fbx')).toBe(true);
+    const { character } = await readFbx(bytes, 'walker.fbx');
+    expect(character?.skeleton?.joints.map(({ name }) => name)).toEqual(
+      expect.arrayContaining(whole.skeleton?.joints.map(({ name }) => name) ?? []),
+    );
+    expect(character?.takes.map(({ name }) => name)).toEqual(['walker_walk']);
+    expect(character && vertexCount(character.skins[0])).toBe(whole.skins[0] && vertexCount(whole.skins[0]));
   });
 
   it('marrow/import tells of files that hold something else, and throws for what is no file', async () => {

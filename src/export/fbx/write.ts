@@ -19,7 +19,7 @@ import { type FileJoints, type FilePose, filePoseOf } from '../shared/file-pose.
 import { NODE_WIDTH, nodeWriter, ROTATION, SCALE } from '../shared/joint-nodes.ts';
 import { lossesOf } from '../shared/losses.ts';
 import type { ExchangeOptions } from '../shared/options.ts';
-import type { ExchangeFile, ExchangeProgress, Loss } from '../shared/report.ts';
+import { type ExchangeFile, type ExchangeProgress, exchangeFile, type Loss } from '../shared/report.ts';
 import { playedTakes, takeMotion } from '../shared/take-motion.ts';
 import { FbxDocument, intProperty, numberProperty, properties, property, SCENE } from './document.ts';
 import { addGeometry, addMaterials, addShapes, addSkin } from './mesh.ts';
@@ -64,15 +64,6 @@ export function writeFbx(
     takes.map(({ listed }) => listed),
     rates[0],
   );
-  const report = {
-    bytes: pieces.reduce((sum, { length }) => sum + length, 0),
-    joints: joints?.skeleton.joints.length ?? 0,
-    vertices: skin ? vertexCount(skin) : 0,
-    morphs: character.skins.length ? character.morphs.length : 0,
-    takes: takes.map(({ report: take }) => take),
-    size,
-    tolerance,
-  };
   const motions = takes.map(({ motion }) => motion);
   const common = { character, options, format: 'FBX', filePose, motions, missing: mesh?.missing ?? [] } as const;
   const losses = [
@@ -81,7 +72,7 @@ export function writeFbx(
     ...unlikeRates(rates),
     ...moved(character),
   ];
-  return { pieces, report: { ...report, losses } };
+  return exchangeFile(pieces, character, filePose, { takes: takes.map(({ report }) => report), losses });
 }
 
 function rateOf(character: Character, { framesPerSecond }: ExchangeOptions): number | undefined {

@@ -18,7 +18,13 @@ import { type FileJoints, type FilePose, filePoseOf } from '../shared/file-pose.
 import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from '../shared/joint-nodes.ts';
 import { lossesOf } from '../shared/losses.ts';
 import { TOLERANCE_OF_SIZE } from '../shared/options.ts';
-import type { ExchangeFile, ExchangeProgress, Loss, TakeReport } from '../shared/report.ts';
+import {
+  type ExchangeFile,
+  type ExchangeProgress,
+  exchangeFile,
+  type Loss,
+  type TakeReport,
+} from '../shared/report.ts';
 import { playedTakes, type TakeMotion, takeMotion } from '../shared/take-motion.ts';
 import { BinaryChunk, type Json } from './container.ts';
 import { type FitOptions, fitTake, type TrackKeys } from './fit/fit-take.ts';
@@ -95,22 +101,12 @@ export function writeGlb(
     ...(animations.length && { animations: animations.map(({ json }) => json) }),
     ...extra?.(Array.from(joints?.nodes.lastOf ?? [], (node) => FIRST_JOINT + node)),
   });
-  const { size, tolerance } = filePose;
-  const report = {
-    bytes: pieces.reduce((sum, { length }) => sum + length, 0),
-    joints: joints?.skeleton.joints.length ?? 0,
-    vertices: skin ? vertexCount(skin) : 0,
-    morphs: character.skins.length ? character.morphs.length : 0,
-    takes: animations.map(({ report: take }) => take),
-    size,
-    tolerance,
-  };
   const motions = takes.map(({ motion }) => motion);
   const losses = [
     ...lossesOf({ character, options, format: 'glTF', filePose, motions, missing: materials?.missing ?? [] }),
     ...splines(options, motions),
   ];
-  return { pieces, report: { ...report, losses } };
+  return exchangeFile(pieces, character, filePose, { takes: animations.map(({ report }) => report), losses });
 }
 
 function splines({ keys, framesPerSecond }: GlbOptions, motions: readonly TakeMotion[]): readonly Loss[] {

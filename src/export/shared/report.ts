@@ -1,5 +1,8 @@
 /** A written file with a report on what it has, and what of the character it hasn't. */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import { vertexCount } from '../../model/skin.ts';
+import type { FilePose } from './file-pose.ts';
 
 /** A file in pieces, to be written one after the other, and what is in it. */
 export interface ExchangeFile {
@@ -46,6 +49,23 @@ export interface Loss {
   readonly severity: 'info' | 'warning';
   /** The largest distance of a vertex from where it should be, where that is known; in the file's units. */
   readonly displacement?: number;
+}
+
+/** A file of a character in its file pose, with its report. */
+export function exchangeFile(
+  pieces: ExchangeFile['pieces'],
+  { skins, morphs }: Character,
+  { joints, skin, size, tolerance }: FilePose,
+  { takes, losses }: Pick<ExchangeReport, 'takes' | 'losses'>,
+): ExchangeFile {
+  const report = {
+    bytes: pieces.reduce((sum, { length }) => sum + length, 0),
+    joints: joints?.skeleton.joints.length ?? 0,
+    vertices: skin ? vertexCount(skin) : 0,
+    morphs: skins.length ? morphs.length : 0,
+    ...{ takes, size, tolerance, losses },
+  };
+  return { pieces, report };
 }
 
 /** A length as it is printed: three digits that count. */
