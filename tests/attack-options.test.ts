@@ -19,6 +19,7 @@ it.each([
   [['--only', 'readers', '--only', 'x'], 'There is no attack "x".'],
   [['--minutes', 'ten'], '--minutes must be greater than 0, found ten.'],
   [['--seed', '1.5'], '--seed must be a whole number, found 1.5.'],
+  [['--files', 'npz', '--files', 'exe'], '--files must be of skel axskel'],
   [['--replay', 'gone.json'], '--replay: gone.json could not be read: there is no such file or folder.'],
   [['--fast'], "Unknown option '--fast'"],
 ] as const)('wrong arguments of attacks are told in a sentence above the usage: %j', (args, sentence) => {

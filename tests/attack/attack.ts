@@ -23,6 +23,8 @@ export interface Attempt extends Chance {
   readonly seed: number;
   /** What an earlier run kept in tests/repro/, to be done again instead of chance. */
   readonly replay?: string;
+  /** Extensions of the files that the readers are given; absent: all. */
+  readonly files?: readonly string[];
   /** Whether there is time for another try. True at least once. */
   goesOn(): boolean;
   /** Counts tries: of inputs, events, kills. */

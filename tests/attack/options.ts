@@ -4,6 +4,7 @@ import { parseArgs } from 'node:util';
 import { reasonOf } from '../../src/cli/reason.ts';
 import type { Attack } from './attack.ts';
 import { ATTACKS } from './attacks.ts';
+import { isSubject, SUBJECTS } from './readers/subjects.ts';
 
 export interface AttackOptions {
   readonly attacks: readonly Attack[];
@@ -12,6 +13,8 @@ export interface AttackOptions {
   readonly seed: number;
   /** The text of a reproducer. */
   readonly replay: string | undefined;
+  /** Extensions of files, for the attack on readers. */
+  readonly files: readonly string[] | undefined;
 }
 
 /** Instead of options: what to print. */
@@ -22,7 +25,7 @@ export interface Usage {
 }
 
 const WIDTH = Math.max(...ATTACKS.map(({ name }) => name.length));
-const USAGE = `Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER] [--replay FILE]
+const USAGE = `Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER] [--replay FILE] [--files EXTENSION]…
 
 ${ATTACKS.map(({ name, shows }) => `  ${name.padEnd(WIDTH)}  ${shows}`).join('\n')}`;
 
@@ -39,10 +42,11 @@ export function optionsOf(args: readonly string[]): AttackOptions | Usage {
         only: { type: 'string', multiple: true },
         seed: { type: 'string' },
         replay: { type: 'string' },
+        files: { type: 'string', multiple: true },
         help: { type: 'boolean', short: 'h' },
       },
     });
-    const { only = [] } = values;
+    const { only = [], files } = values;
     if (values.help) return { usage: USAGE, isWrong: false };
     const names = ATTACKS.map(({ name }) => name);
     const unknown = only.find((name) => !names.includes(name));
@@ -52,7 +56,10 @@ export function optionsOf(args: readonly string[]): AttackOptions | Usage {
     const seed = values.seed === undefined ? Math.floor(Math.random() * MAX_SEED) : Number(values.seed);
     if (!Number.isInteger(seed)) throw new Error(`--seed must be a whole number, found ${values.seed}.`);
     const attacks = ATTACKS.filter(({ name }) => only.length === 0 || only.includes(name));
-    return { attacks, minutes, seed, replay: values.replay === undefined ? undefined : textOf(values.replay) };
+    const strange = files?.find((extension) => !isSubject(extension));
+    if (strange !== undefined) throw new Error(`--files must be of ${SUBJECTS.join(' ')}, found ${strange}.`);
+    const replay = values.replay === undefined ? undefined : textOf(values.replay);
+    return { attacks, minutes, seed, replay, files };
   } catch (error) {
     // Those of `parseArgs` are sentences too.
     return { usage: `${error instanceof Error ? error.message : String(error)}\n${USAGE}`, isWrong: true };

@@ -4,6 +4,7 @@
  *     npm run build && npm run attack -- --minutes 20
  *     npm run attack -- --only lost-context --seed 169
  *     npm run attack -- --only random-walk --replay tests/repro/random-walk-….json
+ *     npm run attack -- --only readers --files npz --files amc
  *
  * Those on the page need the built page. Exits with 1 if anything gave way; what did it is kept in tests/repro/.
  */
@@ -34,11 +35,11 @@ export async function run(args: readonly string[]): Promise<number> {
     (isWrong ? console.error : console.log)(usage);
     return isWrong ? 2 : 0;
   }
-  const { attacks, minutes, seed, replay } = options;
+  const { attacks, minutes, seed, replay, files } = options;
   const rows: Row[] = [];
   for (const attack of attacks) {
     console.log(`${attack.name}, seed ${seed}: ${attack.shows}`);
-    rows.push(await runOne(attack, { seed, replay }, (minutes * 60_000) / attacks.length));
+    rows.push(await runOne(attack, { seed, replay, files }, (minutes * 60_000) / attacks.length));
   }
   console.table(rows.map(({ seconds, ...row }) => ({ ...row, seconds: Math.round(seconds) })));
   return rows.every(({ broken }) => broken === 0) ? 0 : 1;
@@ -46,7 +47,7 @@ export async function run(args: readonly string[]): Promise<number> {
 
 async function runOne(
   { name, run }: Attack,
-  { seed, replay }: Pick<Attempt, 'seed' | 'replay'>,
+  given: Pick<Attempt, 'seed' | 'replay' | 'files'>,
   budgetMs: number,
 ): Promise<Row> {
   const begun = performance.now();
@@ -60,9 +61,8 @@ async function runOne(
   };
   try {
     await run({
-      seed,
-      replay,
-      ...chanceOf(seed),
+      ...given,
+      ...chanceOf(given.seed),
       goesOn: () => asked++ === 0 || performance.now() - begun < budgetMs,
       tried: (count = 1) => {
         tries += count;
@@ -74,7 +74,7 @@ async function runOne(
     gaveWay(error instanceof Error ? (error.stack ?? error.message) : String(error));
   }
   const seconds = (performance.now() - begun) / 1000;
-  return { name, seed, tries, broken, seconds, figures: figures.join(', ') };
+  return { name, seed: given.seed, tries, broken, seconds, figures: figures.join(', ') };
 }
 
 /** The same input has the same name. */

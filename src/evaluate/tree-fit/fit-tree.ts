@@ -8,7 +8,7 @@
  *     several      the rotation that fits all of them best; their shape is the mean of the frames
  *     leaves       not turned
  *
- * At rest all rotations are 0, and the bones have the directions of the first frame.
+ * At rest all rotations are 0, and the bones of known trees are in a T-pose (`stance.ts`), others as in the first frame.
  */
 import { backMultiply3, copy3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
@@ -19,6 +19,7 @@ import type { JointTree } from './known-trees.ts';
 import { nearestRotation } from './nearest-rotation.ts';
 import { jointsWriter, type PointPaths } from './point-paths.ts';
 import { addProduct, restShape } from './rest-shape.ts';
+import { toStance } from './stance.ts';
 
 /** A tree with bones, and what writes its frames. */
 export class FittedTree {
@@ -226,7 +227,7 @@ const TINY = 1e-140;
 /** Of the largest sum: below it, a quaternion has lost digits. */
 const NEARLY_OPPOSITE = 1e-3;
 
-/** The median lengths, in the directions of the first frame. */
+/** The median lengths, in a T-pose if the tree is a known one, else in the directions of the first frame. */
 function offsetsOf(paths: PointPaths, tree: JointTree, children: readonly (readonly number[])[]): Float64Array {
   const { parents } = tree;
   const frames = measuredFrames(paths, tree);
@@ -245,6 +246,7 @@ function offsetsOf(paths: PointPaths, tree: JointTree, children: readonly (reado
         offsets[3 * child + k] = length > 0 ? (shape[3 * c + k] * lengths[child]) / length : 0;
     });
   });
+  if (tree.isKnown) toStance(tree.names, children, frames, offsets);
   return offsets;
 }
 

@@ -9,6 +9,8 @@ export interface JointTree {
   readonly parents: readonly number[];
   /** The point of each joint, or the two that it is in the middle of. */
   readonly points: readonly (readonly [number] | readonly [number, number])[];
+  /** Whether its names are those of this file. */
+  readonly isKnown?: true;
 }
 
 /** `child` and its parent, where that is another one than `USUAL` says. */
@@ -59,6 +61,7 @@ function treeOf(label: string, points: readonly string[], parents: Parents): Joi
     names,
     parents: names.map((name) => names.indexOf(parentOf(name, parents) ?? '')),
     points: [...made.map(([, pair]) => pair), ...points.map((_, i): readonly [number] => [i])],
+    isKnown: true,
   };
 }
 

@@ -24,7 +24,8 @@ export const readers: Attack = {
     'mutated files of all kinds are read or refused: in time, in bounds, the same in pieces, the same when written',
   async run(attempt) {
     const script = await buildThread('thread');
-    const seeds = corpus();
+    const { files } = attempt;
+    const seeds = corpus().filter(({ subject }) => !files || files.includes(subject));
     const counts = new Map<string, number>();
     const begun = performance.now();
     let next = 0;

@@ -139,6 +139,44 @@ describe('bones fitted to positions', () => {
   });
 });
 
+/** Joints at random, but each below the one before it on its way down, by an axis that is up. */
+const crouching = fc.tuple(
+  fc.constantFrom(...knownCounts().flatMap((count) => treesOf(count))),
+  fc.constantFrom(0, 1, 2),
+  fc.constantFrom(1, -1),
+  fc.integer({ min: 1, max: 1000 }),
+);
+
+describe('the rest of a known tree', () => {
+  it('is a T-pose along the axis that the body stands along, whatever it does in the first frame', () => {
+    fc.assert(
+      fc.property(crouching, ([tree, up, sign, seed]) => {
+        const { names, parents, points } = tree;
+        const pointCount = Math.max(...points.flat()) + 1;
+        const values = new Float64Array(3 * pointCount);
+        points.forEach(([point, second], j) => {
+          if (second !== undefined) return;
+          const isBelow = /knee|ankle|foot|toe|heel/.test(names[j]);
+          for (let k = 0; k < 3; k++) values[3 * point + k] = 0.3 * Math.sin(seed * (3 * point + k + 1));
+          values[3 * point + up] += sign * (isBelow ? -1 : /hip|pelvis/.test(names[j]) ? 0 : 1);
+        });
+        const { joints } = fittedOf(tree, values, pointCount);
+        const offset = (name: string) =>
+          Array.from(joints.offsets)
+            .slice(3 * names.indexOf(name))
+            .slice(0, 3);
+        const along = (name: string) => offset(name).map((v) => v / (Math.hypot(...offset(name)) || 1) + 0);
+        const upwards = [0, 1, 2].map((k) => (k === up ? sign : 0));
+        expect(along('left_knee')).toEqual(upwards.map((v) => expect.closeTo(-v, 9)));
+        const [left, right] = ['left_wrist', 'right_wrist'].map(along);
+        expect(left).toEqual(right.map((v) => expect.closeTo(-v, 9)));
+        expect(left.reduce((sum, v, k) => sum + v * upwards[k], 0)).toBeCloseTo(0, 9);
+        expect(joints.parents).toBe(parents);
+      }),
+    );
+  });
+});
+
 describe('the known trees', () => {
   it('each has one root, joints of different names, and a point for each', () => {
     for (const points of knownCounts()) {
