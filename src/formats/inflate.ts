@@ -12,7 +12,7 @@
 /** How unpacking ended: with the data, with data left over for which there was no room, or before its end. */
 export type InflateEnding = 'whole' | 'more' | 'damaged' | 'cut';
 
-/** What was unpacked. */
+/** The result of unpacking: how it ended, and how much there is. */
 export interface Inflated {
   readonly ending: InflateEnding;
   /** Bytes of the output that were written. */
@@ -109,7 +109,7 @@ const ORDER = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15]
 
 /** Bytes that are left of a view when the next one is made; most of one, so that its bits can be counted. */
 const MARGIN = 16;
-const MOST_VIEWED = 1 << 26;
+const VIEW_BYTES = 1 << 26;
 
 class Inflating {
   private length = 0;
@@ -273,7 +273,7 @@ class Inflating {
   private viewFrom(byte: number): DataView {
     const { packed } = this;
     const left = packed.length - byte;
-    if (left > 4 * MARGIN) return new DataView(packed.buffer, packed.byteOffset + byte, Math.min(left, MOST_VIEWED));
+    if (left > 4 * MARGIN) return new DataView(packed.buffer, packed.byteOffset + byte, Math.min(left, VIEW_BYTES));
     const tail = new Uint8Array(6 * MARGIN);
     tail.set(packed.subarray(Math.min(byte, packed.length)));
     return new DataView(tail.buffer);

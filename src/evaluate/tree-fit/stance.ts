@@ -1,5 +1,5 @@
 /**
- * People at rest: the directions of their bones as they stand with arms stretched out, a T-pose, from which programs that
+ * People at rest: the directions of their bones upright with arms stretched out, a T-pose, from which programs that
  * open the take tell how it turns them.
  */
 import { setIdentity3, swing, turnVector } from '../../math/mat3.ts';
@@ -34,7 +34,7 @@ function directionOf(name: string): Vec3 | undefined {
 }
 
 /**
- * Turns bones into a T-pose: upright along the axis along which the body stands in most frames. Those that start at one
+ * Turns bones into a T-pose: upright along the axis along which the body is upright in most frames. Those that start at one
  * joint turn as one.
  * @param offsets x y z of each joint from its parent; changed in place, unless a name is unknown
  */
