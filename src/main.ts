@@ -15,7 +15,7 @@ import { scriptingApi } from './app/scripting.ts';
 import { Unsaved } from './app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
-import type { DumpFile } from './files/open/open-files.ts';
+import type { DumpFile } from './files/open/open-in-steps.ts';
 import { download } from './io/download.ts';
 import { onLaunched } from './io/launched.ts';
 import { trustOwnScripts } from './io/trusted-scripts.ts';

@@ -1,6 +1,6 @@
 /** Compares dumps that were opened with the character that they are of; loaded with the first of them. */
 
-import type { DumpFile } from '../files/open/open-files.ts';
+import type { DumpFile } from '../files/open/open-in-steps.ts';
 import type { NamedDump } from '../teaching/dump/fit-dump.ts';
 import { currentCharacter } from '../ui/state/actions/action.ts';
 import { type ComparePhase, DumpComparison, type RunCompare } from '../ui/state/dump-comparison.ts';

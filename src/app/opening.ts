@@ -9,7 +9,7 @@ import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { openingOf, skeletonKindFor } from '../files/kinds.ts';
 import type { Keep } from '../files/open/layers.ts';
-import { type DumpFile, type OpenResult, openInSteps } from '../files/open/open-files.ts';
+import { type DumpFile, type OpenResult, openInSteps } from '../files/open/open-in-steps.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownTake } from '../model/document.ts';

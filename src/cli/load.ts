@@ -6,7 +6,8 @@ import { readdirSync, statSync } from 'node:fs';
 import { basename, dirname, isAbsolute, posix, relative, resolve, sep } from 'node:path';
 import { unreadMessage } from '../files/foreign.ts';
 import { joinLayers, type Keep, plainFilesIn } from '../files/open/layers.ts';
-import { type OpenResult, openFiles } from '../files/open/open-files.ts';
+import { openFiles } from '../files/open/open-files.ts';
+import type { OpenResult } from '../files/open/open-in-steps.ts';
 import { type Format, formatOf } from '../files/readers.ts';
 import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../formats/diagnose/fold.ts';
@@ -75,16 +76,16 @@ export function loadFiles(args: readonly string[], folder: string, otherwise?: F
 }
 
 /**
- * The files in a folder or a zip, of other programs too, with paths relative to it.
+ * The files in a folder or a zip, of other programs too, with paths relative to it; tables are numbers.
  *
  * @param container absolute
  */
 export async function loadInside(container: string): Promise<Loaded> {
-  if (!isFile(container)) return loadAny(['.'], container);
+  if (!isFile(container)) return loadAny(['.'], container, { asNumbers: true });
   const name = basename(container);
   const found = findFiles([name], dirname(container));
   const files = found.files.map((file) => ({ ...file, path: file.path.slice(name.length + 1) }));
-  return loadAll({ ...found, files }, undefined, await importGiven(files, dirname(container)));
+  return loadAll({ ...found, files }, undefined, await importGiven(files.filter(isNoTable), dirname(container), files));
 }
 
 function loadAll(
@@ -106,17 +107,31 @@ function loadAll(
   };
 }
 
+/** How files are loaded. */
+export interface LoadOptions {
+  /** The format of files whose names have none. */
+  readonly otherwise?: Format;
+  /** What counts of takes with layers that were edited. */
+  readonly keep?: Keep;
+  /** Whether tables of points are numbers to be compared, as any other table is. */
+  readonly asNumbers?: boolean;
+}
+
 /**
  * As `loadFiles`, and files of other programs too, whose readers are fetched and look for further files.
- * @param options the format of files whose names have none; what counts of takes with layers that were edited
  */
 export async function loadAny(
   args: readonly string[],
   folder: string,
-  { otherwise, keep }: { readonly otherwise?: Format; readonly keep?: Keep } = {},
+  { otherwise, keep, asNumbers }: LoadOptions = {},
 ): Promise<Loaded> {
   const found = findFiles(args, folder);
-  return loadAll(found, otherwise, await importGiven(found.files, folder), keep);
+  const imported = await importGiven(asNumbers ? found.files.filter(isNoTable) : found.files, folder, found.files);
+  return loadAll(found, otherwise, imported, keep);
+}
+
+function isNoTable({ path }: GivenPath): boolean {
+  return formatOf(basename(path))?.kind !== 'dump';
 }
 
 /**
@@ -151,7 +166,7 @@ async function importGiven(
     if (!format?.imports) continue;
     try {
       const bytes = held ? new Uint8Array(held) : fileBytes(absolute);
-      const { value, diagnostics, beside } = await format.imports({
+      const { value, diagnostics, beside, isOther } = await format.imports({
         fileName: name,
         bytes,
         beside: async (wanted) =>
@@ -163,6 +178,7 @@ async function importGiven(
           return names.length > 0 ? names : others;
         },
       });
+      if (isOther) continue;
       out.set(path, { bytes: bytes.length, diagnostics, ...(value && { content: value }), beside });
       for (const part of beside) out.set(part.path, 'part');
     } catch (error) {
@@ -259,7 +275,8 @@ export function loadGiven(
     const { content, bytes, diagnostics: found, beside } = known ?? loadOne(path, name, format);
     // Readers know the name alone, which files of many folders share.
     diagnostics.push(...found.map((diagnostic) => ({ ...diagnostic, file: path.path })));
-    all.push({ name, path: path.path, kind, ...(content && { content }) });
+    // A table may be one of points.
+    all.push({ name, path: path.path, kind: content?.kind ?? kind, ...(content && { content }) });
     const source: SourceFile = { name, path: path.path, bytes };
     if (content && isEmptyDump(content)) diagnostics.push(withoutNumbers(path.path, bytes));
     else if (content) files.push({ ...content, source, ...(beside && { beside }) });

@@ -1,17 +1,9 @@
 /** Markers of a take whose times change. */
 
-import { inOrder, type Marker } from '../model/takes/markers.ts';
-import type { Take } from '../model/takes/take.ts';
+import type { Marker } from '../model/takes/markers.ts';
 
 /** Times closer than this are the same. */
 const SAME_TIME = 1e-9;
-
-/** The take with these markers, in order; none rather than an empty list. */
-export function withMarkers<C extends Take>(take: C, markers: readonly Marker[] | undefined): C {
-  const { markers: _before, ...rest } = take;
-  // The same take but for its markers.
-  return (markers?.length ? { ...rest, markers: inOrder(markers) } : rest) as C;
-}
 
 /** At other times. If time runs backwards, spans begin at their ends. */
 export function retimed(markers: readonly Marker[] = [], at: (seconds: number) => number): readonly Marker[] {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { compareDropped } from '../../src/app/comparing.ts';
-import type { DumpFile } from '../../src/files/open/open-files.ts';
+import type { DumpFile } from '../../src/files/open/open-in-steps.ts';
 import { readDump } from '../../src/formats/dump/read.ts';
 import type { Character } from '../../src/model/document.ts';
 import { Evaluator } from '../../src/teaching/program/evaluator.ts';

@@ -7,7 +7,8 @@
  */
 import { relative, sep } from 'node:path';
 import { runToEnd } from '../../evaluate/steps.ts';
-import { type DumpFile, openFiles } from '../../files/open/open-files.ts';
+import { openFiles } from '../../files/open/open-files.ts';
+import type { DumpFile } from '../../files/open/open-in-steps.ts';
 import { formatOf } from '../../files/readers.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownSkin, shownTake } from '../../model/document.ts';

@@ -4,7 +4,7 @@
  * compared number by number.
  */
 
-import type { DumpFile } from '../../files/open/open-files.ts';
+import type { DumpFile } from '../../files/open/open-in-steps.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import type { Dump } from '../../model/dump.ts';

@@ -3,13 +3,13 @@
 import type { Document } from '../../model/document.ts';
 import type { Marker } from '../../model/takes/markers.ts';
 import type { Take } from '../../model/takes/take.ts';
+import { withMarkers } from '../../model/takes/with-markers.ts';
 import { indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
-import { withMarkers } from '../markers.ts';
 import { index, list, number, optional, record, text } from '../schema/shape.ts';
 import { indices, TAKE } from '../schema/shared-shapes.ts';
 import { requireTake, withTake } from '../takes.ts';

@@ -8,8 +8,9 @@
 
 import { rangeOfSamples, type Samples } from '../../model/takes/samples.ts';
 import type { Take } from '../../model/takes/take.ts';
+import { withMarkers } from '../../model/takes/with-markers.ts';
 import { CommandError } from '../command-error.ts';
-import { markersBeside, markersWithin, withMarkers } from '../markers.ts';
+import { markersBeside, markersWithin } from '../markers.ts';
 
 /** Up to this many values are copied: 8 MB. */
 const COPIED_VALUES = 1 << 20;

@@ -7,9 +7,10 @@
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import { rangeOfSamples } from '../../model/takes/samples.ts';
 import type { Channel, Take } from '../../model/takes/take.ts';
+import { withMarkers } from '../../model/takes/with-markers.ts';
 import { sameValue } from '../delta.ts';
 import { withKeysScaled } from '../keys/scale.ts';
-import { retimed, withMarkers } from '../markers.ts';
+import { retimed } from '../markers.ts';
 import { requireSamples } from './frames.ts';
 
 /**

@@ -5,8 +5,9 @@
 import type { Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import type { Take } from '../../model/takes/take.ts';
+import { withMarkers } from '../../model/takes/with-markers.ts';
 import { withKeysScaled } from '../keys/scale.ts';
-import { retimed, withMarkers } from '../markers.ts';
+import { retimed } from '../markers.ts';
 import { resampling } from './resample.ts';
 
 /**

@@ -1,7 +1,6 @@
 /** Assembles a character from the files that belong to it, and reports parts that don't fit. */
 
 import { lostOver } from '../../edit/carried-over.ts';
-import { withMarkers } from '../../edit/markers.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
 import { withSkeleton } from '../../edit/with-skeleton.ts';
 import { checkMorph, checkSkin, checkTake } from '../../evaluate/skin/binding.ts';
@@ -28,6 +27,7 @@ import { layerCode } from '../../model/takes/layer-code.ts';
 import { firstTake } from '../../model/takes/moving.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { renamedTake } from '../../model/takes/tracked-take.ts';
+import { withMarkers } from '../../model/takes/with-markers.ts';
 
 /** Where a part comes from. */
 export interface PartOrigin extends Omit<PartFile, 'holds'> {

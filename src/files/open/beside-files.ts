@@ -10,7 +10,7 @@
  * `PartMarks`, and its line in `partsOf` after all plain files: what is unsaved, saving in place after them, zips, reload
  * and autosave follow from there (`sets`). Otherwise it is a part of its take, as markers are.
  */
-import { withMarkers } from '../../edit/markers.ts';
+
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import {
@@ -24,6 +24,7 @@ import {
 } from '../../model/files.ts';
 import { NO_MARKS, readAs } from '../../model/part.ts';
 import { setsOfJoints } from '../../model/sets.ts';
+import { withMarkers } from '../../model/takes/with-markers.ts';
 import { type Beside, besideOf, formatKindOf, KINDS, nameBeside } from '../kinds.ts';
 import { withSource } from './assemble.ts';
 import { prefixFit } from './grouping.ts';

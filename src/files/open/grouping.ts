@@ -6,7 +6,7 @@
  * own (`wasp_walk.anim` → `wasp.skel`), else to the one in the closest folder around it that is called like it
  * (`skins/wasp.skin` → `skeletons/wasp.skel`), or to the only skeleton; an anim to the only character of another kind,
  * too;
- * 3. the rest has no skeleton here; `open-files.ts` assigns it to characters of the document.
+ * 3. the rest has no skeleton here; `open-in-steps.ts` assigns it to characters of the document.
  *
  * Files with errors take part, so that what depends on them is known.
  */

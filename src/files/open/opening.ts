@@ -11,7 +11,7 @@ import { OpenSpaces } from './open-spaces.ts';
 /** Opens JSON beside another file (`beside-files.ts`). */
 export type OpenBeside = (opening: Opening, file: ParsedFile) => void;
 
-/** The state of one opening, which the steps of `open-files.ts` add to. */
+/** The state of one opening, which the steps of `open-in-steps.ts` add to. */
 export class Opening {
   /**
    * The document without the opening example, which is replaced and never extended; it is kept only when nothing but
