@@ -16,6 +16,8 @@ import { unitNotKept } from '../files/save/unit-not-kept.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { DistinctNames } from '../model/names/distinct-names.ts';
+import { bonesObstacle } from '../model/points.ts';
+import { arePoints } from '../model/skeleton/joint-types.ts';
 import { findFiles, loadFound } from './load.ts';
 import { type GivenPath, isFolder } from './paths.ts';
 import { openedTogether } from './together.ts';
@@ -115,7 +117,11 @@ class Many {
       const message = 'An animation alone has no joints. Add its skeleton.';
       this.tell([refusal('skeleton-missing', message, source?.path ?? character.name)]);
     }
-    const posed = characters.filter(({ skeleton }) => skeleton);
+    for (const character of characters) {
+      const why = bonesObstacle(character);
+      if (why !== undefined) this.tell([refusal('bones-missing', why, character.sources[0]?.path ?? character.name)]);
+    }
+    const posed = characters.filter(({ skeleton }) => skeleton && !arePoints(skeleton));
     // Roots of one file stay in one file.
     if (posed.length > 1) this.isOfMany = true;
     const groups = posed.length > 1 && files.length === 1 ? [posed] : posed.map((character) => [character]);

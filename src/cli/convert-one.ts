@@ -12,13 +12,16 @@ import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversi
 import { acclaimCopies, acclaimRootsCopies, bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
 import { plainFiles } from '../files/save/layers.ts';
 import { type Output, outputOf } from '../files/save/output.ts';
-import { copiesOf, isCopy } from '../files/save/saving.ts';
+import { copiesOf, isCopy, writeParts } from '../files/save/saving.ts';
 import { unitNotKept } from '../files/save/unit-not-kept.ts';
 import { fitOneBvh } from '../formats/bvh/write.ts';
+import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../model/files.ts';
+import { bonesObstacle } from '../model/points.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/skeleton/axis-angle.ts';
+import { arePoints } from '../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { textureNames } from '../model/skin.ts';
 
@@ -58,6 +61,9 @@ export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: 
 
 function pick(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   const { kind } = format;
+  if (kind === 'trc') return pointsOf(files, format, out, options);
+  const boneless = files.some(hasPoints) ? charactersOf(files, options).flatMap((c) => bonesObstacle(c) ?? []) : [];
+  if (boneless.length > 0) return { refusal: refusal('bones-missing', boneless[0], out) };
   if (isBesideTakes(out) || skeletonKindFor(out)) return acclaimOf(files, format, out, options);
   const fitting = files.filter((file) => file.kind === kind);
   if (fitting.length > 1)
@@ -86,6 +92,23 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   return { refusal: nothingFor(files, format, out) };
 }
 
+function hasPoints(file: ParsedFile): boolean {
+  if (file.kind === 'trc') return true;
+  return file.kind === 'character' && file.characters.some(({ skeleton }) => arePoints(skeleton));
+}
+
+/** The points of the one character that has some. */
+function pointsOf(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
+  const characters = charactersOf(files, options).filter(KINDS.trc.save.has);
+  const made = characters.flatMap((character) =>
+    partsOf(character).map((part) => writeParts(out, [{ character, part, pose: [] }], options)),
+  );
+  const [output] = made;
+  if (!output) return { refusal: nothingFor(files, format, out) };
+  const names = characters.map(({ name }) => name);
+  return made.length > 1 ? { refusal: tooMany(format, names, out) } : { output };
+}
+
 function nothingFor(files: readonly ParsedFile[], { label }: Format, out: string): Diagnostic {
   const held = files.map((file) => file.source.path).join(', ') || 'nothing';
   return refusal('part-missing', `Expected ${label} input for ${out}, found ${held}.`, out);
@@ -93,8 +116,8 @@ function nothingFor(files: readonly ParsedFile[], { label }: Format, out: string
 
 /** Once for all characters. */
 function unitsNotKept(files: readonly ParsedFile[], { kind, format }: Format, out: string): readonly Diagnostic[] {
-  // Neither has lengths.
-  if (kind === 'rig' || besideOf(format)) return [];
+  // Some have no lengths, and points state their unit.
+  if (kind === 'rig' || kind === 'trc' || besideOf(format)) return [];
   const characters = files.flatMap((file) => (file.kind === 'character' ? file.characters : []));
   const [message] = characters.flatMap(({ space }) => unitNotKept(space ? { space: space.space } : {}) ?? []);
   return message === undefined ? [] : [withoutPlace('info', 'unit-not-kept', message, out)];

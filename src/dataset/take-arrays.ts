@@ -12,15 +12,19 @@
  *     contacts, contact_joints          T × C, C: which feet are on the ground
  *     fps, times                        one; T, in seconds of the take
  *
- * The parent of a root is the scene: its rotation is the same locally and in the world.
+ * The parent of a root is the scene: its rotation is the same locally and in the world. Of points, positions and velocities
+ * are NaN where one is missing.
  */
 import { CommandError } from '../edit/command-error.ts';
 import { playedTake } from '../evaluate/bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../evaluate/foot-contacts.ts';
+import { compileSkeleton } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { carrierIn, retargetCarrier } from '../evaluate/space/carrier.ts';
 import { metresPerUnit } from '../evaluate/space/metres.ts';
 import { applySpace } from '../evaluate/space/space.ts';
+import { isVisible } from '../evaluate/visible-points.ts';
+import { arePoints } from '../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import type { Space } from '../model/space.ts';
 import type { DataArray, Floats } from './data-array.ts';
@@ -99,6 +103,7 @@ export function takeArrays(take: ArrayTake, pool: FloatPool, watcher?: FrameWatc
   const dofs = new Float64Array(BLOCK * width);
   const dofsOf = Array.from({ length: BLOCK }, (_, b) => dofs.subarray(b * width, (b + 1) * width));
   const rows = { positions, worldQuat, localQuat, local6d, velocities, fps };
+  const missing = arePoints(skeleton) ? new Uint8Array(J * count) : undefined;
   // Contacts are found over the whole take, so that a part of it has the same ones.
   const [from, to] = feet.balls.length || watcher ? [0, frames.frameCount] : [first, first + count];
   for (let f = from, n = 0; f < to; f += n) {
@@ -114,11 +119,13 @@ export function takeArrays(take: ArrayTake, pool: FloatPool, watcher?: FrameWatc
       watcher?.frame(f + b, dofsOf[b], points);
       if (!isPart) continue;
       const row = f + b - first;
+      if (missing) noteMissing(skeleton, dofsOf[b], missing, row * J);
       for (let k = 0; k < 3; k++) rootPositions[3 * row + k] = points[3 * carrier + k];
       for (let i = 0; i < 3 * E; i++) endPositions[3 * E * row + i] = points[3 * J + i];
     }
   }
   transforms.end(rows, count);
+  if (missing) leaveOut(missing, J, [positions, velocities]);
   return {
     names: joints.map(({ name }) => name),
     parents: Int32Array.from(joints, ({ parent }) => parent),
@@ -140,6 +147,22 @@ export function takeArrays(take: ArrayTake, pool: FloatPool, watcher?: FrameWatc
     frameCount: count,
     carrier,
   };
+}
+
+/** Writes 1 for each point that isn't there, from `out[o]`. */
+function noteMissing(skeleton: Skeleton, dofs: Float64Array, out: Uint8Array, o: number): void {
+  const compiled = compileSkeleton(skeleton);
+  for (let j = 0; j < compiled.jointCount; j++) out[o + j] = isVisible(compiled, j, dofs) ? 0 : 1;
+}
+
+/** What is missing is no number: positions where it is, velocities where one of those that they are between is. */
+function leaveOut(missing: Uint8Array, width: number, [positions, velocities]: readonly [Floats, Floats]): void {
+  for (let i = 0; i < missing.length; i++) {
+    if (missing[i] === 1) positions.fill(Number.NaN, 3 * i, 3 * i + 3);
+    if (missing[i] === 1 || missing[i - width] === 1 || missing[i + width] === 1) {
+      velocities.fill(Number.NaN, 3 * i, 3 * i + 3);
+    }
+  }
 }
 
 function timesOf({ frames, first, count, fps }: ArrayTake): Float64Array {

@@ -17,6 +17,7 @@ import {
   UNMARKED,
 } from '../model/part.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
+import { arePoints } from '../model/skeleton/joint-types.ts';
 import { layerCode } from '../model/takes/layer-code.ts';
 import type { Take } from '../model/takes/take.ts';
 import { sameValue } from './delta.ts';
@@ -75,7 +76,7 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
   let takes = list('takes', was?.takes ?? [], now.takes);
   let poses = one('poses', was?.poses, now.poses);
   let sets = one('sets', was?.sets, now.sets);
-  if (was && was.skeleton !== now.skeleton && isBvh(now)) {
+  if (was && was.skeleton !== now.skeleton && (isBvh(now) || arePoints(now.skeleton))) {
     // A `.bvh` contains the skeleton with each of its takes.
     takes = takes.map((mark) => (before.takes.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
   }

@@ -33,10 +33,19 @@ const MOTION_RULES: Rules = {
   compound: ({ dofs }) => productOf(dofs.map(factorOf)),
   bvh: bvhMotion,
   acclaim: acclaimMotion,
+  point: () => POINT,
 };
 
 const TRANSLATIONAL = productOf(['tx', 'ty', 'tz'].map(factorOf));
 const FIXED = productOf([]);
+/** Whether it is there moves it nowhere. */
+const POINT: JointMotion = {
+  ...TRANSLATIONAL,
+  writeDerivative(dofs, first, dof, out, o) {
+    if (dof < 3) TRANSLATIONAL.writeDerivative(dofs, first, dof, out, o);
+    else out.fill(0, o, o + 16);
+  },
+};
 
 /** The rule of a joint. Cached, since thousands of joints share what they don't state. */
 export const jointMotion = perObject((motion: Motion): JointMotion => {

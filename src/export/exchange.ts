@@ -1,5 +1,6 @@
 /** Writes characters in formats of other programs, whose writers are fetched on first use. */
 import type { Character } from '../model/document.ts';
+import { bonesObstacle } from '../model/points.ts';
 import type { ExchangeFormat } from './formats.ts';
 import type { GlbOptions } from './glb/options.ts';
 import type { ExchangeFile, ExchangeProgress } from './shared/report.ts';
@@ -45,6 +46,8 @@ export async function writeExchange(
   isPlaced: boolean,
   onProgress?: (progress: ExchangeProgress) => void,
 ): Promise<ExchangeFile> {
+  const why = bonesObstacle(character);
+  if (why !== undefined) throw new (await import('./shared/take-motion.ts')).TakeError(why);
   if (format === 'fbx') return (await import('./fbx/write.ts')).writeFbx(character, options, onProgress);
   if (format === 'vrma') return (await import('./vrma/write.ts')).writeVrma(character, options, onProgress);
   return (await import('./glb/write.ts')).writeGlb(character, options, isPlaced, onProgress);

@@ -30,6 +30,8 @@ interface Foreign {
   readonly of?: readonly ContentKind[];
 }
 
+/** Numbers of other programs. */
+const DUMPS: readonly ContentKind[] = ['dump', 'table'];
 /** The words of these tell which of them a file is: all of them are looked at (`formats/diagnose/kinds.ts`). */
 const TEXTS: readonly ContentKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
 
@@ -69,7 +71,7 @@ const FOREIGN: readonly Foreign[] = [
     extensions: ['yaml', 'yml'],
     start: /^(#[^\n\r]*[\n\r]+)*(%YAML|---[\s!])/,
     // Headings begin with dashes.
-    of: ['dump'],
+    of: DUMPS,
   },
   { name: 'a Maya animation', now: BY_MAYA, start: /^animVersion\b/ },
   { name: 'a Maya scene', now: BY_MAYA, extensions: ['ma', 'mb'], start: /^(\/\/Maya ASCII|FOR[48].{4,12}MAYA)/s },
@@ -110,15 +112,15 @@ const FOREIGN: readonly Foreign[] = [
     start: /^(\s*#!OML|\s*(#[^\n\r]*[\n\r]\s*)*:fully-specified\b)/i,
   },
   {
-    name: 'a C3D file, points without a skeleton',
-    now: 'Fit a skeleton to them, as MotionBuilder does, export it as .bvh or .fbx and open that.',
-    extensions: ['c3d'],
+    name: 'a C3D file',
+    now: renamed('c3d'),
     start: /^[␁-␈]P.{6}/s,
+    of: ['c3d'],
   },
   {
     name: 'an OpenSim file',
     now: 'Fit a skeleton to it in motion capture software, export it as .bvh and open that.',
-    extensions: ['trc', 'mot', 'sto', 'osim'],
+    extensions: ['mot', 'sto', 'osim'],
   },
   {
     name: 'MikuMikuDance motion',
@@ -201,32 +203,32 @@ const FOREIGN: readonly Foreign[] = [
     start: /^\s*balljoint\s+\S+\s*\{\s*(offset|boxmin|boxmax|pose|rot[xyz]limit|balljoint)\b/i,
     of: TEXTS,
   },
-  { name: 'a skin (.skin)', now: renamed('skin'), start: /^\s*positions\s+\d+\s*\{/i, of: [...TEXTS, 'dump'] },
+  { name: 'a skin (.skin)', now: renamed('skin'), start: /^\s*positions\s+\d+\s*\{/i, of: [...TEXTS, ...DUMPS] },
   {
     name: 'text in UTF-16',
     now: `Save it as UTF-8 ${OPEN_AGAIN}.`,
     start: /^(\xff\xfe|\xfe\xff|([\t\n\r -~]␀){4}|(␀[\t\n\r -~]){4})/,
-    of: ['dump'],
+    of: DUMPS,
   },
   {
     name: 'a JSON file',
     now: 'Export a file of that type from the program that made it.',
     start: /^\s*[[{]\s*"/,
-    of: ['gltf', 'dump', ...FORMAT_KINDS.filter(besideOf)],
+    of: ['gltf', ...DUMPS, ...FORMAT_KINDS.filter(besideOf)],
   },
   {
     name: 'an XML file',
     now: BY_BLENDER,
     extensions: ['xml'],
     start: /^\s*<\?xml\b/i,
-    of: ['dump'],
+    of: DUMPS,
   },
   {
     name: 'binary data',
     now: 'Export it as text, or give it the extension of its type.',
     // A name in a text may have some.
     start: /^(?:[^␀-␟]*[␀-␟]){12}/,
-    of: ['gltf', 'fbx', 'texture', 'dump'],
+    of: ['gltf', 'fbx', 'texture', 'c3d', ...DUMPS],
   },
 ];
 
@@ -241,7 +243,10 @@ function renamed(extension: string): string {
  */
 export function otherContent(fileName: string, kind: ContentKind, head: Uint8Array): Diagnostic | undefined {
   // Text readers say what they expected first.
-  if (head.length === 0 && (kind === 'zip' || kind === 'gltf' || kind === 'fbx' || kind === 'numpy')) {
+  if (
+    head.length === 0 &&
+    (kind === 'zip' || kind === 'gltf' || kind === 'fbx' || kind === 'numpy' || kind === 'c3d')
+  ) {
     return withoutPlace('error', 'file-empty', 'The file is empty: copy or export it again.', fileName);
   }
   const from = head[0] === 0xef && head[1] === 0xbb && head[2] === 0xbf ? 3 : 0;

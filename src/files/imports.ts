@@ -18,6 +18,8 @@ export interface ImportedFile<C = FileContent> {
   readonly diagnostics: readonly Diagnostic[];
   /** Other files that were used. */
   readonly beside: readonly SourceFile[];
+  /** It is no such file, and read as others of its extension are. */
+  readonly isOther?: true;
   /** It has an error because another file is missing: it is read again when that is given. */
   readonly isWaiting?: true;
 }

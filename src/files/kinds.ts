@@ -9,10 +9,11 @@ import { DUMP_EXTENSIONS } from '../formats/dump/extensions.ts';
 import { TEXTURE_EXTENSIONS } from '../formats/texture/extensions.ts';
 import { type Character, isBvh, isOfJoints, shownSkin, shownTake } from '../model/document.ts';
 import type { ContentOf, FileContent, FileKind, SourceFile, WholeCharacter } from '../model/files.ts';
+import { bonesObstacle } from '../model/points.ts';
 import { SETS_EXTENSION } from '../model/sets.ts';
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/skeleton/axis-angle.ts';
 import { jointDofCount } from '../model/skeleton/dofs.ts';
-import { stretches } from '../model/skeleton/joint-types.ts';
+import { arePoints, isPoint, stretches } from '../model/skeleton/joint-types.ts';
 import { withPositions } from '../model/skeleton/position-channels.ts';
 import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
@@ -69,12 +70,15 @@ export interface Saving {
   isOwn(character: Character): boolean;
 }
 
-const hasSkeleton = ({ skeleton }: Character) => skeleton !== undefined;
+/** Points have none. */
+const hasBones = ({ skeleton }: Character) => skeleton !== undefined && !arePoints(skeleton);
 const isAxisAngle = ({ skeleton }: Character) => skeleton !== undefined && savesAsAxisAngle(skeleton);
 const isAnyones = () => true;
 
 /** Acclaim has neither scales nor shear. */
-function acclaimObstacle({ skeleton }: Character): string | undefined {
+function acclaimObstacle(character: Character): string | undefined {
+  const { skeleton } = character;
+  if (arePoints(skeleton)) return bonesObstacle(character);
   const joint = skeleton?.joints.find(({ motion }) => stretches(motion));
   return joint && `${joint.name || 'A joint'} scales or shears, which Acclaim can’t store.`;
 }
@@ -87,8 +91,9 @@ export const KINDS = {
     content: 'skel',
     save: {
       label: 'Skeleton (.skel)',
-      has: hasSkeleton,
-      isOwn: (c) => !hasSkeleton(c) || (isOfJoints(c, 'skel') && !isAxisAngle(c)),
+      has: hasBones,
+      obstacle: bonesObstacle,
+      isOwn: (c) => !hasBones(c) || (isOfJoints(c, 'skel') && !isAxisAngle(c)),
     },
   },
   // Readers recognise the axis-angle form by content, whatever the extension; saving depends on the extension.
@@ -98,9 +103,9 @@ export const KINDS = {
     content: 'skel',
     save: {
       label: 'Axis-angle skeleton (.axskel)',
-      has: ({ skeleton }) => skeleton !== undefined && axisAngleObstacle(skeleton) === undefined,
-      obstacle: ({ skeleton }) => skeleton && axisAngleObstacle(skeleton),
-      isOwn: (c) => !hasSkeleton(c) || isAxisAngle(c),
+      has: (c) => hasBones(c) && c.skeleton !== undefined && axisAngleObstacle(c.skeleton) === undefined,
+      obstacle: (c) => bonesObstacle(c) ?? (c.skeleton && axisAngleObstacle(c.skeleton)),
+      isOwn: (c) => !hasBones(c) || isAxisAngle(c),
     },
   },
   skin: {
@@ -129,8 +134,9 @@ export const KINDS = {
     content: 'anim',
     save: {
       label: 'Animation (.anim)',
-      has: (c) => shownTake(c) !== undefined,
-      isOwn: (c) => !hasSkeleton(c) || isOfJoints(c, 'skel'),
+      has: (c) => shownTake(c) !== undefined && !arePoints(c.skeleton),
+      obstacle: bonesObstacle,
+      isOwn: (c) => !hasBones(c) || isOfJoints(c, 'skel'),
     },
   },
   rig: {
@@ -139,7 +145,7 @@ export const KINDS = {
     content: 'rig',
     save: {
       label: 'Rig (.rig)',
-      has: (c) => hasSkeleton(c) || shownSkin(c) !== undefined,
+      has: (c) => hasBones(c) || shownSkin(c) !== undefined,
       // No part of a character: it only names the others.
       isOwn: () => false,
     },
@@ -151,8 +157,9 @@ export const KINDS = {
     reviewed: ['bvh'],
     save: {
       label: 'Motion capture (.bvh)',
-      has: hasSkeleton,
-      isOwn: (c) => !hasSkeleton(c) || isBvh(c),
+      has: hasBones,
+      obstacle: bonesObstacle,
+      isOwn: (c) => !hasBones(c) || isBvh(c),
     },
   },
   asf: {
@@ -161,9 +168,9 @@ export const KINDS = {
     content: 'asf',
     save: {
       label: 'Acclaim skeleton (.asf)',
-      has: hasSkeleton,
+      has: hasBones,
       obstacle: acclaimObstacle,
-      isOwn: (c) => !hasSkeleton(c) || isOfJoints(c, 'asf'),
+      isOwn: (c) => !hasBones(c) || isOfJoints(c, 'asf'),
     },
   },
   amc: {
@@ -174,9 +181,9 @@ export const KINDS = {
     reviewed: ['amc'],
     save: {
       label: 'Acclaim motion (.amc)',
-      has: (c) => hasSkeleton(c) && shownTake(c) !== undefined,
+      has: (c) => hasBones(c) && shownTake(c) !== undefined,
       obstacle: acclaimObstacle,
-      isOwn: (c) => !hasSkeleton(c) || isOfJoints(c, 'asf'),
+      isOwn: (c) => !hasBones(c) || isOfJoints(c, 'asf'),
     },
   },
   pose: {
@@ -207,6 +214,31 @@ export const KINDS = {
     content: 'character',
     reviewed: ['npz', 'npy'],
     isBinary: true,
+  },
+  c3d: {
+    extensions: ['c3d'],
+    label: 'points (C3D)',
+    content: 'character',
+    reviewed: ['c3d'],
+    isBinary: true,
+  },
+  trc: {
+    extensions: ['trc'],
+    label: 'points',
+    content: 'trc',
+    reviewed: ['trc'],
+    save: {
+      label: 'Points (.trc)',
+      has: ({ skeleton }) => arePoints(skeleton),
+      isOwn: isAnyones,
+    },
+  },
+  // Points if its columns say so, else numbers to compare as any others.
+  table: {
+    extensions: ['csv'],
+    label: 'table',
+    content: 'dump',
+    isRare: true,
   },
   texture: {
     extensions: TEXTURE_EXTENSIONS,
@@ -337,7 +369,7 @@ export function isBuffer(path: string): boolean {
   return path.toLowerCase().endsWith('.bin');
 }
 
-/** The result of opening the content of a file (`open/open-files.ts`). */
+/** The result of opening the content of a file (`open/open-in-steps.ts`). */
 export type Opening<C> = CharacterOpening<C> | PartOpening<C> | OtherOpening;
 
 /** It has skeletons: each is a character. */
@@ -364,7 +396,7 @@ export interface PartOpening<C> {
 
 /**
  * A list of other files; JSON beside one (`Kind.beside`, `open/beside-files.ts`); poses for a library; an image for a skin; numbers to compare with a character: opened by rules
- * of their own. One more gets its rules in `open/grouping.ts` and `open/open-files.ts`.
+ * of their own. One more gets its rules in `open/grouping.ts` and `open/open-in-steps.ts`.
  */
 export interface OtherOpening {
   readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'beside' | 'layers';
@@ -414,6 +446,11 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
     as: 'part',
     skeletonFile: (take) => take.of,
     add: withAcclaimTake,
+  },
+  trc: {
+    as: 'characters',
+    characters: ({ capture: { skeleton, take }, space }) => [{ ...bare(skeleton, take), ...(space && { space }) }],
+    takesParts: false,
   },
   pose: { as: 'poses' },
   character: { as: 'characters', characters: ({ characters }) => characters, takesParts: false },
@@ -496,9 +533,13 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     dofs: jointDofCount(skeleton),
     ...frameFacts([take]),
   }),
+  trc: ({ capture: { skeleton, take } }) => ({
+    points: skeleton.joints.length,
+    ...frameFacts(take ? [take] : []),
+  }),
   pose: ({ poses }) => ({ poses: poses.length, names: poses.map(({ name }) => name) }),
   character: ({ characters }) => ({
-    joints: sum(characters.map(({ skeleton }) => skeleton.joints.length)),
+    ...jointFacts(characters),
     roots: characters.length,
     vertices: sum(characters.flatMap(({ skins }) => skins.map(vertexCount))),
     morphs: sum(characters.map(({ morphs }) => morphs.length)),
@@ -528,6 +569,13 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     })),
   }),
 };
+
+/** Points are no joints. */
+function jointFacts(characters: readonly WholeCharacter[]): Facts {
+  const joints = characters.flatMap(({ skeleton }) => skeleton.joints);
+  const points = joints.filter(({ motion }) => isPoint(motion)).length;
+  return { joints: joints.length - points, ...(points > 0 && { points }) };
+}
 
 /** Of the first take that has frames; nothing if none has. */
 function frameFacts(takes: readonly Take[]): Facts {

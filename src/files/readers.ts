@@ -30,9 +30,14 @@ type MakeReader<C> = (fileName: string, byteLength?: number) => Reader<C>;
 const skel: MakeReader<ContentOf<'skel'>> = (name) =>
   mapped(skelReader(name), (skeletons) => ({ kind: 'skel', skeletons }));
 
+const dump: MakeReader<ContentOf<'dump'>> = (name) =>
+  mapped(dumpReader(name), (found) => ({ kind: 'dump', dump: found }));
+
 /** Reads a file whole, with others beside it or with decoders: fetched when a file needs it, since few do. */
 interface Fetched<C> {
   readonly imports: (given: Import) => Promise<ImportedFile<C>>;
+  /** Reads those that `imports` says are other files. */
+  readonly others?: MakeReader<ContentOf<'dump'>>;
 }
 
 const READERS = {
@@ -49,12 +54,15 @@ const READERS = {
   asf: { imports: async (given: Import) => (await import('./acclaim.ts')).readAcclaimSkeleton(given) },
   amc: { imports: async (given: Import) => (await import('./acclaim.ts')).readAcclaimTake(given) },
   numpy: { imports: async (given: Import) => (await import('./numpy.ts')).readNumpyFile(given) },
+  c3d: { imports: async (given: Import) => (await import('./points.ts')).readPointsFile('c3d', given) },
+  trc: { imports: async (given: Import) => (await import('./points.ts')).readTrcFile(given) },
+  table: { imports: async (given: Import) => (await import('./points.ts')).readTable(given), others: dump },
   texture: (name) => mapped(textureReader(name), (texture) => ({ kind: 'texture', texture })),
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   sets: (name) => mapped(setsReader(name), (sets) => ({ kind: 'sets', sets })),
   layers: (name) => mapped(layersReader(name), (layers) => ({ kind: 'layers', layers })),
-  dump: (name) => mapped(dumpReader(name), (dump) => ({ kind: 'dump', dump })),
-} satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K>> };
+  dump,
+} satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K> | ContentOf<'character'>> };
 
 /** A kind of file that is read whole, by a reader that is fetched for it. */
 export type FetchedKind = {
@@ -114,7 +122,7 @@ export function dumpFormat(): Format {
 /** Whatever the name of a file says, its first bytes may be those of something else. */
 function readerOf(format: FormatKind): MakeReader<FileContent> {
   const own: MakeReader<FileContent> | Fetched<FileContent> = READERS[format];
-  const reader = 'imports' in own ? notStreamed : own;
+  const reader = 'imports' in own ? (own.others ?? notStreamed) : own;
   return (name, byteLength) =>
     readerByHead(HEAD_BYTES, (head) => {
       const other = otherContent(name, format, head);

@@ -12,6 +12,7 @@ import { writeRig } from '../formats/rig/write.ts';
 import { writeSets } from '../formats/sets/write.ts';
 import { writeSkel } from '../formats/skel/write.ts';
 import { writeSkin } from '../formats/skin/write.ts';
+import { writeTrc } from '../formats/trc/write.ts';
 import { type Character, isBvh, shownSkin, shownTake } from '../model/document.ts';
 import type { FileContent } from '../model/files.ts';
 import { lockedDofs, NO_SETS } from '../model/sets.ts';
@@ -127,6 +128,13 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     detail: framesDetail,
     copies: acclaimCopies,
     lost: lostAsFrames,
+  },
+  trc: {
+    write: ({ capture, space }, name) => writeTrc({ capture, ...(space && { space }) }, name),
+    detail: (character) => [
+      { count: character.skeleton?.joints.length ?? 0, one: 'point' },
+      ...framesDetail(character, 0),
+    ],
   },
   pose: {
     write: ({ poses }, name) => writePoses(poses, name),

@@ -2,6 +2,7 @@
 import { type Character, isBvh, isOfJoints } from './document.ts';
 import { type PartContents, type PartKind, stemOf } from './files.ts';
 import { isNamedApart, isSkeletonKind, NO_MARKS, type Part, type PartMark, UNMARKED } from './part.ts';
+import { arePoints } from './skeleton/joint-types.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 
 /** All parts of a character, in the order in which one would open them. */
@@ -9,20 +10,24 @@ export function partsOf(character: Character): readonly Part[] {
   const { name, skeleton, skins, morphs, takes, poses, sets, parts = NO_MARKS } = character;
   const capture = skeleton && isBvh(character) ? skeleton : undefined;
   const isAcclaim = isOfJoints(character, 'asf');
+  const isPoints = arePoints(skeleton);
   const captured: Part[] = [];
   const animations: Part[] = [];
   takes.forEach((take, i) => {
     const mark = parts.takes[i];
-    if (skeleton && (capture || isAcclaim) && !isFrom(mark, 'anim', take.name)) {
-      captured.push(part(isAcclaim ? 'amc' : 'bvh', take.name, { skeleton, take }, mark));
+    if (skeleton && (capture || isAcclaim || isPoints) && !isFrom(mark, 'anim', take.name)) {
+      captured.push(part(isPoints ? 'trc' : isAcclaim ? 'amc' : 'bvh', take.name, { skeleton, take }, mark));
     } else animations.push(part('anim', take.name, take, mark));
   });
   // Without a take, the skeleton is saved alone.
-  if (capture && captured.length === 0) captured.push(part('bvh', capture.name, { skeleton: capture }, parts.skeleton));
+  const alone = isPoints ? skeleton : capture;
+  if (alone && captured.length === 0) {
+    captured.push(part(isPoints ? 'trc' : 'bvh', alone.name, { skeleton: alone }, parts.skeleton));
+  }
   return [
     ...(skeleton && isAcclaim ? [part('asf', skeleton.name, skeleton, parts.skeleton)] : []),
     ...captured,
-    ...(skeleton && !capture && !isAcclaim ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
+    ...(skeleton && !capture && !isAcclaim && !isPoints ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
     ...skins.map((skin, i) => part('skin', skin.name, skin, parts.skins[i])),
     ...morphs.map((morph, i) => part('morph', morph.name, morph, parts.morphs[i])),
     ...animations,

@@ -56,6 +56,8 @@ interface Contents {
   readonly asf: { readonly file: AcclaimSkeleton; readonly part: Skeleton };
   /** A motion of one, with the skeleton that it was read with. */
   readonly amc: { readonly file: AcclaimTake; readonly part: Capture };
+  /** Points without bones, in a file that they are written to as well; of others they are whole characters. */
+  readonly trc: { readonly file: PointsFile; readonly part: Capture };
   readonly pose: { readonly file: { readonly poses: readonly PoseByNames[] }; readonly part: PoseLibrary };
   /** Whole characters, with everything they need inside the file. */
   readonly character: { readonly file: { readonly characters: readonly WholeCharacter[] } };
@@ -101,6 +103,12 @@ export interface AcclaimTake extends AcclaimSkeleton {
   readonly take: Take;
   /** The file of the skeleton; absent of content that is to be written. */
   readonly of?: SourceFile;
+}
+
+/** Points over time. */
+export interface PointsFile {
+  readonly capture: Capture;
+  readonly space?: FileSpace;
 }
 
 /** Facts that a motion capture file doesn't state, the same for all of its captures. */

@@ -3,7 +3,8 @@
  * content. Its revision identifies the content: undo restores an earlier revision, and none is ever reused. So a part
  * is unsaved if its revision differs from the saved one.
  *
- * A motion capture character has one `.bvh` per take, with skeleton and motion together; every other character has its
+ * A motion capture character has one `.bvh` per take, with skeleton and motion together, and points have a `.trc` per
+ * take; every other character has its
  * skeleton in a `.skel` and its takes in `.anim` files, or, of Acclaim, in an `.asf` and `.amc` files.
  */
 
@@ -95,6 +96,7 @@ const HOLDS: { readonly [K in PartKind]?: 'skeleton' | 'take' | 'capture' } = {
   anim: 'take',
   bvh: 'capture',
   amc: 'capture',
+  trc: 'capture',
 };
 
 /** Whether parts of a kind are skeletons alone. */
@@ -120,7 +122,7 @@ export function isCaptureKind(kind: FileKind | undefined): boolean {
 
 /** The take of a part; undefined if it has none. */
 export function takeOf(part: Part): Take | undefined {
-  if (part.kind === 'bvh' || part.kind === 'amc') return part.content.take;
+  if (part.kind === 'bvh' || part.kind === 'amc' || part.kind === 'trc') return part.content.take;
   return part.kind === 'anim' ? part.content : undefined;
 }
 

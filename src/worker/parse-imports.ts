@@ -44,6 +44,7 @@ export async function importedFrom(
     // Its name is told before it is read: it is read as a whole, which may take long.
     count(baseName(file.path), 0);
     const read = await importOne(file, format, [given, before]);
+    if (read.isOther) continue;
     diagnostics.push(...read.diagnostics);
     const earlier = read.parts.filter(({ path }) => before.some((own) => own.path === path));
     if (earlier.length && read.files.length) diagnostics.push(withEarlier(baseName(file.path), earlier));
@@ -90,6 +91,7 @@ interface ReadBlob extends ImportedBlob {
   readonly parts: readonly SourceFile[];
   readonly diagnostics: readonly Diagnostic[];
   readonly isWaiting?: true;
+  readonly isOther?: true;
 }
 
 const finderIn = perObject(async (place: readonly GivenBlob[]) => {
@@ -132,7 +134,8 @@ async function importOne(
         return [];
       },
     });
-    const { diagnostics = [], beside = [], isWaiting } = read ?? {};
+    const { diagnostics = [], beside = [], isWaiting, isOther } = read ?? {};
+    if (isOther) return { files: [], broken: [], parts: [], diagnostics, isOther };
     const value = read?.value && withCharacters(read.value, settledTakes);
     const tooLarge = value && tooLargeToPost(source, passageOf(value).transfer);
     const told = tooLarge ? [...diagnostics, tooLarge] : diagnostics;

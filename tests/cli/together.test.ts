@@ -158,11 +158,11 @@ describe('zips', () => {
 
 describe('files of which nothing can be read', () => {
   it.each(['info', 'pose'])('marrow %s fails and says so', async (name) => {
-    write('a.c3d', ':version 1.10');
-    const { code, err } = await command([name, 'a.c3d'], folder);
+    write('a.sto', ':version 1.10');
+    const { code, err } = await command([name, 'a.sto'], folder);
     expect([code, err]).toEqual([1, expect.stringContaining('error nothing-read')]);
     write('hero.skel', SKEL);
-    expect((await command([name, 'a.c3d', 'hero.skel'], folder)).code).toBe(0);
+    expect((await command([name, 'a.sto', 'hero.skel'], folder)).code).toBe(0);
   });
 
   it('marrow pose fails if there is no character', async () => {

@@ -33,7 +33,7 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['<html lang="en">', /web page/],
   ['404: Not Found', /web server/],
   ['%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!74 &7400000\n', /Unity.*YAML/],
-  ['%YAML 1.2\n---\na: 1\n', /YAML/, ['dump']],
+  ['%YAML 1.2\n---\na: 1\n', /YAML/, ['dump', 'table']],
   ['animVersion 1.1;\nmayaVersion 2018;\n', /Maya animation/],
   ['//Maya ASCII 2020 scene\n', /Maya scene/],
   ['\x1f\x8b\x08\0\0\0', /compressed with gzip/],
@@ -52,18 +52,18 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['BLENDER-v300', /Blender/],
   ['#usda 1.0', /USD/],
   ['<?xml version="1.0"?>\n<COLLADA xmlns="">', /COLLADA/],
-  ['<?xml version="1.0"?>\n<a/>', /XML/, ['dump']],
+  ['<?xml version="1.0"?>\n<a/>', /XML/, ['dump', 'table']],
   ['# made by\n\n# me\n:version 1.10\n:name VICON\n', /Acclaim skeleton/, ['asf']],
   ['#!OML:ASF F:\\VICON\\acclaim.asf\n:FULLY-SPECIFIED\n:DEGREES\n1\n', /Acclaim motion/, ['amc']],
-  ['\x02P\0\0\0\0\0\0\0', /C3D/],
+  ['\x02P\0\0\0\0\0\0\0', /C3D.*\.c3d/, ['c3d']],
   ['\x93NUMPY\x01\0', /array of numpy/, ['numpy']],
   ['glTF\x02\0\0\0', /glTF.*\.glb/, ['gltf']],
   ['Kaydara FBX Binary  \0', /FBX.*\.fbx/, ['fbx']],
   ['; FBX 7.5.0 project file\n', /FBX.*\.fbx/, ['fbx']],
-  ['{ "asset": { "version": "2.0" } }', /JSON/, ['gltf', 'markers', 'sets', 'layers', 'dump']],
-  ['\xff\xfeH\0I\0E\0R\0', /UTF-16/, ['dump']],
-  ['H\0I\0E\0R\0A\0', /UTF-16/, ['dump']],
-  ['balljoint\0\x01\x02\0\0\0\0\x03\0\0\0\x04', /binary/, ['gltf', 'fbx', 'texture', 'dump']],
+  ['{ "asset": { "version": "2.0" } }', /JSON/, ['gltf', 'markers', 'sets', 'layers', 'dump', 'table']],
+  ['\xff\xfeH\0I\0E\0R\0', /UTF-16/, ['dump', 'table']],
+  ['H\0I\0E\0R\0A\0', /UTF-16/, ['dump', 'table']],
+  ['balljoint\0\x01\x02\0\0\0\0\x03\0\0\0\x04', /binary/, ['gltf', 'fbx', 'texture', 'c3d', 'dump', 'table']],
   ['HIERARCHY\r\nROOT Hips\r\n{', /BVH.*\.bvh/, ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose']],
 ];
 
@@ -164,23 +164,7 @@ describe('the files at hand', () => {
 });
 
 describe('a kind of file that is not read', () => {
-  const UNREAD = [
-    'c3d',
-    'blend',
-    'ma',
-    'mb',
-    'max',
-    'usd',
-    'usdz',
-    'dae',
-    'abc',
-    'pkl',
-    'trc',
-    'vmd',
-    '7z',
-    'pdf',
-    'mp4',
-  ];
+  const UNREAD = ['blend', 'ma', 'mb', 'max', 'usd', 'usdz', 'dae', 'abc', 'pkl', 'sto', 'vmd', '7z', 'pdf', 'mp4'];
 
   it.each(UNREAD)('.%s is named, with a way on, by page and command, which fail', async (extension) => {
     const name = `a.${extension}`;

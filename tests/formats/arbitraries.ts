@@ -53,7 +53,7 @@ function wellFormed(text: string): boolean {
 const axis = fc.oneof(vec3, fc.constant([1, 0, 0] as Vec3)).filter((v) => v.some((part) => part !== 0));
 const order = fc.constantFrom(...EULER_ORDERS);
 
-type SkelKind = Exclude<Motion['kind'], 'bvh' | 'acclaim'>;
+type SkelKind = Exclude<Motion['kind'], 'bvh' | 'acclaim' | 'point'>;
 
 const PARAMETERS: { readonly [K in SkelKind]: fc.Arbitrary<Omit<Extract<Motion, { kind: K }>, 'kind'>> } = {
   ball: fc.record({ order }),

@@ -94,7 +94,7 @@ export const compareCommand = shellCommand({
       document,
       dumps,
       diagnostics: opened,
-    } = openLoaded(await loadAny(inputs, io.folder, { otherwise: dumpFormat() }));
+    } = openLoaded(await loadAny(inputs, io.folder, { otherwise: dumpFormat(), asNumbers: true }));
     const diagnostics = [...opened];
     const named = dumps.map(({ dump, source }): NamedDump => ({ fileName: source.path, dump }));
     const { fitted, character, dumps: fittedDumps } = fitBest(document.characters, named, times, tolerance);

@@ -3,6 +3,7 @@
 import { factsOf } from '../../files/kinds.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import type { Character, Document } from '../../model/document.ts';
+import { arePoints } from '../../model/skeleton/joint-types.ts';
 import { FILE_EXITS } from '../io.ts';
 import { type LoadedFile, loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { ANY_FILE, files } from '../options/inputs.ts';
@@ -56,7 +57,8 @@ function describeFile({ path, kind, content }: LoadedFile): FileFacts {
 function describeCharacter({ name, skeleton, skins, morphs, takes, sources }: Character) {
   return {
     name,
-    joints: skeleton?.joints.length ?? 0,
+    joints: arePoints(skeleton) ? 0 : (skeleton?.joints.length ?? 0),
+    ...(arePoints(skeleton) && { points: skeleton?.joints.length }),
     skins: skins.map((s) => s.name),
     morphs: morphs.map((m) => m.name),
     takes: takes.map((c) => c.name),

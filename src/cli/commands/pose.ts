@@ -11,11 +11,12 @@ import { type EndSitePosition, endSitePositions, tipPosition } from '../../evalu
 import { applyConstraints, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/skin/deform.ts';
+import { isVisible } from '../../evaluate/visible-points.ts';
 import { refusal } from '../../files/save/conversion.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, shownSkin, shownTake } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
-import { jointTypeOf } from '../../model/skeleton/joint-types.ts';
+import { arePoints, jointTypeOf } from '../../model/skeleton/joint-types.ts';
 import { FILE_EXITS } from '../io.ts';
 import { loadAny, nothingRead, openLoaded, withoutSkeleton } from '../load.ts';
 import { ANY_FILE, files } from '../options/inputs.ts';
@@ -148,7 +149,10 @@ interface PosedCharacter {
   readonly name: string;
   /** Root translation. */
   readonly root: readonly number[];
+  /** None of points, which are in `points`. */
   readonly joints: readonly PosedJoint[];
+  /** Of a capture without bones; null where a point is missing. */
+  readonly points?: readonly PosedPoint[];
   /** Positions of End Sites: ends of bones without a joint there. Absent if there are none. */
   readonly endSites?: readonly EndSitePosition[];
   readonly morphs: readonly { readonly name: string; readonly weight: number }[];
@@ -158,6 +162,11 @@ interface PosedCharacter {
   readonly normals?: readonly number[];
   /** Box around the skin, or around the joints without one; null if there is neither. */
   readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] } | null;
+}
+
+interface PosedPoint {
+  readonly name: string;
+  readonly position: readonly number[] | null;
 }
 
 interface PosedJoint {
@@ -190,7 +199,14 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
   }
   const skinning = world ? skinningOf(character, world) : undefined;
 
-  const joints = (skeleton?.joints ?? []).map((joint, index) => ({
+  const posedPoints =
+    skeleton && compiled && world && arePoints(skeleton)
+      ? skeleton.joints.map(({ name }, p): PosedPoint => {
+          const position = Array.from(world.subarray(16 * p + 12, 16 * p + 15));
+          return { name, position: isVisible(compiled, p, values) ? position : null };
+        })
+      : undefined;
+  const joints = (posedPoints ? [] : (skeleton?.joints ?? [])).map((joint, index) => ({
     index,
     name: joint.name,
     parent: joint.parent,
@@ -204,11 +220,15 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
   const endSites = skeleton && world ? endSitePositions(skeleton, world, values) : [];
   const firstMorph = values.length - morphs.length;
   const { positions, normals } = deformed(character, values, firstMorph, world);
-  const points = positions ?? Float64Array.from(joints.flatMap((joint) => joint.world.slice(12, 15)));
+  const places = posedPoints
+    ? posedPoints.flatMap(({ position }) => position ?? [])
+    : joints.flatMap((joint) => joint.world.slice(12, 15));
+  const points = positions ?? Float64Array.from(places);
   return {
     name: character.name,
     root: Array.from(compiled?.travel ?? ROOT, (dof) => values[dof]),
     joints,
+    ...(posedPoints && { points: posedPoints }),
     ...(endSites.length > 0 && { endSites }),
     morphs: morphs.map((morph, m) => ({ name: morph.name, weight: values[firstMorph + m] })),
     ...(withVertices && { positions: Array.from(positions ?? []), normals: Array.from(normals ?? []) }),
@@ -279,7 +299,8 @@ function boundsOf(points: Float64Array): PosedCharacter['bounds'] {
   return { min, max };
 }
 
-function asText({ name, root, joints, endSites = [], morphs, positions, normals, bounds }: PosedCharacter): string {
+function asText(posed: PosedCharacter): string {
+  const { name, root, joints, points = [], endSites = [], morphs, positions, normals, bounds } = posed;
   const lines = [`character ${name}, root ${root.join(' ')}`];
   for (const joint of joints) {
     lines.push(
@@ -288,6 +309,7 @@ function asText({ name, root, joints, endSites = [], morphs, positions, normals,
       ...(joint.tip ? [`      tip ${joint.tip.join(' ')}`] : []),
     );
   }
+  for (const { name: label, position } of points) lines.push(`  ${label}: ${position?.join(' ') ?? 'missing'}`);
   for (const { joint, position } of endSites) lines.push(`  end site of ${joint}: ${position.join(' ')}`);
   for (const morph of morphs) lines.push(`  morph ${morph.name}: ${morph.weight}`);
   for (let o = 0; positions && normals && o < positions.length; o += 3) {

@@ -39,7 +39,8 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
   const { files: given, missing } = findGiven(args, folder);
   const { files: found, problems } = withZipsUnpacked(given);
   const files = found.map((file) => (file.bytes ? { ...file, bytes: sharedAmongThreads(file.bytes) } : file));
-  const whole = files.filter(({ path }) => isWhole(path));
+  const named = new Set(args.map((arg) => resolve(folder, arg)));
+  const whole = files.filter((file) => isWhole(file.path) || (named.has(file.absolute) && isTable(file.path)));
   const animations = animationsIn(
     files.filter(({ path }) => {
       const format = formatOf(path);
@@ -59,6 +60,11 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
   const parts = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || isPartOfOthers(path)));
   return { inputs: withStems(all, folders, folder), parts };
+}
+
+/** Whether a file may have points in its rows: one that was named is a take, then; in folders most are something else. */
+function isTable(path: string): boolean {
+  return formatOf(path)?.format === 'table';
 }
 
 /** Whether other files are read with files of that name: textures, and skeletons of takes. */

@@ -9,6 +9,7 @@ import { backMultiply3, copy3, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Character } from '../../model/document.ts';
 import { restPose } from '../../model/skeleton/dofs.ts';
+import { arePoints } from '../../model/skeleton/joint-types.ts';
 import { type Frames, MAX_FRAMES, playedTake } from '../bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../foot-contacts.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
@@ -17,6 +18,7 @@ import { framesOfTake } from '../samples/key-frames.ts';
 import { NO_TRAVEL, placementMatrix } from '../space/placements.ts';
 import { applySpace } from '../space/space.ts';
 import type { Steps } from '../steps.ts';
+import { isVisible } from '../visible-points.ts';
 import { jointMasses, type MassModel } from './mass.ts';
 
 /** Joints over the frames of a take: positions, rotations, contacts and the centre of mass. */
@@ -25,7 +27,7 @@ export interface Tracks {
   readonly frames: Frames;
   /** Those asked for, then feet that are not among them. */
   readonly joints: readonly number[];
-  /** x y z per frame, one row per joint. */
+  /** x y z per frame, one row per joint; NaN where a point is missing. */
   readonly positions: readonly Float64Array[];
   /** x y z w per frame, unit, one row per joint. */
   readonly rotations: readonly Float64Array[];
@@ -90,6 +92,7 @@ export function* trackJoints(character: Character, frames: Frames, asked: readon
   const rotations = rows(joints.length, 4);
   const mass = new Float64Array(3 * frameCount);
   const masses = jointMasses(skeleton);
+  const hasPoints = arePoints(skeleton);
   const points = new Float64Array(3 * feet.length * frameCount);
   const toScene = new Float64Array(16);
   placementMatrix(character.placements[0], space, NO_TRAVEL, toScene);
@@ -106,6 +109,7 @@ export function* trackJoints(character: Character, frames: Frames, asked: readon
       const joint = joints[k];
       const at = 16 * joint + 12;
       writePoint(toScene, world[at], world[at + 1], world[at + 2], positions[k], 3 * f);
+      if (hasPoints && !isVisible(compiled, joint, dofs)) positions[k].fill(Number.NaN, 3 * f, 3 * f + 3);
       writeLocal(world, joint, compiled.parent[joint], local);
       backMultiply3(rests[k], 0, local, 0, fromRest, 0);
       quaternionOfRotation(fromRest, 0, quaternion);

@@ -48,9 +48,12 @@ export function guessSpace(skeleton: Skeleton, take: Take | undefined): Space {
 /** Characters of one file that are measured: what is cached of each takes a hundred times the bytes of a bare root. */
 const MAX_MEASURED = 256;
 
-/** For characters in one file, which share a space: that of the tallest, of the first 256. */
-export function guessSharedSpace(captures: readonly Capture[]): FileSpace {
-  const all = captures.slice(0, MAX_MEASURED).map(({ skeleton, take }) => guessed(skeleton, take));
+/**
+ * For characters in one file, which share a space: that of the tallest, of the first 256.
+ * @param up the axis, if it is known
+ */
+export function guessSharedSpace(captures: readonly Capture[], up?: Space['up']): FileSpace {
+  const all = captures.slice(0, MAX_MEASURED).map(({ skeleton, take }) => guessed(skeleton, take, up));
   const none = { space: DEFAULT_SPACE, standing: 0, height: 0 };
   const { space, standing } = all.reduce((a, b) => (b.height > a.height ? b : a), all[0] ?? none);
   return { space, standing };
@@ -85,10 +88,14 @@ export function metresForPerson(...capture: Parameters<typeof guessedHeight>): n
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 
-function guessed(skeleton: Skeleton, take: Take | undefined): FileSpace & { readonly height: number } {
+function guessed(
+  skeleton: Skeleton,
+  take: Take | undefined,
+  known?: Space['up'],
+): FileSpace & { readonly height: number } {
   const body = bodyOf(skeleton);
   const frames = frameShapes(skeleton, take);
-  const { up, standing } = upOf(skeleton, body, frames, take !== undefined);
+  const { up, standing } = known ? { up: known, standing: 0 } : upOf(skeleton, body, frames, take !== undefined);
   const axis = up === 'z' ? 2 : 1;
   const height = heightOf(body, frames, take !== undefined, axis);
   if (!(height > 0) || !Number.isFinite(height))

@@ -146,6 +146,28 @@ export function knownCounts(): readonly number[] {
   return [...new Set(TREES.map(pointCountOf))].sort((a, b) => a - b);
 }
 
+/** The known tree with the most points that all have one of these labels, by those; undefined if there is none. */
+export function treeOfLabels(labels: readonly string[]): JointTree | undefined {
+  const at = new Map(labels.map((label, p) => [plain(label), p]));
+  const found = LARGEST_FIRST.find(({ names, points }) =>
+    points.every(([, other], j) => other !== undefined || at.has(plain(names[j]))),
+  );
+  if (!found) return undefined;
+  const { names, points } = found;
+  const own = new Map(
+    points.flatMap(([p, other], j) => (other === undefined ? [[p, at.get(plain(names[j])) ?? 0]] : [])),
+  );
+  const of = (p: number) => own.get(p) ?? 0;
+  return { ...found, points: points.map(([a, b]) => (b === undefined ? [of(a)] : [of(a), of(b)])) };
+}
+
+const LARGEST_FIRST = TREES.toSorted((a, b) => pointCountOf(b) - pointCountOf(a));
+
+/** Case, blanks, `_` and `-` are not meant. */
+function plain(label: string): string {
+  return label.toLowerCase().replace(/[\s_-]/g, '');
+}
+
 function pointCountOf({ points }: JointTree): number {
   return Math.max(...points.flat()) + 1;
 }

@@ -10,9 +10,11 @@ import { toAcclaimBones } from '../../evaluate/acclaim-bones.ts';
 import { type Frames, framesOf, MAX_FRAMES, ownFrames, playedTake } from '../../evaluate/bake.ts';
 import type { BvhCapture } from '../../evaluate/bvh-capture.ts';
 import { framesFor, toBvhCapture } from '../../evaluate/bvh-capture.ts';
+import { bakedPoints } from '../../evaluate/point-capture.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, isOfJoints } from '../../model/document.ts';
+import type { Capture } from '../../model/files.ts';
 import { filePose } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -68,6 +70,18 @@ export function withoutBones(character: Character): Character {
     takes: captured.flatMap(({ take }) => take ?? []).slice(0, character.takes.length),
     pose: filePose(skeleton, character.morphs.length),
   };
+}
+
+/** A take of points as its frames have it, whatever drives it; without a take the pose. @throws CommandError as `bvhOf` */
+export function pointsOf({ driver: _, ...character }: Character, take: Take | undefined): Capture {
+  const shown = { ...character, takes: take ? [take] : [], shownTake: take ? 0 : -1 };
+  const [made] = takesOf(
+    shown,
+    undefined,
+    (each, frames) => ({ capture: bakedPoints(each, frames), diagnostics: [] }),
+    'trc',
+  );
+  return made.capture;
 }
 
 type Conversion = (character: Character, frames: Frames, file: string) => BvhCapture;

@@ -17,7 +17,7 @@ import { baseOf, unlayered } from '../../model/takes/layers.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
-import { acclaimOf, bvhOf, hasOwnRate, inPose } from './character-files.ts';
+import { acclaimOf, bvhOf, hasOwnRate, inPose, pointsOf } from './character-files.ts';
 import { amcCopy, bvhCopy } from './copies.ts';
 import { plainTake } from './layers.ts';
 import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
@@ -99,6 +99,12 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned:
       if (!skeleton) return { kind: 'anim', take };
       // The joints of motion capture have their DOFs in another order there.
       return { kind: 'anim', take: skelChannels(take, skeleton, pose) };
+    }
+    case 'trc': {
+      const [{ character }] = owned;
+      const { space } = character;
+      const capture = pointsOf(character, beneathLayers(part.content.take));
+      return { kind: 'trc', capture, ...(space && { space: { space, standing: 0 } }) };
     }
     case 'pose':
       return { kind: 'pose', poses: posesByNames(part.content) };

@@ -18,7 +18,7 @@ import type { GrammarPart } from '../grammar.ts';
 import type { Keywords, Tokens } from '../tokens.ts';
 import { listOfWords, numberToken, oneOfWords, vectorToken } from './own-tokens.ts';
 
-/** A type that `.skel` has: BVH's joints are converted first (`model/skel-motion.ts`). */
+/** A type that `.skel` has: BVH's joints are converted first (`model/skel-motion.ts`), and points can't be. */
 export interface SkelType {
   /** `balljoint`. */
   readonly keyword: string;
@@ -29,7 +29,7 @@ export interface SkelType {
 
 /** All joint types that `.skel` has, each with its keyword, default motion and tokens. */
 export const SKEL_TYPES: readonly SkelType[] = Object.values<JointType>(JOINT_TYPES)
-  .filter(({ initial }) => !isOfBvh(initial))
+  .filter(({ format }) => format !== 'bvh' && format !== 'points')
   .map(({ keyword, initial }) => ({ keyword, motion: initial, tokens: new Map(parametersOf(initial)) }));
 
 const BY_KEYWORD = new Map(SKEL_TYPES.map((type) => [type.keyword, type]));

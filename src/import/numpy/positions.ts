@@ -2,9 +2,9 @@
 import { areTrees } from '../../evaluate/captured-frames.ts';
 import { statedSpace } from '../../evaluate/space/metres.ts';
 import { steadiestTree } from '../../evaluate/tree-fit/bones.ts';
-import { FittedTree } from '../../evaluate/tree-fit/fit-tree.ts';
 import { type JointTree, knownCounts, SMPL_BODY, treesOf } from '../../evaluate/tree-fit/known-trees.ts';
 import type { PointPaths } from '../../evaluate/tree-fit/point-paths.ts';
+import { fitted } from '../fitted.ts';
 import type { Remarks } from '../imported.ts';
 import { rateOf } from './frames.ts';
 import type { ArraysKind, ReadMotion } from './kind.ts';
@@ -51,7 +51,7 @@ function readPositions(arrays: Arrays, remarks: Remarks): ReadMotion {
   if (!array || frameCount === 0) return fail('frames-missing', 'Expected frames of positions, found none.');
   const paths: PointPaths = { frameCount, pointCount, width, values: array.values };
   const tree = ownTree(arrays, pointCount) ?? knownTree(paths, remarks);
-  return { ...fitted(paths, tree, rateOf(arrays, remarks), remarks) };
+  return fitted(paths, tree, rateOf(arrays, remarks), remarks);
 }
 
 /** The tree of the file. */
@@ -77,20 +77,6 @@ function knownTree(paths: PointPaths, remarks: Remarks): JointTree {
   const why = others.length > 0 ? `, whose bones vary less than those of ${others.join(' and ')}` : '';
   remarks.tell('tree-assumed', `Its ${paths.pointCount} joints have no names.`, `used those of ${tree.label}${why}`);
   return tree;
-}
-
-function fitted(paths: PointPaths, tree: JointTree, framesPerSecond: number, remarks: Remarks): ReadMotion {
-  const fit = new FittedTree(paths, tree);
-  const { frameCount } = paths;
-  return {
-    joints: fit.joints,
-    frames: { frameCount, framesPerSecond, write: (frame, rotations, places) => fit.write(frame, rotations, places) },
-    told() {
-      const [mean, largest] = [fit.meanDistance, fit.largestDistance].map((v) => Number(v.toPrecision(3)));
-      const message = `Bones of constant length are fitted to the positions: joints are ${mean} off on average, at most ${largest}, in the file’s unit.`;
-      remarks.tell('bones-fitted', message, 'used the median lengths');
-    },
-  };
 }
 
 function nameOfFeatures(arrays: Arrays): string | undefined {

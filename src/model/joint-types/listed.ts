@@ -9,6 +9,7 @@ type MotionOf<K> = Extract<Motion, { readonly kind: K }>;
 const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
 const TX_TY_TZ = dofList(...TRANSLATIONS);
 const NONE = dofList();
+const POINT_DOFS = dofList(...TRANSLATIONS, 'visible');
 
 /** The translational joint: three DOFs, tx ty tz, in units of length. */
 export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {
@@ -62,6 +63,27 @@ export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
   text: ({ dofs }) => (dofs.length ? `compoundjoint, ${dofs.join(' ')}` : 'compoundjoint without DOFs'),
+};
+
+/** The point of a capture without bones: three DOFs in units of length, and whether it is there. */
+export const POINT: JointType<MotionOf<'point'>> = {
+  keyword: 'point',
+  label: 'Point',
+  summary: 'where a capture has it',
+  format: 'points',
+  initial: { kind: 'point' },
+  parameters: {},
+  isPoint: true,
+  takesLimits: false,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: () => POINT_DOFS,
+  // Whether it is there is no factor.
+  factors: () => undefined,
+  formula: () => 'T(t)',
+  carriesCharacter: () => false,
+  mirrored: (motion) => motion,
+  text: () => 'point',
 };
 
 /** In BVH the translation comes first, wherever its channels are listed. */

@@ -14,11 +14,16 @@ export interface JointType<M extends Motion = Motion> {
   /** Motion of such a joint, in a few words. */
   readonly summary: string;
   /** The format that has joints of this type: those of others are converted before they are written to `.skel`. */
-  readonly format: 'skel' | 'bvh' | 'asf';
+  readonly format: 'skel' | 'bvh' | 'asf' | 'points';
   /** The motion of a joint whose file gives only its type. */
   readonly initial: M;
   /** The parameters of such a motion, by field name; `.skel` has a token of the same name for each. */
   readonly parameters: { readonly [F in Exclude<keyof M, 'kind'>]: Parameter };
+  /**
+   * Whether it is a point of a capture: nothing is attached to it, its translation replaces its offset, and its last DOF
+   * tells whether it is there (1) or missing (less).
+   */
+  readonly isPoint?: true;
   /** Whether its DOFs take limits. Quaternion components don't: they are not independent quantities. */
   readonly takesLimits: boolean;
   /** Indices of the DOFs that are a quaternion's x y z w; empty if there is none. */

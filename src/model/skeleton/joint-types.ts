@@ -5,12 +5,12 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { ACCLAIM } from '../joint-types/acclaim.ts';
 import { HINGE, PRISMATIC, SCREW } from '../joint-types/axis.ts';
-import { BVH, COMPOUND_JOINT, FIXED, TRANSLATIONAL } from '../joint-types/listed.ts';
+import { BVH, COMPOUND_JOINT, FIXED, POINT, TRANSLATIONAL } from '../joint-types/listed.ts';
 import type { Parameter, ParameterValues } from '../joint-types/parameters.ts';
 import { BALL, FREE, QUATERNION_JOINT, UNIVERSAL } from '../joint-types/rotating.ts';
 import { SCALE, SHEAR } from '../joint-types/stretching.ts';
 import type { JointType } from '../joint-types/type.ts';
-import type { AcclaimMotion, BvhChannel, BvhMotion, CompoundDof, Dof, Joint, Motion } from './skeleton.ts';
+import type { AcclaimMotion, BvhChannel, BvhMotion, CompoundDof, Dof, Joint, Motion, Skeleton } from './skeleton.ts';
 
 /** The kind of a motion, which names its joint type: a key of `JOINT_TYPES`. */
 export type MotionKind = Motion['kind'];
@@ -31,6 +31,7 @@ export const JOINT_TYPES: { readonly [K in MotionKind]: JointType<Extract<Motion
   compound: COMPOUND_JOINT,
   bvh: BVH,
   acclaim: ACCLAIM,
+  point: POINT,
 };
 
 // The table's keys are exactly these.
@@ -112,6 +113,17 @@ export function acclaimMotionOf(motion: Motion): AcclaimMotion | undefined {
   return motion.kind === 'acclaim' ? motion : undefined;
 }
 
+/** Whether a joint is a point of a capture, which has no bone. */
+export function isPoint(motion: { readonly kind: MotionKind }): boolean {
+  return jointTypeOf(motion).isPoint ?? false;
+}
+
+/** Whether a skeleton is points alone: a capture without bones. */
+export function arePoints(skeleton: Skeleton | undefined): boolean {
+  const { joints = [] } = skeleton ?? {};
+  return joints.length > 0 && joints.every(({ motion }) => isPoint(motion));
+}
+
 /** Whether such joints are made by hand; those of captures come with their files. */
 export function isOffered(kind: MotionKind): boolean {
   return JOINT_TYPES[kind].format === 'skel';
@@ -174,14 +186,18 @@ export function positionsOf(motion: Motion): BvhMotion['positions'] | undefined 
   return meaning === 'add' ? 'add' : 'replace';
 }
 
-/** Whether this DOF replaces the offset on its axis, as BVH position channels do. */
+/** Whether this DOF replaces the offset on its axis, as BVH position channels and those of points do. */
 export function replacesOffset(motion: Motion, name: string): boolean {
-  return name.startsWith('t') && positionsOf(motion) === 'replace' && dofsOf(motion).some((dof) => dof.name === name);
+  return name.startsWith('t') && replaces(motion) && dofsOf(motion).some((dof) => dof.name === name);
+}
+
+function replaces(motion: Motion): boolean {
+  return isPoint(motion) || positionsOf(motion) === 'replace';
 }
 
 /** The part of a joint's offset that its DOFs do not replace. */
 export function offsetBesideDofs({ offset, motion }: Pick<Joint, 'offset' | 'motion'>): Vec3 {
-  if (positionsOf(motion) !== 'replace') return offset;
+  if (!replaces(motion)) return offset;
   const [x, y, z] = offset;
   const left = (name: string, value: number) => (replacesOffset(motion, name) ? 0 : value);
   return [left('tx', x), left('ty', y), left('tz', z)];

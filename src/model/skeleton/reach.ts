@@ -1,5 +1,6 @@
 /** The size of a character, for everything that scales with it: sliders, keyboard steps. */
 import { perObject } from '../per-object.ts';
+import { restExtent } from './rest-extent.ts';
 import type { Skeleton } from './skeleton.ts';
 
 /** The farthest any joint can be from the root; also sensible for a single joint. */
@@ -15,7 +16,9 @@ const reachOfJoints = perObject((skeleton: Skeleton) => {
     far[j] = own + (parent < 0 ? 0 : far[parent]);
     reach = Math.max(reach, far[j], Math.hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]));
   });
-  return reach > 0 && Number.isFinite(reach) ? reach : 1;
+  // Points have no root.
+  const size = reach > 0 ? reach : restExtent(skeleton);
+  return size > 0 && Number.isFinite(size) ? size : 1;
 });
 
 /** About a hundredth of the reach, rounded to a power of ten. */

@@ -129,7 +129,9 @@ export type Motion =
   /** One-DOF matrices, multiplied from left to right; each DOF at most once. */
   | { readonly kind: 'compound'; readonly dofs: readonly CompoundDof[] }
   | BvhMotion
-  | AcclaimMotion;
+  | AcclaimMotion
+  /** A point of a capture without bones: where it is, and whether it is there. */
+  | { readonly kind: 'point' };
 
 /**
  * A BVH joint: its channels are its DOFs, in order. The translation comes before the rotations, wherever it is listed;

@@ -16,9 +16,11 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { NO_TRAVEL, placementMatrix } from '../../evaluate/space/placements.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../../evaluate/travel.ts';
+import { isVisible } from '../../evaluate/visible-points.ts';
 import { timeBetween } from '../../math/time-between.ts';
 import type { Character } from '../../model/document.ts';
 import { shownTake } from '../../model/document.ts';
+import { arePoints } from '../../model/skeleton/joint-types.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
 import { runInSlices } from '../slices.ts';
 import type { StageTheme } from '../theme.ts';
@@ -33,7 +35,7 @@ const PER_STEP = 20_000;
 
 /**
  * Positions of a joint at `count` times from `start` to `end` (seconds of the transport), x y z each, in the
- * character's space. `inPlace` subtracts the root's horizontal motion, as when drawing.
+ * character's space; NaN where a point is missing. `inPlace` subtracts the root's horizontal motion, as when drawing.
  */
 export function* samplePath(
   character: Character,
@@ -49,6 +51,7 @@ export function* samplePath(
   const world = new Float64Array(16 * skeleton.jointCount);
   const travel = new Float64Array(3);
   const carrier = carrierOf(character);
+  const hasPoints = arePoints(character.skeleton);
   let left = PER_STEP;
   for (let i = 0; i < count; i++) {
     left -= skeleton.jointCount;
@@ -59,7 +62,8 @@ export function* samplePath(
     poseAt(character, timeBetween(start, end, i / Math.max(1, count - 1)), dofs);
     worldMatrices(skeleton, dofs, world);
     if (inPlace) groundTravel(skeleton, character.space, carrier, dofs, world, travel);
-    for (let k = 0; k < 3; k++) path[3 * i + k] = world[16 * joint + 12 + k] - travel[k];
+    const isThere = !hasPoints || isVisible(skeleton, joint, dofs);
+    for (let k = 0; k < 3; k++) path[3 * i + k] = isThere ? world[16 * joint + 12 + k] - travel[k] : Number.NaN;
   }
   return path;
 }
@@ -165,9 +169,14 @@ export class Trail {
   private draw(character: Character, path: Float64Array): void {
     const count = path.length / 3;
     const segments = new Float64Array(6 * (count - 1));
-    for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);
+    let length = 0;
+    for (let i = 0; i + 1 < count; i++) {
+      if (Number.isNaN(path[3 * i] + path[3 * i + 3])) continue;
+      segments.set(path.subarray(3 * i, 3 * i + 6), length);
+      length += 6;
+    }
     this.object.geometry.dispose();
-    this.object.geometry = segmentsGeometry(segments);
+    this.object.geometry = segmentsGeometry(segments.subarray(0, length));
     this.covered.geometry = this.object.geometry;
     // It is never culled, and three.js would complain of paths beyond 32-bit floats.
     this.object.geometry.boundingSphere = new Sphere();

@@ -163,14 +163,14 @@ export class Labels {
     let firstName = 0;
     let count = 0;
     for (let d = 0; d < this.drawn.length && count < CANDIDATES; d++) {
-      const { firstInstance, skeleton } = this.drawn[d];
+      const { firstInstance, skeleton, missing } = this.drawn[d];
       const first = count;
       let left = Infinity;
       let right = -Infinity;
       let top = Infinity;
       let bottom = -Infinity;
       for (let j = 0; j < skeleton.joints.length && count < CANDIDATES; j++) {
-        if (!this.project(positions, firstInstance + j, count)) continue;
+        if (missing?.[j] || !this.project(positions, firstInstance + j, count)) continue;
         left = Math.min(left, screen[3 * count]);
         right = Math.max(right, screen[3 * count]);
         top = Math.min(top, screen[3 * count + 1]);
@@ -285,7 +285,7 @@ export class Labels {
 
   private writeAlways(instance: number, positions: Float64Array, theme: StageTheme): void {
     const name = instance === this.hovered ? this.hoveredName : this.nameOf(instance);
-    if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
+    if (!name || this.isMissing(instance) || !this.project(positions, instance, CANDIDATES - 1)) return;
     const color = instance === this.selected ? theme.selectedLabel : theme.label;
     const o = 3 * (CANDIDATES - 1);
     const [x, y] = [this.screen[o], this.screen[o + 1]];
@@ -295,6 +295,13 @@ export class Labels {
     for (let line = 0; line < JOINT_LINES; line++) {
       if (this.write(name, (around?.[2] ?? x) + BESIDE, y + line * LINE_HEIGHT, color)) return;
     }
+  }
+
+  /** Whether an instance is a point that isn't there. */
+  private isMissing(instance: number): boolean {
+    const found = jointAt(this.drawn, instance);
+    const drawn = found && this.drawn.find(({ characterId }) => characterId === found.characterId);
+    return drawn?.missing?.[found?.joint ?? 0] === 1;
   }
 
   /** Writes an instance's screen position to slot `to`; false if it is out of view. */

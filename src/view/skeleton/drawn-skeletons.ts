@@ -11,6 +11,7 @@ import { endsAt, hasStretches } from '../../evaluate/end-sites.ts';
 import { type JointSizes, jointSizes } from '../../evaluate/shapes/joint-shapes.ts';
 import { perObject } from '../../model/per-object.ts';
 import { boneEnds } from '../../model/skeleton/bone-ends.ts';
+import { arePoints } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Tint } from '../theme.ts';
 
@@ -49,6 +50,8 @@ export interface DrawnSkeleton extends PosedSkeleton {
   readonly nodes: Nodes;
   readonly firstInstance: number;
   readonly placementCount: number;
+  /** Of points: 1 for each that is missing in the frame that is drawn. */
+  readonly missing?: Uint8Array;
 }
 
 /** Whether joint indices mean the same joints in both. If not, state kept by index (such as hovering) is invalid. */
@@ -112,7 +115,8 @@ export function assignInstances(skeletons: readonly PosedSkeleton[]): DrawnSkele
     const placementCount = posed.placements.length / 16;
     const firstInstance = next;
     next += placementCount * nodes.count;
-    return { ...posed, sizes, nodes, firstInstance, placementCount };
+    const missing = arePoints(posed.skeleton) && { missing: new Uint8Array(nodes.jointCount) };
+    return { ...posed, sizes, nodes, firstInstance, placementCount, ...missing };
   });
 }
 

@@ -71,6 +71,17 @@ export class JointMarkers {
     sphereMatrix(x, y, z, 1, matricesOf(this.otherDots), 16 * slot);
   }
 
+  /** Draws no marks of one placement: its joint is a point that is missing. */
+  hide(placement: number): void {
+    const [from, to] = [16 * placement, 16 * placement + 16];
+    for (const matrices of [matricesOf(this.dots), this.axes.matrices, this.edges.matrices]) matrices.fill(0, from, to);
+  }
+
+  /** The same for another selected joint. */
+  hideOther(slot: number): void {
+    matricesOf(this.otherDots).fill(0, 16 * slot, 16 * slot + 16);
+  }
+
   filled(): void {
     this.edges.mesh.instanceMatrix.needsUpdate = true;
     this.axes.mesh.instanceMatrix.needsUpdate = true;

@@ -2,8 +2,11 @@
  * Matrices of balls and bones for all nodes of a skeleton at one placement, used by the skeleton drawing every frame
  * and for every ghost. Allocates nothing.
  */
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { boneMatrix, type JointSizes, sphereMatrix } from '../../evaluate/shapes/joint-shapes.ts';
+import { isVisible } from '../../evaluate/visible-points.ts';
 import { multiplyAffine } from '../../math/mat4.ts';
+import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import type { Nodes } from './drawn-skeletons.ts';
 import { NODE_STRIDE } from './node-buffer.ts';
 
@@ -78,6 +81,21 @@ export function placePositions(
     out[o] = m0 * x + m4 * y + m8 * z + m12;
     out[o + 1] = m1 * x + m5 * y + m9 * z + m13;
     out[o + 2] = m2 * x + m6 * y + m10 * z + m14;
+  }
+}
+
+/** Finds which points are missing in a pose, and draws no balls for these, from node `first` on. */
+export function hideMissing(
+  skeleton: Skeleton,
+  dofs: Float64Array,
+  missing: Uint8Array,
+  out: Float32Array | undefined,
+  first: number,
+): void {
+  const compiled = compileSkeleton(skeleton);
+  for (let p = 0; p < missing.length; p++) {
+    missing[p] = isVisible(compiled, p, dofs) ? 0 : 1;
+    if (missing[p] && out) out[NODE_STRIDE * (first + p) + 3] = 0;
   }
 }
 

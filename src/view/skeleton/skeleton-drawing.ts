@@ -36,7 +36,7 @@ import {
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
 import { drawnByNodes, NODE_STRIDE, NodeBuffer, type NodeShape, setNodeThickness } from './node-buffer.ts';
-import { fillNodes, placementScale, placeNodes, placePositions } from './node-matrices.ts';
+import { fillNodes, hideMissing, placementScale, placeNodes, placePositions } from './node-matrices.ts';
 
 /** Whether skins in this style hide the joints inside. */
 export function isOpaque(style: SkinStyle): boolean {
@@ -200,6 +200,8 @@ export class SkeletonDrawing {
       if (this.withBones[d]) fillNodes(nodes, sizes, scale, positions, values, first);
       else values.fill(0, NODE_STRIDE * first, NODE_STRIDE * (first + count));
     }
+    const { missing, dofs } = drawn;
+    if (missing) hideMissing(skeleton, dofs, missing, balls.mesh.visible ? this.nodes.values : undefined, first);
     if (edges.mesh.visible || faces.mesh.visible) {
       const boxes = edges.mesh.visible ? edges.matrices : faces.matrices;
       boxes.fill(0, 16 * first, 16 * (first + count));
@@ -215,11 +217,14 @@ export class SkeletonDrawing {
       matrices.fill(0, 16 * (first + jointCount), 16 * (first + count));
     }
     if (isMarked) {
-      this.markers.fill(p, joints[joint], sizes, scale, world, 16 * joint);
+      if (missing?.[joint]) this.markers.hide(p);
+      else this.markers.fill(p, joints[joint], sizes, scale, world, 16 * joint);
       const { others } = this;
       for (let k = 0; k < others.length; k++) {
         const o = 3 * (first + others[k]);
-        this.markers.fillOther(p * others.length + k, positions[o], positions[o + 1], positions[o + 2]);
+        const slot = p * others.length + k;
+        if (missing?.[others[k]]) this.markers.hideOther(slot);
+        else this.markers.fillOther(slot, positions[o], positions[o + 1], positions[o + 2]);
       }
     }
   }

@@ -20,6 +20,7 @@ import { unzip } from '../../../src/formats/unzip.ts';
 import { mostNumbers } from '../../../src/import/budget.ts';
 import type { Diagnostic } from '../../../src/model/diagnostic.ts';
 import type { FileContent, WholeCharacter } from '../../../src/model/files.ts';
+import { arePoints } from '../../../src/model/skeleton/joint-types.ts';
 import type { ListedTake } from '../../../src/review/list.ts';
 import { isTakeList, readList } from '../../../src/review/read-list.ts';
 import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
@@ -61,7 +62,7 @@ async function check(input: Input, tell: Told): Promise<void> {
   else if (subject === 'settings.json') await checkSettings(input, tell);
   else if (subject === 'manifest.ndjson') await measured(input, () => recordsIn(textOf(bytes)), tell);
   else if (subject === 'review.csv' || subject === 'review.json') await checkList(input, tell);
-  else if (format?.imports) await checkImport(input, format.imports, tell);
+  else if (format?.imports) await checkImport(input, format, format.imports, tell);
   else if (format) await checkFormat(input, format, tell);
 }
 
@@ -203,10 +204,15 @@ const BESIDE = {
     path === 'x.asf' ? { bytes: ODD_SKELETON, source: { name: path, path, bytes: ODD_SKELETON.length } } : undefined,
 };
 
-async function checkImport({ subject, bytes }: Input, imports: NonNullable<Format['imports']>, tell: Told) {
+async function checkImport(
+  { subject, bytes }: Input,
+  format: Format,
+  imports: NonNullable<Format['imports']>,
+  tell: Told,
+): Promise<void> {
   const fileName = `x.${subject}`;
   const given = { fileName, bytes, ...BESIDE };
-  const { value, diagnostics } = await measured(
+  const { value, diagnostics, isOther } = await measured(
     { subject, bytes },
     () => imports(given),
     tell,
@@ -215,6 +221,7 @@ async function checkImport({ subject, bytes }: Input, imports: NonNullable<Forma
       numbers: mostNumbers(bytes.length),
     }),
   );
+  if (isOther) return checkFormat({ subject, bytes }, format, tell);
   checkTold({ ...(value && { value }), diagnostics }, bytes, tell);
   if (value && value.kind !== 'character') {
     const path = notFinite(value);
@@ -233,11 +240,22 @@ async function checkImport({ subject, bytes }: Input, imports: NonNullable<Forma
       continue;
     }
     const { skeleton, skins, morphs, takes } = character;
+    if (arePoints(skeleton)) {
+      await checkPoints({ kind: 'trc', capture: { skeleton, take: takes[0] } }, tell);
+      continue;
+    }
     checkWritten({ kind: 'skel', skeletons: [skeleton] }, 'x.skel', tell, false);
     for (const skin of skins) checkWritten({ kind: 'skin', skin }, 'x.skin', tell, false);
     for (const morph of morphs) checkWritten({ kind: 'morph', morph }, 'x.morph', tell, false);
     for (const take of takes) checkWritten({ kind: 'anim', take }, 'x.anim', tell, false);
   }
+}
+
+/** Points of other files are written to a `.trc`. */
+async function checkPoints(value: FileContent, tell: Told): Promise<void> {
+  const first = written(value, 'x.trc');
+  const again = first && (await formatOf('x.trc')?.imports?.({ fileName: 'x.trc', bytes: first.bytes, ...BESIDE }));
+  if (!again?.value) tell('written', `what is written has errors: ${JSON.stringify(again?.diagnostics.slice(0, 2))}`);
 }
 
 function checkIndices({ skeleton, skins }: WholeCharacter, tell: Told): void {

@@ -6,6 +6,7 @@ import { zipSync } from 'fflate';
 import { lineOf } from '../../../src/cli/export/records.ts';
 import type { ListedTake } from '../../../src/review/list.ts';
 import { listAsCsv, listAsJson } from '../../../src/review/write-list.ts';
+import { c3dOf } from '../../helpers/c3d.ts';
 import { type MadeArray, npyOf, npzOf } from '../../helpers/numpy.ts';
 import { hasShared, sharedBytes, sharedPath } from '../../helpers/shared.ts';
 import { randomFbx } from '../../import/fbx/random-fbx.ts';
@@ -30,9 +31,17 @@ const text = (content: string) => new TextEncoder().encode(content);
 
 /** The same in every run. */
 export function corpus(): readonly Seed[] {
-  return [...madeTexts(), ...samples(), ...random(), ...lists(), ...zips(), ...arrays(), ...images(), ...real()].filter(
-    ({ bytes }) => bytes.length <= LARGEST,
-  );
+  return [
+    ...madeTexts(),
+    ...samples(),
+    ...random(),
+    ...lists(),
+    ...zips(),
+    ...arrays(),
+    ...points(),
+    ...images(),
+    ...real(),
+  ].filter(({ bytes }) => bytes.length <= LARGEST);
 }
 
 function madeTexts(): Seed[] {
@@ -121,6 +130,21 @@ function arrays(): Seed[] {
     { subject: 'npy', bytes: npyOf(wave(3, 263)) },
     { subject: 'npz', bytes: npzOf({ keypoints: wave(3, 4, 4), parents: [[4], Float64Array.of(-1, 0, 1, 0)] }) },
   ];
+}
+
+/** C3D of each processor, in whole numbers and floats. */
+function points(): Seed[] {
+  const labels = ['LASI', 'b c', '', 'LASI'];
+  const frames = [0, 1, 2].map((f) =>
+    labels.map((_, p): [number, number, number] | null => (p === f ? null : [f + p, 1000 - p, p / 2])),
+  );
+  const processors = ['intel', 'dec', 'mips'] as const;
+  return processors.flatMap((processor) =>
+    [undefined, 0.5].map((scale): Seed => {
+      const form = { processor, analog: 2, first: 7, isLong: processor === 'mips', ...(scale && { scale }) };
+      return { subject: 'c3d', bytes: c3dOf({ labels, frames, ...form }) };
+    }),
+  );
 }
 
 /** Headers, as far as readers look; that of a PNG is among the samples. */

@@ -170,6 +170,16 @@ balljoint second{offset 1 2 3}
     'frame 0 time 1.5\nworld joint 0 (root):\n[1, 0, 0, 0]\n[0, 1, 0, 0]\n[0 0 1 0]\n0 0 0 1\nlocal:\n1 2 3\n4 5 6\nvertex 0: (1.0, -2e-3, nan)\n',
   ],
   ['csv', 'time,rx,ry,rz\n0,1,2,3\n0.5,4,5,6\n1,7,8,9\n'],
+  ['csv', 'frame,time,a.x,a.y,a.z,b_X,b_Y,b_Z\n0,0,1,2.5,-3,4,5,6\n1,0.02,1e-3,2,3,,,\n2,0.04,nan,NaN,,7,8,9\n'],
+  ['csv', 'frame,name,x,y,z,score\r\n0,a,1,2,3,0.5\r\n0,"b c",4,5,6,1\r\n2,a,1,2.5,3,\r\n5,b c,,,,\r\n'],
+  [
+    'csv',
+    `frame,landmark,x,y,z\n${[0, 1].flatMap((f) => Array.from({ length: 33 }, (_, p) => `${f},${p},${p % 4},${p},${f}`)).join('\n')}\n`,
+  ],
+  [
+    'trc',
+    'PathFileType\t4\t(X/Y/Z)\ta.trc\nDataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\n60.00\t60\t3\t2\tmm\nFrame#\tTime\tA b\t\t\tC\t\t\n\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n\n1\t0\t1\t2.5\t-3\t4\t5\t6\n2\t0.0167\t1e-3\t2\t3\t\t\t\n3\t0.0333\tNaN\tNaN\tNaN\t7\t8\t9\n',
+  ],
   [
     'json',
     '{"time": 1.5, "world": [[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1],[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]], "dofs": [1,2]}',

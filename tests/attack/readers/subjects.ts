@@ -11,6 +11,8 @@ export const SUBJECTS = [
   'amc',
   'npy',
   'npz',
+  'c3d',
+  'trc',
   'pose',
   'markers.json',
   'sets.json',

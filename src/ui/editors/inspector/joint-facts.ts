@@ -4,12 +4,13 @@
  */
 import { tipPosition } from '../../../evaluate/end-sites.ts';
 import { compileSkeleton, localMatrices } from '../../../evaluate/kinematics.ts';
+import { isVisible } from '../../../evaluate/visible-points.ts';
 import { determinant3 } from '../../../math/mat4.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { movedVertices } from '../../../model/moved-vertices.ts';
 import { firstDofs, rootDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
-import { dofsOf, motionText } from '../../../model/skeleton/joint-types.ts';
+import { dofsOf, isPoint, motionText } from '../../../model/skeleton/joint-types.ts';
 import { UNLIMITED } from '../../../model/skeleton/skeleton.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { shownPerUnit, withoutNoise } from '../../state/joints/angles.ts';
@@ -87,6 +88,7 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
   const list = new FactList(jointName(skeleton, index));
   list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
   list.fact('Type', motionText(joint.motion, shown), motionText(joint.motion, exact));
+  if (isPoint(joint.motion)) return factsOfPoint(wb, character, index, list);
   list.fact('Parent', joint.parent < 0 ? 'none (root)' : parentLink(wb, character, joint.parent));
   if (joint.length !== undefined) list.fact('Bone', shown(joint.length), exact(joint.length));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
@@ -119,6 +121,20 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
     world.note(mirrorText(worlds, 16 * index));
     if (length !== undefined) tip?.grid.setRow(0, tipPosition(length, worlds, index));
     fillEnds(worlds, facts.dofs);
+  };
+  return { element: list.element, fill };
+}
+
+/** A point has nothing but its place. */
+function factsOfPoint(wb: Uses<'viewport'>, { id, skeleton }: Character, index: number, list: FactList): FactView {
+  const place = list.grid({ label: 'Position', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] });
+  const fill = () => {
+    const facts = wb.viewport.character(id);
+    if (!facts || !skeleton) return;
+    place.grid.setRow(0, facts.worldMatrices().subarray(16 * index + 12, 16 * index + 15));
+    place.note(
+      isVisible(compileSkeleton(skeleton), index, facts.dofs) ? '' : 'missing in this frame: where it was last',
+    );
   };
   return { element: list.element, fill };
 }

@@ -217,8 +217,8 @@ class MeasurePanel implements TimelineTab {
     return scene.series.flatMap((series, row): Readable[] => {
       const { startSeconds, frameSeconds, frameCount } = series.frames;
       const f = Math.round((timeSeconds - startSeconds) / frameSeconds);
-      if (f < 0 || f >= frameCount) return [];
       const value = series.values[f];
+      if (f < 0 || f >= frameCount || Number.isNaN(value)) return [];
       return [
         {
           timeSeconds: startSeconds + f * frameSeconds,

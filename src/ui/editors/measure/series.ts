@@ -159,7 +159,7 @@ export function massText(all: readonly Measured[], subject: Subject, quantity: Q
 /** Frames closer than this are the same row; seconds. */
 const SAME_MOMENT = 1e-7;
 
-/** A column a series with exact numbers, a row a time of any of them; empty where a series has no frame. */
+/** A column a series with exact numbers, a row a time of any of them; empty where a series has no frame, or a point is missing. */
 export function seriesAsCsv(all: readonly Series[], quantity: Quantity, unit: string): string {
   const { label } = QUANTITY_LABELS[quantity];
   const heads = all.map((one) => `${one.label} ${label.toLowerCase()}${unit && ` (${unit})`}`);
@@ -170,15 +170,20 @@ export function seriesAsCsv(all: readonly Series[], quantity: Quantity, unit: st
   for (;;) {
     const time = all.reduce((least, one, i) => Math.min(least, timeOf(one, next[i])), Number.POSITIVE_INFINITY);
     if (time === Number.POSITIVE_INFINITY) break;
-    const cells = all.map((one, i) => (timeOf(one, next[i]) - time < SAME_MOMENT ? exact(one.values[next[i]++]) : ''));
+    const cells = all.map((one, i) => (timeOf(one, next[i]) - time < SAME_MOMENT ? cellOf(one.values[next[i]++]) : ''));
     lines.push([exact(time), ...cells].join(','));
   }
   return lines.map((line) => `${line}\r\n`).join('');
 }
 
-/** The value nearest in time; undefined beyond the ends. */
+function cellOf(value: number): string {
+  return Number.isNaN(value) ? '' : exact(value);
+}
+
+/** The value nearest in time; undefined beyond the ends, and where a point is missing. */
 export function valueAt({ frames, values }: Series, timeSeconds: number): number | undefined {
   const at = (timeSeconds - frames.startSeconds) / frames.frameSeconds;
   const f = Math.round(at);
-  return f >= 0 && f < frames.frameCount ? values[f] : undefined;
+  const value = f >= 0 && f < frames.frameCount ? values[f] : Number.NaN;
+  return Number.isNaN(value) ? undefined : value;
 }

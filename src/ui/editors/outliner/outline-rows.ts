@@ -4,6 +4,7 @@
  */
 import type { Character, Document } from '../../../model/document.ts';
 import { shortJointName } from '../../../model/skeleton/joint-name.ts';
+import { arePoints } from '../../../model/skeleton/joint-types.ts';
 import type { Joint } from '../../../model/skeleton/skeleton.ts';
 import { vertexCount } from '../../../model/skin.ts';
 import { duration, plural } from '../../widgets/numbers/number-text.ts';
@@ -96,7 +97,7 @@ function addJoints(rows: OutlineRow[], character: Character, isOpen: IsOpen, nee
   const found = needle ? withAncestors(joints, needle) : undefined;
   if (found && !found.any) return;
   const open = needle !== '' || isOpen(groupKey(character.id, 'joint'), true);
-  rows.push(group(character, 'joint', 'Joints', joints.length, open));
+  rows.push(group(character, 'joint', arePoints(character.skeleton) ? 'Points' : 'Joints', joints.length, open));
   if (!open) return;
   const depths = new Uint32Array(joints.length);
   let closedDepth = Infinity;

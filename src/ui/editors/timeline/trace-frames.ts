@@ -18,11 +18,12 @@ export function framesIn({ startSeconds, frameSeconds, frameCount }: FrameRow, {
 
 /**
  * Adds a line to the path, through the values at their times. One with more frames than pixels goes through the first,
- * the least and the largest value of each column of pixels, so that no peak is lost at any zoom.
+ * the least and the largest value of each column of pixels, so that no peak is lost at any zoom. It has gaps where values
+ * are NaN.
  * @param y of a value, in pixels
  */
 export function traceFrames(
-  g: Pick<CanvasRenderingContext2D, 'lineTo' | 'arc'>,
+  g: Pick<CanvasRenderingContext2D, 'moveTo' | 'lineTo' | 'arc'>,
   view: TimeView,
   frames: FrameRow,
   values: ArrayLike<number>,
@@ -32,8 +33,15 @@ export function traceFrames(
   const [first, end] = framesIn(frames, view.window);
   const perPixel = (view.window.to - view.window.from) / view.width / frameSeconds;
   const x = (f: number) => timeX(view, startSeconds + f * frameSeconds);
+  let isGap = false;
+  const to = (f: number) => {
+    const isMissing = Number.isNaN(values[f]);
+    if (!isMissing && isGap) g.moveTo(x(f), y(values[f]));
+    else if (!isMissing) g.lineTo(x(f), y(values[f]));
+    isGap = isMissing;
+  };
   if (perPixel <= 2) {
-    for (let f = first; f < end; f++) g.lineTo(x(f), y(values[f]));
+    for (let f = first; f < end; f++) to(f);
     // A take of one frame is a point.
     if (end - first === 1) g.arc(x(first), y(values[first]), 1, 0, 7);
     return;
@@ -44,14 +52,15 @@ export function traceFrames(
     let least = f;
     let most = f;
     for (let i = f + 1; i < past; i++) {
-      if (values[i] < values[least]) least = i;
-      else if (values[i] > values[most]) most = i;
+      // The first of them may be missing.
+      if (values[i] < values[least] || Number.isNaN(values[least])) least = i;
+      if (values[i] > values[most] || Number.isNaN(values[most])) most = i;
     }
-    g.lineTo(x(f), y(values[f]));
+    to(f);
     const [before, after] = least < most ? [least, most] : [most, least];
-    if (before > f) g.lineTo(x(before), y(values[before]));
-    if (after > before) g.lineTo(x(after), y(values[after]));
+    if (before > f) to(before);
+    if (after > before) to(after);
     f = past;
   }
-  if (end > first) g.lineTo(x(end - 1), y(values[end - 1]));
+  if (end > first) to(end - 1);
 }

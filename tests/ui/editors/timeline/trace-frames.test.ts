@@ -4,9 +4,14 @@ import { traceFrames } from '../../../../src/ui/editors/timeline/trace-frames.ts
 
 const FRAMES = { startSeconds: 0, frameSeconds: 0.01, frameCount: 2001 };
 /** Values are drawn as they are. */
-const traced = (values: ArrayLike<number>, width: number) => {
+const traced = (values: ArrayLike<number>, width: number, gaps: number[] = []) => {
   const points: (readonly [number, number])[] = [];
-  const g = { lineTo: (x: number, y: number) => void points.push([x, y]), arc: () => undefined };
+  const lineTo = (x: number, y: number) => void points.push([x, y]);
+  const moveTo = (x: number, y: number) => {
+    gaps.push((x / width) * 20);
+    lineTo(x, y);
+  };
+  const g = { lineTo, moveTo, arc: () => undefined };
   const view = { window: { from: 0, to: 20 }, width, range: [0, 20] as const, framesPerSecond: 100, inFrames: false };
   traceFrames(g, view, FRAMES, values, (value) => value);
   return points.map(([x, y]) => [(x / width) * 20, y] as const);
@@ -20,6 +25,14 @@ describe('the line of a take in a plot', () => {
     // From left to right, so that it rises and falls only as the values do.
     for (let i = 1; i < points.length; i++) expect(points[i][0]).toBeGreaterThanOrEqual(points[i - 1][0]);
     expect([points[0][0], points.at(-1)?.[0]]).toEqual([0, expect.closeTo(20, 9)]);
+  });
+
+  it.each([100, 4000])('has a gap where values are missing, and ends where they do, %i pixels wide', (width) => {
+    const gaps: number[] = [];
+    const values = Float64Array.from({ length: 2001 }, (_, f) => (f >= 800 && f < 1200 ? Number.NaN : f));
+    const points = traced(values, width, gaps);
+    expect(gaps).toEqual([expect.closeTo(12, 9)]);
+    expect(points.some(([seconds, value]) => Number.isNaN(value) || (seconds > 8 && seconds < 11.99))).toBe(false);
   });
 
   it('keeps a peak of one frame at any zoom', () => {

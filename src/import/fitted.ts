@@ -1,0 +1,28 @@
+/** Joints that are given by their positions alone, as joints with bones: fitted, and how well is said. */
+import type { FrameJoints, JointFrames } from '../evaluate/captured-frames.ts';
+import { FittedTree } from '../evaluate/tree-fit/fit-tree.ts';
+import type { JointTree } from '../evaluate/tree-fit/known-trees.ts';
+import type { PointPaths } from '../evaluate/tree-fit/point-paths.ts';
+import type { Remarks } from './imported.ts';
+
+/** Joints, their frames, and what there is to say once all frames are written. */
+export interface Fitted {
+  readonly joints: FrameJoints;
+  readonly frames: JointFrames;
+  told(): void;
+}
+
+/** Bones of a tree for points; the frames are found as they are written. */
+export function fitted(paths: PointPaths, tree: JointTree, framesPerSecond: number, remarks: Remarks): Fitted {
+  const fit = new FittedTree(paths, tree);
+  const { frameCount } = paths;
+  return {
+    joints: fit.joints,
+    frames: { frameCount, framesPerSecond, write: (frame, rotations, places) => fit.write(frame, rotations, places) },
+    told() {
+      const [mean, largest] = [fit.meanDistance, fit.largestDistance].map((v) => Number(v.toPrecision(3)));
+      const message = `Bones of constant length are fitted to the positions: joints are ${mean} off on average, at most ${largest}, in the file’s unit.`;
+      remarks.tell('bones-fitted', message, 'used the median lengths');
+    },
+  };
+}
