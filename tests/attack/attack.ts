@@ -25,6 +25,8 @@ export interface Attempt extends Chance {
   readonly replay?: string;
   /** Extensions of the files that the readers are given; absent: all. */
   readonly files?: readonly string[];
+  /** The readers' inputs are only read, but for one in so many; absent: each is checked as a whole. */
+  readonly wholeOneIn?: number;
   /** Whether there is time for another try. True at least once. */
   goesOn(): boolean;
   /** Counts tries: of inputs, events, kills. */

@@ -15,6 +15,8 @@ export interface AttackOptions {
   readonly replay: string | undefined;
   /** Extensions of files, for the attack on readers. */
   readonly files: readonly string[] | undefined;
+  /** One of so many inputs of readers is more than read. */
+  readonly wholeOneIn: number;
 }
 
 /** Instead of options: what to print. */
@@ -26,6 +28,7 @@ export interface Usage {
 
 const WIDTH = Math.max(...ATTACKS.map(({ name }) => name.length));
 const USAGE = `Usage: npm run attack -- [--minutes N] [--only NAME]… [--seed INTEGER] [--replay FILE] [--files EXTENSION]…
+                         [--whole-one-in COUNT]
 
 ${ATTACKS.map(({ name, shows }) => `  ${name.padEnd(WIDTH)}  ${shows}`).join('\n')}`;
 
@@ -43,6 +46,7 @@ export function optionsOf(args: readonly string[]): AttackOptions | Usage {
         seed: { type: 'string' },
         replay: { type: 'string' },
         files: { type: 'string', multiple: true },
+        'whole-one-in': { type: 'string', default: '1' },
         help: { type: 'boolean', short: 'h' },
       },
     });
@@ -59,7 +63,10 @@ export function optionsOf(args: readonly string[]): AttackOptions | Usage {
     const strange = files?.find((extension) => !isSubject(extension));
     if (strange !== undefined) throw new Error(`--files must be of ${SUBJECTS.join(' ')}, found ${strange}.`);
     const replay = values.replay === undefined ? undefined : textOf(values.replay);
-    return { attacks, minutes, seed, replay, files };
+    const wholeOneIn = Number(values['whole-one-in']);
+    if (!(Number.isInteger(wholeOneIn) && wholeOneIn > 0))
+      throw new Error(`--whole-one-in must be a whole number, found ${values['whole-one-in']}.`);
+    return { attacks, minutes, seed, replay, files, wholeOneIn };
   } catch (error) {
     // Those of `parseArgs` are sentences too.
     return { usage: `${error instanceof Error ? error.message : String(error)}\n${USAGE}`, isWrong: true };

@@ -4,7 +4,7 @@
  *     npm run build && npm run attack -- --minutes 20
  *     npm run attack -- --only lost-context --seed 169
  *     npm run attack -- --only random-walk --replay tests/repro/random-walk-….json
- *     npm run attack -- --only readers --files npz --files amc
+ *     npm run attack -- --only readers --files npz --files amc --whole-one-in 16
  *
  * Those on the page need the built page. Exits with 1 if anything gave way; what did it is kept in tests/repro/.
  */
@@ -35,11 +35,11 @@ export async function run(args: readonly string[]): Promise<number> {
     (isWrong ? console.error : console.log)(usage);
     return isWrong ? 2 : 0;
   }
-  const { attacks, minutes, seed, replay, files } = options;
+  const { attacks, minutes, seed, replay, files, wholeOneIn } = options;
   const rows: Row[] = [];
   for (const attack of attacks) {
     console.log(`${attack.name}, seed ${seed}: ${attack.shows}`);
-    rows.push(await runOne(attack, { seed, replay, files }, (minutes * 60_000) / attacks.length));
+    rows.push(await runOne(attack, { seed, replay, files, wholeOneIn }, (minutes * 60_000) / attacks.length));
   }
   console.table(rows.map(({ seconds, ...row }) => ({ ...row, seconds: Math.round(seconds) })));
   return rows.every(({ broken }) => broken === 0) ? 0 : 1;
@@ -47,7 +47,7 @@ export async function run(args: readonly string[]): Promise<number> {
 
 async function runOne(
   { name, run }: Attack,
-  given: Pick<Attempt, 'seed' | 'replay' | 'files'>,
+  given: Pick<Attempt, 'seed' | 'replay' | 'files' | 'wholeOneIn'>,
   budgetMs: number,
 ): Promise<Row> {
   const begun = performance.now();

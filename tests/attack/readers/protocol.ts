@@ -8,6 +8,8 @@ export interface Orders {
   readonly seed: number;
   /** The first input. */
   readonly from: number;
+  /** One of so many inputs is checked as a whole; the others are only read. */
+  readonly wholeOneIn: number;
   /** One number: the input that is read. */
   readonly at: SharedArrayBuffer;
 }

@@ -48,7 +48,7 @@ async function runThread(
   const shared = new SharedArrayBuffer(4);
   const at = new Int32Array(shared);
   at[0] = from;
-  const orders: Orders = { corpus: seeds, seed: attempt.seed, from, at: shared };
+  const orders: Orders = { corpus: seeds, seed: attempt.seed, from, wholeOneIn: attempt.wholeOneIn ?? 1, at: shared };
   const inputs = new Inputs(seeds, attempt.seed);
   const thread = startThread(script, orders);
   let ended: unknown;

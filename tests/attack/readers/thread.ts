@@ -10,7 +10,7 @@ const SHRINK_MS = 3000;
 const MAX_OF_A_KIND = 2;
 
 // As the attack starts it.
-const { corpus, seed, from, at: shared }: Orders = workerData;
+const { corpus, seed, from, wholeOneIn, at: shared }: Orders = workerData;
 const at = new Int32Array(shared);
 const inputs = new Inputs(corpus, seed);
 const found = new Map<string, number>();
@@ -18,7 +18,7 @@ const found = new Map<string, number>();
 for (let index = from; ; index++) {
   Atomics.store(at, 0, index);
   const input = inputs.at(index);
-  const faults = await faultsOf(input);
+  const faults = await faultsOf(input, index % wholeOneIn === 0);
   for (const fault of faults) {
     const key = `${input.subject} ${fault.kind}`;
     const count = (found.get(key) ?? 0) + 1;
