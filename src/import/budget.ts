@@ -12,9 +12,9 @@ const PER_BYTE = 16;
 /** Numbers that a take holds for each node and each morph target, moved or not. */
 const PER_NODE_OF_TAKE = 30;
 
-/** Most numbers that a file of that size may become. */
-export function mostNumbers(bytes: number): number {
-  return BASE + PER_BYTE * bytes;
+/** Most numbers that a file of that size may become. @param base of any file of its kind */
+export function mostNumbers(bytes: number, base = BASE): number {
+  return base + PER_BYTE * bytes;
 }
 
 /** The memory that one file may still ask for. */
@@ -24,12 +24,14 @@ export class Budget {
   /**
    * @param bytes of the file and those beside it
    * @param fail says why the file can't be read, and throws
+   * @param most numbers that it may become
    */
   constructor(
     readonly bytes: number,
     private readonly fail: (message: string) => never,
+    private readonly most = mostNumbers(bytes),
   ) {
-    this.left = mostNumbers(bytes);
+    this.left = most;
   }
 
   /** Counts a take: every take of a character has channels of all its joints and morphs. */
@@ -42,7 +44,7 @@ export class Budget {
     this.left -= numbers;
     if (this.left >= 0) return;
     this.fail(
-      `${what} needs more than ${mostNumbers(this.bytes)} numbers in memory, the limit for a file of ${this.bytes} bytes. It may be damaged: export it again, with less data.`,
+      `${what} needs more than ${this.most} numbers in memory, the limit for a file of ${this.bytes} bytes. It may be damaged: export it again, with less data.`,
     );
   }
 }

@@ -6,7 +6,7 @@ import { stemOfName } from '../../formats/grammar.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { Capture } from '../../model/files.ts';
 import type { FileSpace } from '../../model/space.ts';
-import { Budget } from '../budget.ts';
+import { Budget, mostNumbers } from '../budget.ts';
 import { type Import, ImportError, Remarks } from '../imported.ts';
 import type { ArraysKind, ReadMotion } from './kind.ts';
 import { fail, shapeText } from './npy.ts';
@@ -16,6 +16,16 @@ import { HUMANML3D, POSITIONS } from './positions.ts';
 import { SMPL } from './smpl.ts';
 
 const KINDS: readonly ArraysKind[] = [OWN, SMPL, POSITIONS, HUMANML3D];
+
+/**
+ * Numbers of any file: three quarters of an hour of SMPL-H at 60 frames a second. Motion is packed to a tenth at best; only
+ * values that never change take so little more that this counts.
+ */
+const BASE = 24e6;
+
+function tooPacked(bytes: number, most: number): string {
+  return `The arrays that are needed have more than ${Math.floor(most / 1e6)} million numbers, packed into ${bytes} bytes: constant values can be packed like that, motion can't. If it is right, save them without compression (numpy.savez).`;
+}
 
 /** Captures with the space that they share. */
 export interface ReadCaptures {
@@ -30,7 +40,8 @@ export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'
 } {
   const remarks = new Remarks(fileName);
   try {
-    const budget = new Budget(bytes.length, (message) => fail('numpy-large', message));
+    const most = mostNumbers(bytes.length, BASE);
+    const budget = new Budget(bytes.length, () => fail('numpy-packed', tooPacked(bytes.length, most)), most);
     const value = capturesIn(new Arrays(bytes, fileName, budget), fileName, remarks);
     return { value, diagnostics: remarks.finish() };
   } catch (error) {

@@ -7,7 +7,7 @@ import { metresPerUnit } from '../../../src/evaluate/space/metres.ts';
 import { readNpz } from '../../dataset/read-npz.ts';
 import { command } from '../../helpers/command.ts';
 import { eachWorld } from '../../helpers/lab.ts';
-import { characterIn, type MadeArray, npyOf, npzOf, readArrays } from '../../helpers/numpy.ts';
+import { characterIn, type MadeArray, npyOf, npyWith, npzOf, readArrays } from '../../helpers/numpy.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'marrow-numpy-'));
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -257,6 +257,17 @@ describe('positions of joints', () => {
     const told = await messagesOf('x.npz', npzOf({ weights: wave(2, 5), more: wave(3, 7, 3) }));
     expect(told).toMatch(/Found weights \(2, 5\), more \(3, 7, 3\)\. Expected .*17, 22.*HumanML3D/);
     expect(await messagesOf('x.npy', npyOf(wave(3)))).toContain('the array (3,)');
+  });
+
+  it('a body that stands still for ten minutes is read, however little its file takes', async () => {
+    const { take } = await characterIn('x.npz', npzOf({ poses: [[36_000, 156], new Float32Array(36_000 * 156)] }));
+    expect(take.samples?.frameCount).toBe(36_000);
+  });
+
+  it('what takes so little for so many numbers that it is no motion is told so, with what to do', async () => {
+    const shape = "{'descr': '|u1', 'fortran_order': False, 'shape': (200000, 156), }\n";
+    const told = await messagesOf('x.npz', npzOf({ poses: npyWith(shape, new Uint8Array(200_000 * 156)) }));
+    expect(told).toMatch(/more than 24 million numbers, packed into \d+ bytes.*save them without compression/);
   });
 
   it('no frames are an error', async () => {
