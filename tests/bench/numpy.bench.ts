@@ -3,6 +3,7 @@
  */
 import { unzipSync, zipSync } from 'fflate';
 import { bench, describe } from 'vitest';
+import { treesOf } from '../../src/evaluate/tree-fit/known-trees.ts';
 import { bundled } from '../helpers/bundled.ts';
 import { npyOf } from '../helpers/numpy.ts';
 
@@ -12,19 +13,42 @@ type Numpy = typeof import('../../src/import/numpy/read.ts');
 const { readNumpy } = await bundled<Numpy>('src/import/numpy/read.ts');
 
 const BYTES = 100e6;
-/** Motion that is measured, so that its last digits are noise, as those of AMASS are. */
-const value = (frame: number, k: number) => 0.6 * Math.sin((frame * (k % 7)) / 90 + k) + 1e-3 * Math.random();
+/** What is measured has noise, so that its last digits pack no better than those of AMASS. */
+const noise = () => 1e-3 * Math.random();
+const swing = (frame: number, k: number) => 0.6 * Math.sin((frame * (k % 7)) / 90 + k);
 
-function arrayOf(width: number, shape: (frames: number) => readonly number[], bytes = BYTES): Uint8Array {
-  const frames = Math.floor(bytes / (4 * width));
+/** Frames of that many numbers. */
+function arrayOf(
+  width: number,
+  shape: (frames: number) => readonly number[],
+  write: (row: Float32Array, frame: number) => void,
+) {
+  const frames = Math.floor(BYTES / (4 * width));
   const data = new Float32Array(frames * width);
-  for (let frame = 0, i = 0; frame < frames; frame++) for (let k = 0; k < width; k++) data[i++] = value(frame, k);
+  for (let frame = 0; frame < frames; frame++) write(data.subarray(frame * width, (frame + 1) * width), frame);
   return npyOf([shape(frames), data]);
 }
 
+function writePoses(row: Float32Array, frame: number): void {
+  for (let k = 0; k < row.length; k++) row[k] = swing(frame, k) + noise();
+}
+
+const [{ parents }] = treesOf(22);
+
+/** A body: bones of constant length that swing. */
+function writePlaces(row: Float32Array, frame: number): void {
+  parents.forEach((parent, j) => {
+    const [a, b] = [2 * swing(frame, j), swing(frame, j + 3)];
+    const bone = [Math.cos(a) * Math.cos(b), Math.sin(b), Math.sin(a) * Math.cos(b)];
+    for (let k = 0; k < 3; k++) row[3 * j + k] = (parent < 0 ? 0 : row[3 * parent + k]) + 0.2 * bone[k] + noise();
+  });
+}
+
+const POSES = arrayOf(156, (frames) => [frames, 156], writePoses);
+const PLACES = arrayOf(66, (frames) => [frames, 22, 3], writePlaces);
 const FILES: readonly (readonly [what: string, Uint8Array])[] = [
-  ['poses of AMASS, 52 joints', zipSync({ 'poses.npy': arrayOf(156, (frames) => [frames, 156]) })],
-  ['positions of 22 joints', zipSync({ 'positions.npy': arrayOf(66, (frames) => [frames, 22, 3]) })],
+  ['poses of AMASS, 52 joints', zipSync({ 'poses.npy': POSES })],
+  ['positions of 22 joints', zipSync({ 'positions.npy': PLACES })],
 ];
 
 for (const [what, file] of FILES) {

@@ -23,6 +23,7 @@ export function boneLengths({ parents }: JointTree, frames: JointFrameSet): Floa
 
 /** The tree whose bones vary least in length, of some. @throws Error without any */
 export function steadiestTree(paths: PointPaths, trees: readonly JointTree[]): JointTree {
+  if (trees.length === 1) return trees[0];
   const varied = trees.map((tree) => ({ tree, variation: variation(tree, measuredFrames(paths, tree)) }));
   return varied.reduce((best, one) => (one.variation < best.variation ? one : best)).tree;
 }
@@ -34,9 +35,12 @@ function variation({ parents }: JointTree, frames: JointFrameSet): number {
   parents.forEach((parent, j) => {
     if (parent < 0) return;
     writeLengths(frames, parents.length, j, parent, lengths);
-    const mean = lengths.reduce((total, length) => total + length, 0) / lengths.length;
-    const squares = lengths.reduce((total, length) => total + (length - mean) ** 2, 0) / lengths.length;
-    if (mean > 0) sum += Math.sqrt(squares) / mean;
+    let total = 0;
+    for (const length of lengths) total += length;
+    const mean = total / lengths.length;
+    let squares = 0;
+    for (const length of lengths) squares += (length - mean) * (length - mean);
+    if (mean > 0) sum += Math.sqrt(squares / lengths.length) / mean;
     count++;
   });
   return sum / Math.max(1, count);

@@ -10,7 +10,7 @@
  *
  * At rest all rotations are 0, and the bones of known trees are in a T-pose (`stance.ts`), others as in the first frame.
  */
-import { backMultiply3, copy3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
+import { backMultiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import { length3 } from '../../math/vec3.ts';
 import type { FrameJoints } from '../captured-frames.ts';
@@ -37,7 +37,7 @@ export class FittedTree {
   private readonly fitted: Float64Array;
   private readonly world: Float64Array;
   /** The same as 9 numbers, of joints with several children. */
-  private readonly matrices: Float64Array;
+  private readonly matrices: readonly Float64Array[];
   private sum = 0;
   private count = 0;
   private largest = 0;
@@ -55,8 +55,7 @@ export class FittedTree {
     this.given = new Float64Array(3 * count);
     this.fitted = new Float64Array(3 * count);
     this.world = new Float64Array(4 * count);
-    this.matrices = new Float64Array(9 * count);
-    for (let j = 0; j < count; j++) setIdentity3(this.matrices, 9 * j);
+    this.matrices = this.children.map(() => IDENTITY.slice());
     this.joints = { names, parents, offsets: this.offsets, moves: parents.map((parent) => parent < 0) };
   }
 
@@ -130,12 +129,13 @@ export class FittedTree {
     let y = given[c + 1] - fitted[a + 1];
     let z = given[c + 2] - fitted[a + 2];
     const length = this.lengths[child];
-    const distance = length3(x, y, z);
+    // Those whose squares are too small have no direction either.
+    const distance = Math.sqrt(x * x + y * y + z * z);
     const product = length * distance;
     if (!(product > TINY)) {
       this.keep(j, rotations);
       writeRotation(world[4 * j], world[4 * j + 1], world[4 * j + 2], world[4 * j + 3], rotation, 0, 3);
-      this.place(rotation, 0, j, child);
+      this.place(rotation, j, child);
       return;
     }
     const part = length / distance;
@@ -184,7 +184,8 @@ export class FittedTree {
   private fit(j: number, rotations: Float64Array): void {
     const { world, matrices, offsets, children, given, fitted, parents } = this;
     const own = children[j];
-    products.fill(0);
+    const turned = matrices[j];
+    for (let k = 0; k < 9; k++) products[k] = 0;
     for (let i = 0; i < own.length; i++) {
       const c = 3 * own[i];
       for (let k = 0; k < 3; k++) wanted[k] = given[c + k] - fitted[3 * j + k];
@@ -194,22 +195,20 @@ export class FittedTree {
     if (p < 0) setIdentity3(near);
     else writeRotation(world[p], world[p + 1], world[p + 2], world[p + 3], near, 0, 3);
     // From the frame before.
-    copy3(matrices, 9 * j, rotation, 0);
-    nearestRotation(products, rotation, near);
-    copy3(rotation, 0, matrices, 9 * j);
-    backMultiply3(near, 0, matrices, 9 * j, rotation, 0);
+    nearestRotation(products, turned, near);
+    backMultiply3(near, 0, turned, 0, rotation, 0);
     quaternionOfRotation(rotation, 0, quaternion);
     for (let k = 0; k < 4; k++) rotations[4 * j + k] = quaternion[k];
     this.carry(j, rotations);
-    for (let i = 0; i < own.length; i++) this.place(matrices, 9 * j, j, own[i]);
+    for (let i = 0; i < own.length; i++) this.place(turned, j, own[i]);
   }
 
   /** Puts a child to the end of its bone, from a joint with that rotation in the world. */
-  private place(matrix: Float64Array, m: number, j: number, child: number): void {
+  private place(matrix: Float64Array, j: number, child: number): void {
     const { offsets, given, fitted } = this;
     const a = 3 * j;
     const c = 3 * child;
-    turnVector(matrix, m, offsets, c, fitted, c);
+    turnVector(matrix, 0, offsets, c, fitted, c);
     for (let k = 0; k < 3; k++) fitted[c + k] += fitted[a + k];
     this.measure(length3(given[c] - fitted[c], given[c + 1] - fitted[c + 1], given[c + 2] - fitted[c + 2]));
   }
@@ -256,6 +255,7 @@ function parentsFirst(children: readonly (readonly number[])[], parents: readonl
   return order;
 }
 
+const IDENTITY = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 /** Scratch; never escapes. */
 const products = new Float64Array(9);
 const near = new Float64Array(9);

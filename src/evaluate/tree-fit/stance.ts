@@ -65,15 +65,19 @@ export function toStance(
   }
 }
 
+/** Frames in which the body is looked at. */
+const MAX_FRAMES = 256;
+
 /** Left, up and forward as columns: along the axes of the file. */
 function bodyAxes(names: readonly string[], children: readonly (readonly number[])[], frames: JointFrameSet) {
   const up = new Float64Array(3);
-  const { count, positions } = frames;
+  const { positions } = frames;
+  const count = Math.min(frames.count, MAX_FRAMES);
   children.forEach((own, joint) => {
     for (const child of own) {
       const along = directionOf(names[child])?.[1] ?? 0;
       for (let i = 0; i < count; i++) {
-        const at = 3 * names.length * i;
+        const at = 3 * names.length * Math.floor((i * frames.count) / count);
         for (let k = 0; k < 3; k++) up[k] += along * (positions[at + 3 * child + k] - positions[at + 3 * joint + k]);
       }
     }
