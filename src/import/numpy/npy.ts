@@ -61,7 +61,8 @@ export function isNpy(bytes: Uint8Array): boolean {
 export function npyHeader(bytes: Uint8Array, name: string): NumpyHeader {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (!isNpy(bytes)) fail('npy-header', `Expected ${name} to begin as an array of numpy (.npy), found something else.`);
-  const [major] = bytes.subarray(6);
+  // A file that ends before its version is too short for any.
+  const [major = 1] = bytes.subarray(6);
   if (!(major >= 1 && major <= 3)) fail('npy-version', `Expected version 1 to 3 of ${name}, found ${major}.`);
   const preamble = major === 1 ? 10 : 12;
   if (bytes.length < preamble) fail('file-cut', `${name} ends within its header: copy or export it again.`);
