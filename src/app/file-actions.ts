@@ -19,7 +19,8 @@ import { SourceTexts } from './source-texts.ts';
 import type { Unsaved } from './unsaved.ts';
 import { withReview } from './unsaved-review.ts';
 
-interface Parts extends Pick<ReloadParts, 'store' | 'messages'>, ReviewingParts {
+interface Parts extends Pick<ReloadParts, 'store'>, ReviewingParts {
+  readonly messages: Uses<'messages'>['messages'];
   readonly opener: Opener;
   readonly samples: Promise<readonly BundledExample[]>;
   /** Switches the display to what an example asks for. */

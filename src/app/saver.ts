@@ -46,7 +46,7 @@ export interface SaverParts {
   readonly handles: DiskHandles;
   /** Frame rate at which keys are sampled for motion capture; absent: 30. */
   readonly framesPerSecond?: () => number;
-  readonly messages: Pick<Messages, 'note' | 'report'>;
+  readonly messages: Pick<Messages, 'note' | 'report' | 'confirm'>;
   readonly disk: Disk;
   /** A file was written, in place of what was read from it. */
   onWritten?(path: string, content: Blob): void;
@@ -193,7 +193,12 @@ export class Saver {
     if (dialogs === 'used up') said.push(remedy);
     // If no dialog appeared, the user can't know that one was needed.
     const severity = dialogs === 'used up' && inPlace.length + downloaded.length === 0 ? 'warning' : 'info';
-    if (said.length) messages.note(said.join(' '), severity);
+    const [first] = jobs.flatMap(({ holds, isZip }) => (isZip ? [] : holds));
+    // The other files of the example are nowhere on disk, and without them the take opens alone.
+    if (first && this.parts.store.document.isOpeningSample && well.length > 0 && severity === 'info') {
+      const zip = { label: 'Save all as .zip', run: () => void this.saveAll(first.character.id) };
+      messages.confirm(`${said.join(' ')} It opens with ${first.character.name}’s other files.`, zip);
+    } else if (said.length) messages.note(said.join(' '), severity);
   }
 
   /** Returns the name it was saved as; undefined if cancelled. */

@@ -312,6 +312,42 @@ it('a key of another panel than the active one says where it belongs', () =>
     { walking: true },
   ));
 
+it('a joint is found, turned and keyed by keys alone, as the first steps tell whoever uses no mouse', () =>
+  withPage(
+    async ({ page }) => {
+      const steps = page.getByRole('region', { name: 'First steps' });
+      await steps.getByText('Drag a hand, a foot or the head').waitFor();
+      await page.keyboard.press('Tab');
+      await steps.getByText('Press T, type a joint’s name, Enter').waitFor();
+      const hasFocus = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label'));
+      // The search for commands finds joints, too, and focuses the viewport, whose keys turn them.
+      await page.keyboard.press('Control+k');
+      await page.keyboard.type('upper_arm_l');
+      await page.getByRole('option', { name: 'Select upper_arm_l' }).waitFor();
+      await page.keyboard.press('Enter');
+      await page.getByRole('treeitem', { name: 'upper_arm_l', selected: true }).waitFor();
+      await expect.poll(hasFocus).toBe('Viewport');
+      const dofs = () => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
+      const before = await dofs();
+      for (const key of ['v', '+']) await page.keyboard.press(key);
+      await expect.poll(async () => (await dofs()).filter((value, i) => value !== before[i])).toHaveLength(1);
+      const after = await dofs();
+      const turned = after.findIndex((value, i) => value !== before[i]);
+      expect(after[turned] - before[turned]).toBeCloseTo(Math.PI / 180, 9);
+      await page.keyboard.press('k');
+      await expect.poll(() => steps.isVisible()).toBe(false);
+
+      // Enter leads from the outliner into the viewport, and the camera stays where it is.
+      const seen = () => page.evaluate(() => window.marrow.pointOnPage([0, 0, 0]));
+      const eye = await seen();
+      for (const key of ['t', 'ArrowDown', 'Enter']) await page.keyboard.press(key);
+      await page.getByRole('treeitem', { name: 'forearm_l', selected: true }).waitFor();
+      await expect.poll(hasFocus).toBe('Viewport');
+      await expect.poll(seen).toEqual(eye);
+    },
+    { walking: true, firstVisit: true },
+  ));
+
 it('a key acts in the panel under the mouse, which is marked, and never on keys that nobody points at', () =>
   withPage(
     async ({ page }) => {

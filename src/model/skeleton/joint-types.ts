@@ -220,5 +220,11 @@ export function motionText(motion: Motion, number: (value: number) => string): s
 /** A motion as a heading: `hinge, axis 1 1 0.5`; of motion capture only the channels. */
 export function motionHeading(motion: Motion, number: (value: number) => string): string {
   const type = jointTypeOf(motion);
-  return type.heading?.(motion) ?? type.text(motion, number).replace(/^(\w+)joint\b/, '$1');
+  return (
+    type.heading?.(motion) ??
+    type
+      .text(motion, number)
+      .replace(/^(\w+)joint\b/, '$1')
+      .replace(/ \([xyz]+\)$/, '')
+  );
 }

@@ -5,7 +5,7 @@ import { isBarShown } from '../state/panels/panels.ts';
 import type { Uses } from '../state/workbench.ts';
 import { button, element, write } from '../widgets/dom.ts';
 
-export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing'>): HTMLElement {
+export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing' | 'comparing'>): HTMLElement {
   const offer = element(
     'section',
     { class: 'offer', 'aria-label': 'Take' },
@@ -13,7 +13,9 @@ export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing'>)
     button('New take', { class: 'offer-accept' }, 'New take', () => tryById(wb, 'take.new')),
   );
   const show = () => {
-    write(offer, 'hidden', isBarShown(wb) || !currentCharacter(wb)?.skeleton || wb.posing.mode.get() === 'rig');
+    // Whoever compares wants to know what is wrong first.
+    const isElsewhere = wb.posing.mode.get() === 'rig' || wb.comparing.get() !== undefined;
+    write(offer, 'hidden', isElsewhere || isBarShown(wb) || !currentCharacter(wb)?.skeleton);
   };
   wb.store.subscribe((now, before) => {
     if (now !== before) show();
@@ -22,6 +24,7 @@ export function takeOffer(wb: Uses<'store' | 'actions' | 'settings' | 'posing'>)
     if (now.panels !== before.panels) show();
   });
   wb.posing.mode.subscribe(show);
+  wb.comparing.subscribe(show);
   show();
   return offer;
 }

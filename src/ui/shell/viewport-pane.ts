@@ -15,7 +15,7 @@ import { addsToSelection, selectHit } from '../state/joints/select-joints.ts';
 import { onDemand } from '../state/on-demand.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { element, setAttribute, setText, uniqueId, write } from '../widgets/dom.ts';
-import { HAS_KEYS } from '../widgets/focus/focus.ts';
+import { HAS_KEYS, REGION } from '../widgets/focus/focus.ts';
 import { asksForMenu } from '../widgets/menu.ts';
 import { setTooltip } from '../widgets/tooltip.ts';
 import { heightsNote } from './heights-note.ts';
@@ -60,16 +60,17 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     guide(wb),
     element(
       'div',
-      { class: 'stage-foot' },
+      // A part of its own for F6. What leaves by itself is above, so that nothing moves under the pointer.
+      { class: 'stage-foot', [REGION]: 'notes' },
+      messageLine(wb),
+      heightsNote(wb),
       missingNote(wb),
       weightsNote(wb),
       keptSession(wb),
       newVersion(wb),
       takeOffer(wb),
-      firstSteps(wb),
-      heightsNote(wb),
+      firstSteps(wb, signal),
       stageBanner(wb),
-      messageLine(wb),
     ),
   );
   drawCompared(wb, stage, signal);

@@ -32,7 +32,7 @@ export interface PosedSkeleton {
   readonly skinShape?: SkinShape;
   /** Overrides the joints' own colours. */
   readonly tint?: Tint;
-  /** Whether bones are drawn even if the display has none. */
+  /** Whether bones are drawn, in place of boxes, whatever the display has. */
   readonly withBones?: boolean;
 }
 

@@ -299,7 +299,7 @@ export class SkeletonDrawing {
   }
 
   private drawsBoxes(drawn: PosedSkeleton): boolean {
-    return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton) && !this.prefersBones(drawn);
+    return !drawn.withBones && this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton) && !this.prefersBones(drawn);
   }
 
   /** Unless boxes were asked for, those that hide the skeleton aren't drawn. */

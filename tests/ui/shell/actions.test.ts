@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
-import { findActions, searchActions } from '../../../src/ui/shell/help/command-search.ts';
+import { findActions, searchActions, searchJoints } from '../../../src/ui/shell/help/command-search.ts';
 import { actionsOf, findAction, isEnabled, reasonNot, runAction } from '../../../src/ui/state/actions/action.ts';
 import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
 import { capture, channel, character, documentOf, skeleton, take, workbench } from '../builders.ts';
@@ -216,6 +216,27 @@ describe('searchActions', () => {
     expect(searchActions(posed().wb, word).map(({ id }) => id)).toEqual(
       expect.arrayContaining(['posing.more', 'posing.less']),
     );
+  });
+});
+
+it('the search begins with the command that is called exactly so', () => {
+  const { wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1]) })));
+  expect(searchActions(wb, 'compare')[0]?.id).toBe('page.tab.compare');
+  expect(searchActions(wb, ' Compare ')[0]?.id).toBe('page.tab.compare');
+});
+
+describe('searchJoints', () => {
+  const posed = () =>
+    workbench(
+      documentOf(character({ skeleton: skeleton(['hips', -1], ['arm_l', 0], ['arm_r', 0], ['forearm_l', 1]) })),
+    );
+  const labels = (typed: string) => searchJoints(posed().wb, typed).map(({ label }) => label);
+
+  it('finds joints by any part of their names, those that begin so first', () => {
+    expect(labels('arm_l')).toEqual(['Select arm_l', 'Select forearm_l']);
+    expect(labels('joint hips')).toEqual(['Select hips']);
+    expect(labels('wing')).toEqual([]);
+    expect(labels(' ')).toEqual([]);
   });
 });
 

@@ -46,9 +46,9 @@ export class Findings {
     this.element.append(
       this.found,
       this.times,
+      factRow('Numbers', this.files),
       this.facts,
       factRow('Tolerance', this.tolerance.element),
-      factRow('Numbers', this.files),
     );
   }
 

@@ -12,7 +12,7 @@ import { icon } from '../../widgets/icons.ts';
 import { setsStrip } from '../sets/strip.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import { characterKey, isFew, jointKey, keysAbove, type OutlineRow, outlineRows, sameOutline } from './outline-rows.ts';
-import { activate, canRename, isSelected, rename, select, selectRange, toggleSelected } from './row-actions.ts';
+import { activate, canRename, frame, isSelected, rename, select, selectRange, toggleSelected } from './row-actions.ts';
 import { drawRow } from './row-drawing.ts';
 import { marksOf, NO_MARKS, rowMarks } from './row-marks.ts';
 import { rowMenu } from './row-menu.ts';
@@ -45,8 +45,8 @@ class Outliner {
       select: (row) => select(wb, row),
       toggleSelected: (row) => toggleSelected(wb, row),
       selectRange: (rows) => selectRange(wb, rows),
-      activate: (row) => activate(wb, row),
-      doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
+      activate: (row) => this.activate(row),
+      doubleClick: (row) => (row.kind === 'character' ? startRename(row) : frame(wb, row)),
       menu: (row, at) => rowMenu(wb, row, at, startRename),
       draw: (row) => this.draw(row),
     });
@@ -211,6 +211,15 @@ class Outliner {
     this.show();
     // What was selected among the matches is somewhere in the whole tree.
     if (!this.search.input.value.trim()) this.tree.revealActive();
+  }
+
+  /** What was searched for is found. */
+  private activate(row: OutlineRow): void {
+    activate(this.wb, row);
+    const { input } = this.search;
+    if (!input.value) return;
+    input.value = '';
+    this.find();
   }
 
   private onSearchKey(event: KeyboardEvent): void {

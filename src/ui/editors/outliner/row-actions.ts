@@ -33,12 +33,16 @@ export function selectRange(wb: Uses<'store'>, rows: readonly OutlineRow[]): voi
   } else if (last) select(wb, last);
 }
 
-export function activate(wb: Uses<'store' | 'viewport'>, row: OutlineRow): void {
-  const { kind, characterId, index } = row;
+/** Shows a skin or a take. Whoever has found a joint or a character uses the keys of the viewport next. */
+export function activate(wb: Uses<'store' | 'viewport'>, { kind, characterId, index }: OutlineRow): void {
   if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
   else if (kind === 'take') wb.store.apply(showTake, { characterId, take: index });
-  else if (kind === 'character') wb.viewport.camera.frameSelection({ characterId });
-  else if (kind === 'joint') wb.viewport.camera.frameSelection({ characterId, joint: index });
+  else if (kind !== 'morph') wb.viewport.canvas.focus({ preventScroll: true });
+}
+
+/** Moves the camera to a joint. */
+export function frame(wb: Uses<'viewport'>, { kind, characterId, index }: OutlineRow): void {
+  if (kind === 'joint') wb.viewport.camera.frameSelection({ characterId, joint: index });
 }
 
 export function canRename({ kind }: OutlineRow): boolean {

@@ -16,7 +16,7 @@ const hasDofs = ({ posing }: Uses<'posing'>) => posing.mode.get() === 'pose' || 
 
 export const POSING_ACTIONS: readonly Action[] = [
   mode('select', 'Select (no gizmo)'),
-  mode('pose', 'Pose: drag hands, feet and heads', ['W']),
+  mode('pose', 'Pose: drag hands, feet and heads', ['W'], 'raise lift move arm leg body'),
   mode('fk', 'Forward kinematics (FK)'),
   mode('ik', 'Inverse kinematics (IK)'),
   mode('rig', 'Rig', ['Shift+E']),
@@ -84,7 +84,7 @@ function switchSelect({ posing }: Uses<'posing'>): void {
   posing.mode.update((now) => (now === 'select' ? posing.modeBeforeSelect : 'select'));
 }
 
-function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Action {
+function mode(to: PosingMode, label: string, shortcuts?: readonly string[], also?: string): Action {
   return {
     id: `posing.${to}`,
     label,
@@ -93,6 +93,7 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
     section: 1,
     radio: true,
     ...(shortcuts && { shortcuts }),
+    ...(also !== undefined && { also }),
     checked: (wb) => wb.posing.mode.get() === to,
     run: (wb) => wb.posing.mode.set(to),
   };
@@ -107,7 +108,7 @@ function dofKey(id: string, label: string, shortcuts: readonly string[], run: (w
   return {
     id,
     label,
-    also: 'rotate turn bend joint',
+    also: 'rotate turn bend raise lift joint',
     group: 'Pose',
     shortcuts,
     panel: 'viewport',

@@ -25,8 +25,7 @@ export function cycleDialog(wb: Parts, close: () => void): DialogContent {
   const body = element(
     'div',
     { class: 'tool-form' },
-    ...momentParts(wb, question),
-    ...(question.changed.length > 0 ? outsideParts(wb, question) : []),
+    ...(question.changed.length > 0 ? outsideParts(wb, question) : momentParts(wb, question)),
     element('div', { class: 'tool-buttons' }, plainButton('Cancel', close)),
   );
   return { title: question.changed.length > 0 ? TITLE : MOMENT_TITLE, kind, body, stays: true };
@@ -73,7 +72,7 @@ function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[]
   return [made, fields];
 }
 
-/** What becomes of the key alone. */
+/** Why it asks; a moment, or what becomes of the key alone. */
 function outsideParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
   const { about, answers } = cycleText(question, wb.transport.get().range);
   const always = element('input', { type: 'checkbox' });
@@ -89,6 +88,7 @@ function outsideParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[
   if (!question.moment && choices[0]) setAttribute(choices[0], 'autofocus', '');
   return [
     element('p', {}, about, ' ', manualLink('What is a cycle?', 'cycle')),
+    ...momentParts(wb, question),
     ...choices,
     element('label', { class: 'cycle-always' }, always, 'Don’t ask again until the page is reloaded'),
   ];

@@ -10,7 +10,7 @@ import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { channelName, namedChannel } from './channels.ts';
 
 export const OUTSIDE_LABELS: Readonly<Record<OutsideCycle, string>> = {
-  bake: 'Bake the repeats first',
+  bake: 'Bake the repeats, then key',
   inside: 'Key inside the cycle',
   lengthen: 'Lengthen the cycle',
 };
@@ -47,7 +47,7 @@ export function cycleText(
     about,
     answers: {
       ...(baked && {
-        bake: `Repeats from ${shown(baked[0] - offset)} to ${seconds(baked[1] - offset)} become keys. Only the motion around ${time} changes.`,
+        bake: `Repeats from ${shown(baked[0] - offset)} to ${seconds(baked[1] - offset)} become keys, and nothing is eased: the motion changes from the key before ${time} to the one after.`,
       }),
       ...(inside.isFolded && {
         inside: `The key is set at ${seconds(inside.time - offset)} instead, and every repeat shows it.`,

@@ -1,6 +1,14 @@
-/** The command search: a list box under a text field, built from the list of actions. */
+/** The command search: a list box under a text field, built from the list of actions, and the joints by their names. */
 
-import { actionLabel, actionsOf, isEnabled, reasonNot, tryAction } from '../../state/actions/action.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
+import {
+  actionLabel,
+  actionsOf,
+  currentCharacter,
+  isEnabled,
+  reasonNot,
+  tryAction,
+} from '../../state/actions/action.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
@@ -8,8 +16,10 @@ import { element, setAttribute, uniqueId } from '../../widgets/dom.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 
 const MAX_SHOWN = 12;
+/** Of these at most. */
+const MAX_JOINTS = 4;
 
-export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => void): DialogContent {
+export function commandSearch(wb: Uses<'actions' | 'settings' | 'store'>, close: () => void): DialogContent {
   const listId = uniqueId('commands');
   const input = element('input', {
     type: 'text',
@@ -42,7 +52,8 @@ export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => voi
     tryAction(wb, action);
   };
   const show = () => {
-    found = searchActions(wb, input.value).slice(0, MAX_SHOWN);
+    const joints = searchJoints(wb, input.value);
+    found = [...searchActions(wb, input.value).slice(0, MAX_SHOWN - joints.length), ...joints];
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
     if (!found.length) list.append(element('li', { class: 'empty' }, 'No matching command'));
     choose(0);
@@ -73,9 +84,29 @@ export function searchActions(wb: Uses<'actions'>, typed: string): readonly Acti
       (a) => TRAVELS.includes(a.id),
       ({ also = '' }) => also,
     );
-  const available = find(all.filter((a) => isEnabled(wb, a)));
+  const found = find(all.filter((a) => isEnabled(wb, a)));
+  // What is called exactly so comes first.
+  const isNamed = (a: Action) => actionLabel(wb, a).toLowerCase() === typed.trim().toLowerCase();
+  const available = [...found.filter(isNamed), ...found.filter((a) => !isNamed(a))];
   if (!typed.trim()) return available;
   return [...available, ...find(all.filter((a) => !isEnabled(wb, a) && reasonNot(wb, a) !== undefined))];
+}
+
+/** Selects a joint of the current character that is called so, and moves the focus to the viewport; a few of them. */
+export function searchJoints(wb: Uses<'store'>, typed: string): readonly Action[] {
+  const character = currentCharacter(wb);
+  const joints = character?.skeleton?.joints ?? [];
+  if (!character || !typed.trim()) return [];
+  const found = findActions([...joints.keys()], typed, (joint) => `Select joint ${joints[joint].name}`);
+  return found.slice(0, MAX_JOINTS).map((joint) => ({
+    id: `select.joint.${joint}`,
+    label: `Select ${jointName(character.skeleton, joint)}`,
+    group: 'Select',
+    run({ store, viewport }) {
+      store.select({ characterId: character.id, joint });
+      viewport.canvas.focus({ preventScroll: true });
+    },
+  }));
 }
 
 function row(wb: Uses<'actions' | 'settings'>, action: Action, run: () => void): HTMLElement {
@@ -84,13 +115,18 @@ function row(wb: Uses<'actions' | 'settings'>, action: Action, run: () => void):
   const made = element(
     'li',
     { role: 'option', id: uniqueId('command'), 'aria-disabled': reason !== undefined && 'true' },
-    element('span', { class: 'faint' }, action.menu?.replace('/', ' › ') ?? action.group),
+    element('span', { class: 'faint' }, placeOf(action)),
     element('span', {}, actionLabel(wb, action)),
     reason !== undefined && element('span', { class: 'reason' }, reason),
     shortcut && element('kbd', {}, shortcutText(shortcut, isMac)),
   );
   made.addEventListener('click', run);
   return made;
+}
+
+/** Its menu, or what it is about, with the panel that has its key. */
+function placeOf({ menu, group, panel }: Action): string {
+  return menu?.replace('/', ' › ') ?? (panel === undefined ? group : `${group}, in ${panel}`);
 }
 
 /** Their labels contain the name of another command, which should not match. */

@@ -10,6 +10,10 @@ const STEPS = {
   pose: ['Drag a hand, a foot or the head', 'Drag a ring to turn a joint', 'Press K to key it'],
   fk: ['Click a joint', 'Drag its ring', 'Press K to key it'],
 } as const;
+/** The same for those who use no mouse: Tab or F6 tells them. */
+const BY_KEYS = ['Press T, type a joint’s name, Enter', 'Press V for its DOF, + and − to turn it', 'Press K to key it'];
+/** Keys that nobody presses who has the mouse in the hand. */
+const BESIDE_MOUSE = /^(Tab|F6)$/;
 const LAST = 3;
 type StepsMode = keyof typeof STEPS;
 
@@ -18,8 +22,9 @@ interface Seen {
   readonly selection: Selection;
 }
 
-export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>): HTMLElement {
+export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>, signal: AbortSignal): HTMLElement {
   let done = 0;
+  let isByKeys = false;
   const leave = () => wb.settings.update((s) => ({ ...s, firstSteps: false }));
   const steps = Array.from({ length: LAST }, (_, i) => {
     const text = element('span');
@@ -36,7 +41,7 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>):
     write(line, 'hidden', !areShown(wb));
     const mode = stepsMode(wb);
     steps.forEach(({ row, text }, i) => {
-      if (mode) setText(text, touchWords(STEPS[mode][i]));
+      if (mode) setText(text, isByKeys ? BY_KEYS[i] : touchWords(STEPS[mode][i]));
       row.classList.toggle('done', i < done);
       row.classList.toggle('next', i === done);
     });
@@ -47,7 +52,7 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>):
   };
   const follow = (now: Seen, before: Seen) => {
     if (!wb.settings.get().firstSteps) return;
-    done = stepsDone(done, now, before, stepsMode(wb) ?? 'fk');
+    done = stepsDone(done, now, before, (!isByKeys && stepsMode(wb)) || 'fk');
     if (done === LAST) leave();
     else show();
   };
@@ -63,6 +68,18 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>):
     else show();
   });
   wb.guide.subscribe(show);
+  for (const type of ['keydown', 'pointerdown'] as const) {
+    window.addEventListener(
+      type,
+      (event) => {
+        const wasByKeys = isByKeys;
+        if (!(event instanceof KeyboardEvent)) isByKeys = false;
+        else if (BESIDE_MOUSE.test(event.key)) isByKeys = true;
+        if (isByKeys !== wasByKeys) show();
+      },
+      { capture: true, signal },
+    );
+  }
   show();
   return line;
 }

@@ -12,7 +12,8 @@ export function focusNextRegion(step: 1 | -1): void {
   // Tests of actions have no page.
   if (typeof document === 'undefined') return;
   const regions = [...document.querySelectorAll<HTMLElement>(`[${REGION}]`)].filter((region) => firstStop(region));
-  const from = regions.findIndex((region) => region.contains(document.activeElement));
+  // The innermost: notes are in the viewport.
+  const from = regions.findLastIndex((region) => region.contains(document.activeElement));
   const to = from < 0 ? (step > 0 ? 0 : -1) : (from + step) % regions.length;
   const region = regions.at(to);
   if (region) firstStop(region)?.focus();
