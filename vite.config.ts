@@ -1,7 +1,8 @@
 /**
- * Four things are built from here: the page (`vite build`, into dist/), the command (`vite build --mode cli`, into
+ * Five things are built from here: the page (`vite build`, into dist/), the command (`vite build --mode cli`, into
  * build/, which is not published with the page), the npm package (`vite build --mode package`, into build/package/; its
- * types are made by `tsconfig.package.json`), and the tests' projects.
+ * types are made by `tsconfig.package.json`), in it the element for pages without a bundler (`vite build --mode element`
+ * and `--mode element-worker`, into build/package/element/), and the tests' projects.
  */
 import { chmodSync, existsSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -57,7 +58,10 @@ const command: UserConfig = {
 };
 
 /** The entries of the package, each of them one of `exports` in package.json. */
-const ENTRIES = ['model', 'formats', 'evaluate', 'import', 'export', 'dataset'];
+const ENTRIES = ['model', 'formats', 'evaluate', 'import', 'export', 'dataset', 'viewer'];
+
+/** Its file for Node asks for Node's modules, which pages don't have; what is used of it is the same in both. */
+const FFLATE = { find: /^fflate$/, replacement: 'fflate/browser' };
 
 const library: UserConfig = {
   build: {
@@ -70,6 +74,8 @@ const library: UserConfig = {
         ...Object.fromEntries(ENTRIES.map((name) => [name, `src/package/${name}.ts`])),
         marrow: 'src/cli/main.ts',
       },
+      // A peer of the viewer.
+      external: /^three(\/|$)/,
       // A file for each module, so that bundlers leave out what a program doesn't use.
       output: {
         preserveModules: true,
@@ -79,9 +85,51 @@ const library: UserConfig = {
       },
     },
   },
+  resolve: { alias: [FFLATE] },
   ssr: { noExternal: true },
-  plugins: [executable('build/package/marrow.js')],
+  plugins: [executable('build/package/marrow.js'), apartFromWorker()],
 };
+
+/** The element for pages without a bundler: what most need is one file. */
+const element: UserConfig = {
+  ...standalone(['element'], 'marrow-viewer', 'src/package/viewer.ts'),
+  plugins: [apartFromWorker()],
+};
+/** Its worker, also for bundlers. */
+const elementWorker = standalone(['element', 'viewer'], 'worker', 'src/viewer/worker.ts');
+
+/** @param folders of build/package/ */
+function standalone(folders: readonly string[], name: string, entry: string): UserConfig {
+  return {
+    build: {
+      ssr: true,
+      emptyOutDir: false,
+      target: 'es2023',
+      minify: true,
+      copyPublicDir: false,
+      rolldownOptions: {
+        input: { [name]: entry },
+        output: folders.map((folder) => ({
+          dir: `build/package/${folder}`,
+          entryFileNames: '[name].js',
+          chunkFileNames: 'parts/[name]-[hash].js',
+          codeSplitting: { groups: [{ name, tags: ['$initial'] }] },
+        })),
+      },
+    },
+    resolve: { alias: [FFLATE] },
+    ssr: { noExternal: true },
+  };
+}
+
+/** The element finds its worker beside it, as a file that is built on its own. */
+function apartFromWorker(): Plugin {
+  return {
+    name: 'marrow-apart-from-worker',
+    enforce: 'pre',
+    resolveId: (id) => (id === './worker.ts' ? { id: './worker.js', external: 'absolute' } : undefined),
+  };
+}
 
 /** `bin` in package.json points at it. */
 function executable(file: string): Plugin {
@@ -118,7 +166,13 @@ function tests(
 }
 
 export default defineConfig(({ mode }) => {
-  const building = { cli: command, package: library }[mode] ?? page;
+  const building =
+    {
+      cli: command,
+      package: library,
+      element,
+      'element-worker': elementWorker,
+    }[mode] ?? page;
   return {
     // Relative addresses: the built page works under any path.
     base: './',

@@ -55,8 +55,10 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   ],
   // Files that tell mistakes apart, with their answers.
   'teaching/kit': ['files', 'teaching', 'formats', 'evaluate', ...BASE],
+  // The element of other pages.
+  viewer: ['ui/widgets', 'view', 'io', 'worker', 'files', 'edit', 'evaluate', ...BASE],
   // The entries of the npm package.
-  package: ['worker', 'dataset', 'import', 'export', 'files', 'formats', 'edit', 'evaluate', ...BASE],
+  package: ['viewer', 'worker', 'dataset', 'import', 'export', 'files', 'formats', 'edit', 'evaluate', ...BASE],
   cli: [
     'dataset',
     'import',

@@ -6,7 +6,7 @@ import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MAX_OPENED } from '../ui/state/review.ts';
 import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
-import type { JobName } from '../worker/protocol.ts';
+import type { PageJob } from '../worker/protocol.ts';
 import { forMessage } from '../worker/tracked-takes.ts';
 import { canReload, type DiskHandles } from './disk-handles.ts';
 import type { SampleSwitches } from './example-display.ts';
@@ -32,7 +32,7 @@ interface Parts extends Pick<ReloadParts, 'store'>, ReviewingParts {
   readonly loading: Uses<'loading'>['loading'];
   /** What is in pictures. */
   readonly pictured: Uses<'viewport' | 'transport'>;
-  readonly worker: Runs<JobName>;
+  readonly worker: Runs<PageJob>;
 }
 
 export function fileActions(parts: Parts): FileActions {

@@ -2,7 +2,7 @@
  * The canvas in the page with its renderer: as large as its container, at the screen's resolution, unless pictures of
  * another size are being drawn; and what becomes of it when the browser takes its WebGL context.
  */
-import { SRGBColorSpace, WebGLRenderer } from 'three';
+import { type Camera, type Scene, SRGBColorSpace, WebGLRenderer } from 'three';
 import { shaderError } from './scene/shader-error.ts';
 import { LINE_RESOLUTION } from './scene/thick-lines.ts';
 
@@ -25,6 +25,19 @@ export interface ScreenEvents {
   contextRestored(): void;
 }
 
+/** Where a screen draws that has no context of its own. */
+export interface Surface {
+  readonly renderer: WebGLRenderer;
+  /** Shows what was drawn. */
+  readonly canvas: HTMLCanvasElement;
+  /** CSS pixels, and pixels of the canvas for each. */
+  resize(width: number, height: number, ratio: number): void;
+  /** What the renderer draws between these is on the canvas. */
+  begin(): void;
+  end(): void;
+  dispose(): void;
+}
+
 const MAX_PIXELS_PER_PIXEL = 2;
 
 export class Screen {
@@ -33,6 +46,8 @@ export class Screen {
   /** CSS pixels; 0 until the container has a size. */
   width = 0;
   height = 0;
+  /** Pixels of the canvas for each of these. */
+  ratio = 0;
   private isFixed = false;
   private readonly resizing: ResizeObserver;
   private readonly listening = new AbortController();
@@ -41,11 +56,13 @@ export class Screen {
   constructor(
     private readonly container: HTMLElement,
     private readonly events: ScreenEvents,
+    private readonly surface?: Surface,
   ) {
-    this.renderer = new WebGLRenderer({ antialias: true, stencil: false, powerPreference: 'high-performance' });
+    this.renderer = surface?.renderer ?? newRenderer();
     const { renderer } = this;
     const { signal } = this.listening;
-    this.canvas = renderer.domElement;
+    const { domElement } = renderer;
+    this.canvas = surface?.canvas ?? domElement;
     this.canvas.style.cssText =
       'display:block;position:absolute;inset:0;width:100%;height:100%;object-fit:contain;touch-action:none';
     renderer.outputColorSpace = SRGBColorSpace;
@@ -56,8 +73,8 @@ export class Screen {
       // name three.js's own class.
       if (!gl.isContextLost()) events.shaderFailed(shaderError(gl, program as WebGLProgram, [vertex, fragment]));
     };
-    this.canvas.addEventListener('webglcontextlost', () => events.contextLost(), { signal });
-    this.canvas.addEventListener('webglcontextrestored', () => events.contextRestored(), { signal });
+    domElement.addEventListener('webglcontextlost', () => events.contextLost(), { signal });
+    domElement.addEventListener('webglcontextrestored', () => events.contextRestored(), { signal });
     this.resizing = new ResizeObserver(() => this.fit());
     this.resizing.observe(container);
   }
@@ -90,10 +107,20 @@ export class Screen {
     this.resize(width, height, ratio);
   }
 
+  /** @throws whatever three.js does */
+  render(scene: Scene, camera: Camera): void {
+    const { renderer, surface } = this;
+    LINE_RESOLUTION.value.set(this.width, this.height);
+    renderer.info.reset();
+    surface?.begin();
+    renderer.render(scene, camera);
+    surface?.end();
+  }
+
   dispose(): void {
     this.listening.abort();
     this.resizing.disconnect();
-    this.renderer.dispose();
+    (this.surface ?? this.renderer).dispose();
     this.canvas.remove();
   }
 
@@ -102,7 +129,7 @@ export class Screen {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (width === 0 || height === 0 || this.isFixed) return;
     const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);
-    if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
+    if (width === this.width && height === this.height && ratio === this.ratio) return;
     this.resize(width, height, ratio);
     this.events.fitted();
   }
@@ -110,8 +137,14 @@ export class Screen {
   private resize(width: number, height: number, ratio: number): void {
     this.width = width;
     this.height = height;
-    this.renderer.setDrawingBufferSize(width, height, ratio);
-    LINE_RESOLUTION.value.set(width, height);
+    this.ratio = ratio;
+    if (this.surface) this.surface.resize(width, height, ratio);
+    else this.renderer.setDrawingBufferSize(width, height, ratio);
     this.events.resized(width, height, ratio);
   }
+}
+
+/** @throws Error if the browser has no WebGL2 */
+export function newRenderer(): WebGLRenderer {
+  return new WebGLRenderer({ antialias: true, stencil: false, powerPreference: 'high-performance' });
 }

@@ -23,7 +23,6 @@ import { type ShownCharacter, ShownCharacters } from './shown-characters.ts';
 import { haveSameJoints, type JointRef, type PosedSkeleton } from './skeleton/drawn-skeletons.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton/skeleton-drawing.ts';
 import { DrawnSkins } from './skin/drawn-skins.ts';
-import { VertexMarker } from './skin/vertex-marker.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
 
 /** What is drawn besides the characters. */
@@ -62,7 +61,6 @@ export class ShownDocument {
   readonly picked = new PickedCopy();
   readonly highlighted = new Highlight();
   private readonly overlays: Overlays;
-  private readonly vertexMarker = new VertexMarker();
   /** What tools draw, and the marked vertex. */
   private readonly tools = new Group();
   private tints: Tints = NO_TINTS;
@@ -89,7 +87,6 @@ export class ShownDocument {
       (id) => this.createView(id),
       (entry) => this.prepare(entry),
     );
-    this.tools.add(this.vertexMarker.object);
     scene.add(this.grid.object, this.skeletons.object, this.tools);
   }
 
@@ -157,7 +154,7 @@ export class ShownDocument {
     const theme = STAGE_THEMES[name];
     this.themeName = name;
     this.stage.setTheme(theme);
-    for (const part of [this.grid, this.vertexMarker, this.overlays]) part.setTheme(theme);
+    for (const part of [this.grid, this.overlays]) part.setTheme(theme);
     this.annotations?.setTheme(theme);
     this.skins.setTheme(name);
     for (const { view } of this.characters.all) view.setTheme(name);
@@ -190,10 +187,11 @@ export class ShownDocument {
     };
   }
 
-  /** Draws names, paths and ghosts from now on. @param annotations of these `characters`; disposed of with this */
+  /** Draws names, paths, ghosts and the marked vertex from now on. @param annotations of these `characters`; disposed of with this */
   annotate(annotations: Annotations): void {
     const { stage, skeletons, display, selection, highlighted } = this;
     this.annotations = annotations;
+    this.tools.add(annotations.vertexMarker.object);
     annotations.setTheme(STAGE_THEMES[this.themeName]);
     stage.scene.add(annotations.motion.object);
     annotations.labels.show(skeletons.drawn, display, selection, highlighted.joint);
@@ -228,14 +226,9 @@ export class ShownDocument {
     const { display, selection, characters } = this;
     characters.place(display.inPlace);
     this.skeletons.fill();
-    this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
-    this.annotations?.motion.fill(
-      selection,
-      this.drawnDisplay,
-      this.timeSeconds,
-      this.playedRange,
-      this.framesPerSecond,
-    );
+    const { annotations } = this;
+    annotations?.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
+    annotations?.motion.fill(selection, this.drawnDisplay, this.timeSeconds, this.playedRange, this.framesPerSecond);
     return true;
   }
 
@@ -254,8 +247,8 @@ export class ShownDocument {
   }
 
   dispose(): void {
-    const { characters, skins, grid, skeletons, vertexMarker, overlays, stage } = this;
-    for (const part of [characters, skins, grid, skeletons, vertexMarker, overlays, stage]) part.dispose();
+    const { characters, skins, grid, skeletons, overlays, stage } = this;
+    for (const part of [characters, skins, grid, skeletons, overlays, stage]) part.dispose();
     this.annotations?.dispose();
   }
 

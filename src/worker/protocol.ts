@@ -30,9 +30,12 @@ export interface Jobs {
   exchange: { takes: ExchangeInput; gives: ExchangeOutput };
   review: { takes: ReviewInput; gives: ReviewOutput };
   unpack: { takes: UnpackInput; gives: UnpackOutput };
+  open: { takes: OpenInput; gives: OpenOutput };
 }
 
 export type JobName = keyof Jobs;
+/** What the workbench's worker does; the worker of the element in other pages does the rest. */
+export type PageJob = Exclude<JobName, 'open'>;
 
 export interface ParseInput {
   readonly files: readonly GivenBlob[];
@@ -68,6 +71,23 @@ export interface ParsedPart {
   readonly files: readonly (readonly [file: ParsedFile, index: number])[];
   /** Skins and morphs are those in `files`, by identity. */
   readonly facts: readonly KnownSkin[];
+}
+
+/** Files of characters that are only shown. */
+export interface OpenInput {
+  readonly files: readonly GivenBlob[];
+}
+
+/** The characters, and what drawing them takes. */
+export interface OpenOutput {
+  readonly characters: readonly Character[];
+  /** Of their skins. */
+  readonly facts: readonly KnownSkin[];
+  readonly diagnostics: readonly Diagnostic[];
+  /** The scene's y of the floor, unless it is to be at 0. */
+  readonly floor: number;
+  /** Of all that plays; absent if there are several, or none. */
+  readonly framesPerSecond?: number;
 }
 
 /** A zip whose takes are reviewed if there are more than `most`. */
@@ -176,11 +196,14 @@ export interface ExchangeOutput {
 /** The test kit: names and texts of its files. */
 export type KitOutput = ReadonlyMap<string, string>;
 
-type Each<F extends { [K in JobName]: unknown }> = F[JobName];
+export type ToWorker<Names extends JobName = JobName> = {
+  [K in Names]: { readonly id: number; readonly job: K; readonly input: Jobs[K]['takes'] };
+}[Names];
 
-export type ToWorker = Each<{
-  [K in JobName]: { readonly id: number; readonly job: K; readonly input: Jobs[K]['takes'] };
-}>;
+/** The last message of a job. */
+export type Done<Names extends JobName = JobName> = {
+  [K in Names]: { readonly id: number; readonly kind: 'done'; readonly job: K; readonly output: Jobs[K]['gives'] };
+}[Names];
 
 export type FromWorker =
   | { readonly id: number; readonly kind: 'progress'; readonly progress: Progress }
@@ -189,14 +212,7 @@ export type FromWorker =
   | { readonly id: number; readonly kind: 'part'; readonly part: ParsedPart }
   /** Sent once: the worker holds this Web Lock for as long as it lives. */
   | { readonly kind: 'alive'; readonly lock: string }
-  | Each<{
-      [K in JobName]: {
-        readonly id: number;
-        readonly kind: 'done';
-        readonly job: K;
-        readonly output: Jobs[K]['gives'];
-      };
-    }>;
+  | Done;
 
 export interface Progress {
   /** Name of the file being read, or of what is being done. */

@@ -1,8 +1,10 @@
 /** What an address asks for, however it is written. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { numbersOf, readLink, viewOf, wordsOf } from '../../src/app/link/read-link.ts';
+import { readLink } from '../../src/app/link/read-link.ts';
+import { wordsOf } from '../../src/model/display-words.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../src/model/session.ts';
+import { numbersOf, viewOf } from '../../src/view/camera/view-numbers.ts';
 
 describe('a link', () => {
   it('a link says what to show and how', () => {

@@ -81,9 +81,14 @@ describe('the package', () => {
   });
 
   it('is small in a bundle: a .skel and an .anim at a time', { timeout: 60_000 }, async () => {
-    const sizes = await Promise.all([KEYS, POSES].map(bundled));
+    const sizes = await Promise.all([KEYS, POSES].map((program, i) => bundled(program, i)));
     expect(sizes[0]).toBeLessThan(28_500);
     expect(sizes[1]).toBeLessThan(33_500);
+  });
+
+  it('has the element, small beside the three.js that a page has', { timeout: 60_000 }, async () => {
+    const size = await bundled("import 'marrow/viewer';", 2, /^three(\/|$)/);
+    expect(size).toBeLessThan(75_000);
   });
 
   it('has the command', async () => {
@@ -142,25 +147,30 @@ it('bones of three.js follow an .anim: their world matrices are those of the com
 });
 
 it('the manual shows the examples as they are, and each has fewer than 40 lines', () => {
-  const page = textOf(join(ROOT, 'docs/guide/programs.md'));
-  const code = examples.map((name) => textOf(join(CODE, name)));
-  expect(code.filter((text) => !page.includes(`\`\`\`js\n${text}\`\`\``))).toEqual([]);
+  const pages = ['programs', 'element', 'notebooks'].map((name) => textOf(join(ROOT, `docs/guide/${name}.md`)));
+  const code = readdirSync(CODE).map((name) => textOf(join(CODE, name)));
+  expect(code.filter((text) => !pages.some((page) => page.includes(`\n${text}\`\`\``)))).toEqual([]);
   expect(code.filter((text) => text.split('\n').length > 40)).toEqual([]);
 });
 
-/** Gzipped bytes of a program, as vite bundles it for a page. */
-async function bundled(program: string, index: number): Promise<number> {
+/** Gzipped bytes of a program, as vite bundles it for a page: of what is loaded at once. */
+async function bundled(program: string, index: number, external?: RegExp): Promise<number> {
   const input = join(folder, `bundled-${index}.js`);
   writeFileSync(input, program);
   const made = await build({
     root: folder,
     configFile: false,
     logLevel: 'error',
-    build: { write: false, modulePreload: false, rolldownOptions: { input } },
+    build: { write: false, modulePreload: false, rolldownOptions: { input, ...(external && { external }) } },
   });
   // Of one configuration, without watching.
-  const [{ code }] = (made as Rolldown.RolldownOutput).output;
-  return gzipSync(code, { level: 9 }).length;
+  const { output } = made as Rolldown.RolldownOutput;
+  const sizeOf = (file: string): number => {
+    const chunk = output.find((one) => one.fileName === file);
+    return chunk?.type === 'chunk' ? gzipSync(chunk.code, { level: 9 }).length : 0;
+  };
+  const [{ fileName, imports }] = output;
+  return [fileName, ...imports].reduce((sum, file) => sum + sizeOf(file), 0);
 }
 
 const KEYS = `

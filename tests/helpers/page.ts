@@ -114,7 +114,9 @@ function sharedChromium(): Promise<Browser> {
 /** Opens the page, runs `body`, and fails on any unexpected problem. */
 export async function withPage(body: (open: OpenPage) => Promise<void>, options: PageOptions = {}): Promise<void> {
   const folder = options.folder ?? join(ROOT, 'dist');
-  if (!existsSync(join(folder, 'index.html'))) throw new Error(`${folder} holds no built page: "npm run build" first.`);
+  if (!existsSync(options.files?.['index.html'] ? folder : join(folder, 'index.html'))) {
+    throw new Error(`${folder} holds no built page: "npm run build" first.`);
+  }
   const browser = options.firefox?.browser ?? (await sharedChromium());
   const serving = servers.get(folder) ?? serveFolder(folder, SUB_PATH);
   servers.set(folder, serving);

@@ -56,6 +56,9 @@ function declared(text: string, declaration: ESTree.Declaration, start: number):
   const isFunction = declaration.type === 'FunctionDeclaration';
   const end = isFunction && declaration.body ? declaration.body.start : declaration.end;
   const isType = declaration.type.startsWith('TS');
+  if (declaration.type === 'ClassDeclaration') {
+    return [{ name, isType, comment, signature: classSignature(text, declaration) }];
+  }
   return [
     {
       name,
@@ -67,6 +70,24 @@ function declared(text: string, declaration: ESTree.Declaration, start: number):
         .replace(/^(async )?function /, ''),
     },
   ];
+}
+
+/** What programs may use of a class, methods up to their bodies. */
+function classSignature(text: string, { start, body }: ESTree.Class): string {
+  let before = body.start + 1;
+  const members = body.body.map((member) => {
+    const comment = /\/\*\*.*\*\//s.exec(text.slice(before, member.start))?.[0];
+    before = member.end;
+    if (!('accessibility' in member) || member.accessibility === 'private' || !('key' in member)) return undefined;
+    // Called by the browser.
+    if (/^(constructor|observedAttributes|\w+Callback)$/.test('name' in member.key ? member.key.name : ''))
+      return undefined;
+    const { value } = member;
+    const end = value?.type === 'FunctionExpression' && value.body ? value.body.start : member.end;
+    const signature = `${text.slice(member.start, end).trim().replace(/;$/, '')};`;
+    return comment === undefined ? `  ${signature}` : `  ${comment}\n  ${signature}`;
+  });
+  return `${text.slice(start, body.start)}{\n${members.filter((member) => member !== undefined).join('\n')}\n}`;
 }
 
 function plain(comment: string): string {

@@ -1,13 +1,14 @@
 /** *Save > Copy link*: an address that opens what is shown, for files that came from links or examples. */
+import { wordsOf } from '../../model/display-words.ts';
 import { rangeOfTakes } from '../../model/document.ts';
 import { firstTake } from '../../model/takes/moving.ts';
 import type { Messages } from '../../ui/state/messages.ts';
 import type { Uses } from '../../ui/state/workbench.ts';
 import { BLOCKED, copyText } from '../../ui/widgets/clipboard.ts';
+import { numbersOf } from '../../view/camera/view-numbers.ts';
 import type { DiskHandles } from '../disk-handles.ts';
 import type { BundledExample } from '../examples.ts';
 import type { Unsaved } from '../unsaved.ts';
-import { numbersOf, wordsOf } from './read-link.ts';
 
 /** What a link is made of. */
 export interface CopiedParts extends Uses<'store' | 'timeline' | 'settings' | 'viewport' | 'transport'> {

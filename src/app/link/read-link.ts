@@ -13,10 +13,12 @@
  *     panel=curves             a tab of the timeline
  *     theme=light|dark
  */
-import { DEFAULT_DISPLAY, type Display } from '../../model/session.ts';
+import { DISPLAY_WORDS, displayOfWords } from '../../model/display-words.ts';
+import type { Display } from '../../model/session.ts';
 import { THEMES } from '../../ui/state/settings.ts';
 import { TIMELINE_TABS, type TimelineTabName } from '../../ui/state/timeline.ts';
 import type { CameraView } from '../../view/camera/camera.ts';
+import { numbersIn, viewOf } from '../../view/camera/view-numbers.ts';
 
 /** What a link asks for; what it doesn't say is absent. */
 export interface Link {
@@ -34,44 +36,6 @@ export interface Link {
   readonly wrong: readonly string[];
 }
 
-/** Each word of `show`, and what it changes; of skins and boxes, the first is what `skin` and `boxes` mean. */
-const WORDS: ReadonlyMap<string, Partial<Display>> = new Map<string, Partial<Display>>([
-  ['nothing', {}],
-  ['skin', { skin: 'textured' }],
-  ...(['solid', 'wire', 'xray', 'heat', 'four'] as const).map((skin) => [skin, { skin }] as const),
-  ['boxes', { boxes: 'solid' }],
-  ['bare-boxes', { boxes: 'bare' }],
-  ['wire-boxes', { boxes: 'wire' }],
-  ['bones', { bones: true }],
-  ['axes', { axes: true }],
-  ['names', { names: true }],
-  ['normals', { normals: true }],
-  ['no-character-names', { characterNames: false }],
-  ['no-grid', { grid: false }],
-  ['no-shadow', { shadow: false }],
-  ['floor-at-zero', { floorAtLowest: false }],
-  ['orthographic', { orthographic: true }],
-  ['path', { trail: true }],
-  ['ghosts', { ghosts: true }],
-  ['in-place', { inPlace: true }],
-]);
-
-/** The display with nothing of the character, and what any page has around it. */
-const NOTHING: Partial<Display> = Object.fromEntries(
-  [...new Set([...WORDS.values()].flatMap((patch) => Object.keys(patch)))].map((name) => [
-    name,
-    name === 'skin' || name === 'boxes' ? 'hidden' : DEFAULT_DISPLAY[name as keyof Display],
-  ]),
-);
-
-/** The words of `show` for a display. */
-export function wordsOf(display: Display): readonly string[] {
-  const isSo = (patch: Partial<Display>) =>
-    Object.entries(patch).every(([name, value]) => display[name as keyof Display] === value);
-  const words = [...WORDS].filter(([word, patch]) => word !== 'nothing' && isSo(patch)).map(([word]) => word);
-  return words.length > 0 ? words : ['nothing'];
-}
-
 /** Reads a query. Unknown parameters are passed over. */
 export function readLink(query: string): Link {
   const given = new URLSearchParams(query);
@@ -85,23 +49,16 @@ export function readLink(query: string): Link {
   };
   const oneOf = <T extends string>(name: string, values: readonly T[]) =>
     read(name, values.join(', '), (text) => values.find((value) => value === text));
-  const numbers = (count: number) => (text: string) => {
-    const all = text.split(',').map((part) => (part.trim() === '' ? Number.NaN : Number(part)));
-    return all.length === count && all.every(isUsual) ? all : undefined;
-  };
-  const [time] = read('time', 'seconds', numbers(1)) ?? [];
+  const [time] = read('time', 'seconds', (text) => numbersIn(text, 1)) ?? [];
   const range = read('range', 'two times, the first before the second', (text) => {
-    const all = numbers(2)(text);
+    const all = numbersIn(text, 2);
     return all && all[0] < all[1] ? ([all[0], all[1]] as const) : undefined;
   });
   const plays = oneOf('play', ['0', '1']);
   const camera = read('camera', 'six numbers: the position, and another one that it looks at', (text) =>
-    viewOf(numbers(6)(text)),
+    viewOf(numbersIn(text, 6)),
   );
-  const display = read('show', [...WORDS.keys()].join(', '), (text) => {
-    const patches = text.split(/[,|]/).map((word) => WORDS.get(word.trim()));
-    return patches.every((patch) => patch !== undefined) ? Object.assign({ ...NOTHING }, ...patches) : undefined;
-  });
+  const display = read('show', DISPLAY_WORDS.join(', '), displayOfWords);
   const panel = oneOf('panel', TIMELINE_TABS);
   const theme = oneOf('theme', THEMES);
   const sample = given.get('sample');
@@ -121,13 +78,6 @@ export function readLink(query: string): Link {
   };
 }
 
-/** Beyond it, single-precision numbers of the graphics card are no places any more. */
-const FARTHEST = 1e6;
-
-function isUsual(value: number): boolean {
-  return Math.abs(value) <= FARTHEST;
-}
-
 /** Names of a list with commas between, each of which may contain encoded ones. */
 function listIn(query: string, name: string): readonly string[] {
   const part = query
@@ -137,25 +87,4 @@ function listIn(query: string, name: string): readonly string[] {
   // Decoded one by one by the reader of queries, so that a lone % stays.
   const names = part?.slice(name.length + 1).split(',') ?? [];
   return names.flatMap((text) => new URLSearchParams(`x=${text}`).get('x') || []);
-}
-
-/** The view of a camera; undefined if it is where it looks, or straight above or below, where no side is up. */
-export function viewOf(numbers: readonly number[] | undefined): CameraView | undefined {
-  if (!numbers) return undefined;
-  const [x, y, z, tx, ty, tz] = numbers;
-  const distance = Math.hypot(x - tx, y - ty, z - tz);
-  if (!(distance > 0)) return undefined;
-  return {
-    target: [tx, ty, tz],
-    distance,
-    polar: Math.acos(Math.max(-1, Math.min(1, (y - ty) / distance))),
-    azimuth: Math.atan2(x - tx, z - tz),
-  };
-}
-
-/** The six numbers of a view. */
-export function numbersOf({ target: [tx, ty, tz], distance, polar, azimuth }: CameraView): readonly number[] {
-  const flat = distance * Math.sin(polar);
-  const from = [tx + flat * Math.sin(azimuth), ty + distance * Math.cos(polar), tz + flat * Math.cos(azimuth)];
-  return [...from, tx, ty, tz];
 }

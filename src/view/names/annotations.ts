@@ -1,11 +1,12 @@
 /**
  * What tells of the characters over their picture: the names of joints and characters, the path of the selected joint,
- * and the poses before and after the current time. Given to the viewport, not made by it: the first picture does
+ * the poses before and after the current time, and the mark of a picked vertex. Given to the viewport, not made by it: the first picture does
  * without, and its script is smaller for it.
  */
 
 import { MotionDrawing } from '../motion/motion-drawing.ts';
 import type { ShownCharacters } from '../shown-characters.ts';
+import { VertexMarker } from '../skin/vertex-marker.ts';
 import type { StageTheme } from '../theme.ts';
 import { LabelCover } from './label-cover.ts';
 import { Labels } from './labels.ts';
@@ -15,6 +16,7 @@ export class Annotations {
   /** Which joints' names are behind skins and boxes. */
   readonly cover = new LabelCover();
   readonly motion: MotionDrawing;
+  readonly vertexMarker = new VertexMarker();
 
   /** @param redraw called when a path that takes longer is there */
   constructor(characters: Pick<ShownCharacters, 'seen' | 'visible'>, redraw: () => void) {
@@ -22,12 +24,12 @@ export class Annotations {
   }
 
   setTheme(theme: StageTheme): void {
-    this.labels.setTheme(theme);
-    this.motion.setTheme(theme);
+    for (const part of [this.labels, this.motion, this.vertexMarker]) part.setTheme(theme);
   }
 
   dispose(): void {
     this.labels.canvas.remove();
     this.motion.dispose();
+    this.vertexMarker.dispose();
   }
 }

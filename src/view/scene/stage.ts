@@ -85,6 +85,10 @@ export class Stage {
   private readonly fitted = new Vector3();
   private fittedRadius = 0;
   private fittedDepth = 0;
+  /** Set before each frame: the renderer may draw other stages, too. */
+  private exposure = 1;
+  private clearAlpha = 1;
+  private haveCastersMoved = true;
 
   constructor(private readonly renderer: WebGLRenderer) {
     renderer.toneMapping = NeutralToneMapping;
@@ -106,7 +110,7 @@ export class Stage {
   }
 
   setTheme(theme: StageTheme): void {
-    this.renderer.toneMappingExposure = theme.exposure;
+    this.exposure = theme.exposure;
     const { uniforms } = this.background.material;
     uniforms.top.value.copy(rawColor(theme.backgroundTop));
     uniforms.haze.value.copy(rawColor(theme.horizon));
@@ -119,7 +123,7 @@ export class Stage {
   /** Without it pictures are transparent. */
   setBackground(on: boolean): void {
     this.background.visible = on;
-    this.renderer.setClearAlpha(on ? 1 : 0);
+    this.clearAlpha = on ? 1 : 0;
   }
 
   setShadow(on: boolean): void {
@@ -130,7 +134,16 @@ export class Stage {
 
   /** What throws shadows isn't where it was, or looks different: they are drawn again with the next frame. */
   moveCasters(): void {
-    this.renderer.shadowMap.needsUpdate = true;
+    this.haveCastersMoved = true;
+  }
+
+  /** Call before each frame, last. */
+  begin(): void {
+    const { renderer } = this;
+    renderer.toneMappingExposure = this.exposure;
+    renderer.setClearAlpha(this.clearAlpha);
+    renderer.shadowMap.needsUpdate = this.haveCastersMoved;
+    this.haveCastersMoved = false;
   }
 
   /** Call before each frame: rim, fill and horizon go with the camera. */
@@ -202,6 +215,12 @@ export class Stage {
     const from = this.away.subVectors(center, this.key.target.position);
     return Math.abs(from.dot(this.right)) <= reach && Math.abs(from.dot(this.up)) <= reach;
   };
+
+  /** Gives back the shadow map until the next frame: it is the largest thing that a small picture needs. */
+  rest(): void {
+    this.key.shadow.dispose();
+    this.moveCasters();
+  }
 
   /** See `ShownDocument.forget`. */
   forget(): void {
