@@ -15,9 +15,6 @@ declare global {
     showDirectoryPicker?(options: { readonly mode: FileAccess }): Promise<FileSystemDirectoryHandle>;
     showSaveFilePicker?(options: { readonly suggestedName: string }): Promise<FileSystemFileHandle>;
   }
-  interface DataTransferItem {
-    getAsFileSystemHandle?(): Promise<FileSystemFileHandle | FileSystemDirectoryHandle | null>;
-  }
   interface FileSystemHandle {
     queryPermission?(access: { readonly mode: FileAccess }): Promise<PermissionState>;
     requestPermission?(access: { readonly mode: FileAccess }): Promise<PermissionState>;

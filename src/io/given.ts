@@ -4,6 +4,13 @@
  */
 import type { GivenBlob } from '../worker/protocol.ts';
 
+/* Missing in TypeScript's DOM library, as not every browser has it. */
+declare global {
+  interface DataTransferItem {
+    getAsFileSystemHandle?(): Promise<FileSystemFileHandle | FileSystemDirectoryHandle | null>;
+  }
+}
+
 /** A file with its origin. Only path and blob are sent to the worker. */
 export interface GivenFile extends GivenBlob {
   /** Refers to the file on disk: it can be read again, and saved in place. */
