@@ -80,8 +80,8 @@ function classSignature(text: string, { start, body }: ESTree.Class): string {
     before = member.end;
     if (!('accessibility' in member) || member.accessibility === 'private' || !('key' in member)) return undefined;
     // Called by the browser.
-    if (/^(constructor|observedAttributes|\w+Callback)$/.test('name' in member.key ? member.key.name : ''))
-      return undefined;
+    const key = text.slice(member.key.start, member.key.end);
+    if (/^(constructor|observedAttributes|\w+Callback)$/.test(key)) return undefined;
     const { value } = member;
     const end = value?.type === 'FunctionExpression' && value.body ? value.body.start : member.end;
     const signature = `${text.slice(member.start, end).trim().replace(/;$/, '')};`;
