@@ -20,6 +20,7 @@ import type { KeyedChannel, Layer, LayerSettings, Motion, Take } from '../model/
 import { type CompiledTake, compileChannels } from './compiled-take.ts';
 import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';
+import { PieceSums, type PieceTerm } from './piece-sums.ts';
 
 /** A layer ready for evaluation. */
 export interface CompiledLayer {
@@ -63,13 +64,7 @@ const compiled = perObject((take: Take) =>
     const skeleton = 'joints' in of ? of : undefined;
     const { list } = take.layers ?? { list: [] };
     const layers = countingLayers(list).flatMap((i) => compileLayer(list[i], i, motionOf(take, i), skeleton) ?? []);
-    return {
-      base: baseOf(take),
-      layers,
-      add(timeSeconds, out, count) {
-        for (const layer of layers) addLayer(layer, timeSeconds, out, count);
-      },
-    };
+    return { base: baseOf(take), layers, add: adding(layers) };
   }),
 );
 
@@ -124,16 +119,68 @@ const jointOfDofs = perObject((skeleton: Skeleton): Int32Array => {
   return joints;
 });
 
-function addLayer(layer: CompiledLayer, timeSeconds: number, out: Float64Array, count: number): void {
-  const { dofs, curves, values, isAdditive } = layer;
+/**
+ * What adds layers to a pose. DOFs under constant weights alone are of the form A·v + B(t), where B is one sum over all
+ * of their layers; others take the layers one by one.
+ */
+function adding(layers: readonly CompiledLayer[]): LayersOverBase['add'] {
+  const isFaded = new Set(layers.flatMap(({ weightCurve, dofs }) => (weightCurve ? [...dofs] : [])));
+  const steady = new Map<number, { keep: number; readonly terms: PieceTerm[] }>();
+  for (const { dofs, isAdditive, weight, curves } of layers) {
+    for (const [channel, dof] of dofs.entries()) {
+      if (isFaded.has(dof)) continue;
+      const { keep, terms } = steady.get(dof) ?? { keep: 1, terms: [] };
+      const left = isAdditive ? 1 : 1 - weight;
+      const beneath = terms.flatMap((term) => (left === 0 ? [] : [{ ...term, factor: left * term.factor }]));
+      steady.set(dof, { keep: left * keep, terms: [...beneath, { curves, channel, factor: weight }] });
+    }
+  }
+  const all = [...steady].sort(([a], [b]) => a - b);
+  const dofs = Int32Array.from(all, ([dof]) => dof);
+  const keeps = Float64Array.from(all, ([, { keep }]) => keep);
+  const sums = new PieceSums(all.map(([, { terms }]) => terms));
+  const faded = isFaded.size > 0 ? layers.flatMap((layer) => fadedLayer(layer, isFaded) ?? []) : [];
+  return (timeSeconds, out, count) => {
+    sums.evaluate(timeSeconds);
+    const { values } = sums;
+    for (let i = 0; i < dofs.length; i++) {
+      const dof = dofs[i];
+      if (dof >= count) break;
+      out[dof] = keeps[i] * out[dof] + values[i];
+    }
+    for (const layer of faded) addFaded(layer, timeSeconds, out, count);
+  };
+}
+
+/** The part of a layer over DOFs of which some layer's weight changes. */
+interface FadedLayer {
+  readonly layer: CompiledLayer;
+  readonly dofs: Int32Array;
+  readonly sums: PieceSums;
+}
+
+function fadedLayer(layer: CompiledLayer, isFaded: ReadonlySet<number>): FadedLayer | undefined {
+  const { curves } = layer;
+  const channels = [...layer.dofs.keys()].filter((channel) => isFaded.has(layer.dofs[channel]));
+  if (channels.length === 0) return undefined;
+  return {
+    layer,
+    dofs: Int32Array.from(channels, (channel) => layer.dofs[channel]),
+    sums: new PieceSums(channels.map((channel) => [{ curves, channel, factor: 1 }])),
+  };
+}
+
+function addFaded({ layer, dofs, sums }: FadedLayer, timeSeconds: number, out: Float64Array, count: number): void {
   const weight = weightAt(layer, timeSeconds);
   // Nothing changes, not even the sign of a zero.
   if (weight === 0) return;
-  evaluateTake(curves, timeSeconds, values);
+  sums.evaluate(timeSeconds);
+  const { values } = sums;
+  const keep = layer.isAdditive ? 1 : 1 - weight;
   for (let i = 0; i < dofs.length; i++) {
     const dof = dofs[i];
     if (dof >= count) break;
-    out[dof] = isAdditive ? out[dof] + weight * values[i] : (1 - weight) * out[dof] + weight * values[i];
+    out[dof] = keep * out[dof] + weight * values[i];
   }
 }
 
