@@ -1,5 +1,5 @@
 /** Changes made by hand that are not keyed yet; K keys these. */
-import { channelOf } from '../evaluate/pose.ts';
+import { channelOf, isDriven } from '../evaluate/pose.ts';
 import { type Character, shownTake } from '../model/document.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
 import { unkeyedAt } from './unkeyed.ts';
@@ -36,6 +36,6 @@ function showingSameTake(opened: Character, now: Character): Character {
 /** The constant value of a DOF that is not animated; undefined for others. */
 function steadyValue(character: Character, dof: number): number | undefined {
   const channel = channelOf(character, dof);
-  if (channel && (channel.kind !== 'rest' || shownTake(character)?.layers)) return undefined;
-  return channel?.value ?? character.pose[dof] ?? 0;
+  if (channel && isDriven(character, dof)) return undefined;
+  return channel?.kind === 'rest' ? channel.value : (character.pose[dof] ?? 0);
 }

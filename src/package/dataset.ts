@@ -12,6 +12,7 @@ import { parquetPieces } from '../dataset/parquet.ts';
 import { besideTable, tableColumns } from '../dataset/table.ts';
 import { type TakeOptions, takeOf } from '../dataset/take.ts';
 import { takeArrays as arraysOf, namedArrays, type TakeArrays } from '../dataset/take-arrays.ts';
+import { provideLayers } from '../evaluate/layers.ts';
 import { crc32 } from '../formats/png/crc32.ts';
 import type { Character } from '../model/document.ts';
 import { joined } from './joined.ts';
@@ -21,6 +22,8 @@ export type { JointMap } from '../dataset/joint-map.ts';
 export type { Crop, RetargetTarget, TakeOptions } from '../dataset/take.ts';
 export type { TakeArrays } from '../dataset/take-arrays.ts';
 export type { Character } from '../model/document.ts';
+
+provideLayers();
 
 /** Options of `takeArrays`. */
 export interface ArrayOptions extends TakeOptions {

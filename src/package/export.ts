@@ -4,6 +4,7 @@
  *     const { bytes } = writeGlb(character);
  */
 import { writeFbx as fbxOf } from '../export/fbx/write.ts';
+import { provideLayers } from '../evaluate/layers.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../export/glb/options.ts';
 import { writeGlb as glbOf } from '../export/glb/write.ts';
 import type { ExchangeOptions } from '../export/shared/options.ts';
@@ -20,6 +21,8 @@ export type { ExchangeReport, Loss, TakeReport } from '../export/shared/report.t
 export type { Target as ConvertFormat } from '../files/save/conversion.ts';
 export type { Diagnostic } from '../model/diagnostic.ts';
 export type { Character } from '../model/document.ts';
+
+provideLayers();
 
 /** Options of `writeGlb`. */
 export interface GlbSettings extends Partial<GlbOptions> {

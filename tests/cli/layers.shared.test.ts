@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { afterAll, expect, it } from 'vitest';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { command, commandJson, type PoseJson } from '../helpers/command.ts';
+import { jointsInThree } from '../helpers/glb.ts';
 import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
 
 interface Craft {
@@ -12,6 +13,7 @@ interface Craft {
   readonly layers: readonly LayersCase[];
   readonly flatten: readonly FlattenCase[];
   readonly bvh: readonly BvhCase[];
+  readonly glb: readonly GlbCase[];
   readonly diagnostics: readonly DiagnosticCase[];
 }
 interface LayersCase {
@@ -33,6 +35,14 @@ interface BvhCase {
   readonly files: readonly string[];
   readonly frames: readonly number[];
   readonly names: readonly string[];
+  readonly positions: readonly (readonly (readonly number[])[])[];
+}
+interface GlbCase {
+  readonly files: readonly string[];
+  readonly start: number;
+  readonly times: readonly number[];
+  readonly size: number;
+  /** By time, joints in the skeleton's order. */
   readonly positions: readonly (readonly (readonly number[])[])[];
 }
 interface DiagnosticCase {
@@ -132,6 +142,23 @@ describeShared('layers of the reference files', () => {
       }
     },
   );
+
+  it.each(named(craft.glb))('$name as GLB moves in three.js as the reference does', async (one) => {
+    const { files, start, times, size, positions } = one;
+    const out = join(folder, 'out.glb');
+    const { code, err } = await command(['convert', ...files, '--raw', out], shared);
+    expect(code, err).toBe(0);
+    const skeleton = await commandJson<PoseJson>(['pose', ...files, '--time', '0'], shared);
+    const names = skeleton.characters[0].joints.map(({ name }) => name);
+    const placesAt = await jointsInThree(readFileSync(out), names);
+    times.forEach((time, t) => {
+      const found = placesAt(time - start);
+      positions[t].forEach((place, j) => {
+        const off = Math.hypot(...place.map((value, k) => found[j][k] - value));
+        expect(off, `${names[j]} at ${time}`).toBeLessThan(craft.epsilon * size);
+      });
+    });
+  });
 
   it.each(named(craft.diagnostics).map((one) => ({ ...one, call: (one.options ?? []).join(' ') })))(
     '$name $call tells $code',

@@ -181,6 +181,26 @@ export async function inThree(glb: Glb): Promise<Player> {
   };
 }
 
+/** Where three.js has the nodes of these names, at a time of a file's first animation. */
+export async function jointsInThree(
+  bytes: Uint8Array,
+  names: readonly string[],
+): Promise<(seconds: number) => readonly (readonly [number, number, number])[]> {
+  const { scene, animations } = await new GLTFLoader().parseAsync(Uint8Array.from(bytes).buffer, '');
+  const mixer = new AnimationMixer(scene);
+  const action = mixer.clipAction(animations[0]).setLoop(LoopOnce, 1);
+  action.clampWhenFinished = true;
+  return (seconds) => {
+    action.reset().play();
+    mixer.setTime(seconds);
+    scene.updateMatrixWorld(true);
+    return names.map((name) => {
+      const { elements: m } = scene.getObjectByName(name)?.matrixWorld ?? { elements: [] };
+      return [m[12], m[13], m[14]];
+    });
+  };
+}
+
 let engine: NullEngine | undefined;
 
 export async function inBabylon(glb: Glb): Promise<Player> {

@@ -15,6 +15,7 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type HeldTake, holding, placesAt } from '../hold/hold.ts';
 import type { HoldWindow } from '../hold/window.ts';
+import { refuseLayers } from '../refuse-layers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { number, optional } from '../schema/shape.ts';
 import { CHARACTER, indices, range } from '../schema/shared-shapes.ts';
@@ -65,8 +66,8 @@ export interface Held {
 
 /**
  * Runs `holdPins` in steps, yielding progress every few milliseconds.
- * @throws CommandError if there is no skeleton, no take or no such pin, if another take is retargeted to the character,
- * or for numbers out of range
+ * @throws CommandError if there is no skeleton, no take or no such pin, if the take has layers, if another take is
+ * retargeted to the character, or for numbers out of range
  */
 export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { characterId } = args;
@@ -74,8 +75,9 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { skeleton } = character;
   if (!skeleton) throw new CommandError(`${character.name} has no skeleton, so there is nothing to hold.`);
   refuseMoved(character);
-  if (!shownTake(character))
-    throw new CommandError(`${character.name} has no current take, so there is no motion to hold pins in.`);
+  const shown = shownTake(character);
+  if (!shown) throw new CommandError(`${character.name} has no current take, so there is no motion to hold pins in.`);
+  refuseLayers(shown);
   const pins = checkedPins(character, args.pins);
   const [from, to] = args.range;
   const { atSeconds: at, easeSeconds = EASE_SECONDS } = args;

@@ -15,8 +15,7 @@
  * would change one take by posing in another.
  */
 
-import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
+import { channelOf, dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
 import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/skeleton/dofs.ts';
 import { indexIn } from '../arguments.ts';
@@ -168,11 +167,10 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   let poseChanged = false;
   let takeChanged = false;
   let handChanged = false;
-  const moved = movedDofs(character);
   let driven: Float64Array | undefined;
   for (const [dof, value] of values) {
     const channel = channelOf(character, dof);
-    if ((channel && (channel.kind !== 'rest' || take?.layers)) || moved?.has(dof)) {
+    if (isDriven(character, dof)) {
       driven ??= drivenAt(character, timeSeconds);
       handChanged = true;
       // A value equal to that of the keys is no unkeyed change: nothing to key, nothing to lose.
@@ -182,7 +180,7 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
     }
     // Its keys may have been deleted since the unkeyed change, which would hide the new value.
     handChanged = byHand.delete(dof) || handChanged;
-    if (!channel || !channels) {
+    if (channel?.kind !== 'rest' || !channels) {
       poseChanged ||= posed[dof] !== value;
       while (posed.length < dof) posed.push(0);
       posed[dof] = value;

@@ -16,6 +16,7 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
+import { refuseLayers } from '../refuse-layers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
 import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';
@@ -236,7 +237,7 @@ function withNewTake(document: Document, { characterId }: OfSamples, take: Take)
 function ownTake(character: Character): Take {
   refuseMoved(character);
   const take = requireTake(character);
-  if (take.layers) throw new CommandError(`${take.name} has layers. Flatten them first.`);
+  refuseLayers(take);
   return take;
 }
 

@@ -15,6 +15,7 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type LockedContact, lockingFeet } from '../hold/foot-lock.ts';
 import { markersWithin } from '../markers.ts';
+import { refuseLayers } from '../refuse-layers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { looping } from '../samples/loop.ts';
 import { retiming } from '../samples/speed.ts';
@@ -201,12 +202,13 @@ export function* changingTakes(
   return next;
 }
 
-/** Each take once; refuses those that are hidden by retargeting. */
+/** Each take once; refuses those that are hidden by retargeting, and those with layers. */
 export function takesToChange(document: Document, takes: readonly TakeRef[]): readonly TakeRef[] {
   const found = new Map<string, TakeRef>();
   for (const ref of checkedRefs(document, takes, 0)) {
     const character = requireCharacter(document, ref.characterId);
     if (ref.take < 0 || ref.take === character.shownTake) refuseMoved(character);
+    if (ref.take >= 0) refuseLayers(character.takes[ref.take]);
     found.set(`${ref.characterId} ${ref.take}`, ref);
   }
   return [...found.values()];
