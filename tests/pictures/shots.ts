@@ -253,6 +253,32 @@ export const SHOTS: readonly Shot[] = [
     },
   },
   {
+    name: 'layers',
+    example: 'walker',
+    size: { width: 1360, height: 800 },
+    async act(page) {
+      await seek(page, 1.6);
+      await run(page, 'view.front');
+      await tab(page, 'takes');
+      await run(page, 'layers.add', { name: 'wave' });
+      await select(page, 'upper_arm_l');
+      await run(page, 'layers.add', { name: 'lean', mode: 'override' });
+      await run(page, 'layers.keyWeight', { layer: 1, weight: 0.4 });
+      await run(page, 'layers.activate', { layer: 0 });
+      const hand = await page.evaluate(() => {
+        const at = window.marrow.characters()[0].joints.findIndex(({ name }) => name === 'hand_l');
+        const matrix = window.marrow.worldMatrices()[at];
+        return window.marrow.pointOnPage([matrix[12], matrix[13], matrix[14]]);
+      });
+      if (!hand) throw new Error('The hand is not in view.');
+      await page.mouse.move(hand.x, hand.y);
+      await page.mouse.down();
+      await page.mouse.move(hand.x + 40, hand.y - 120, { steps: 8 });
+      await page.mouse.up();
+      await run(page, 'keys.forMoment', { easeIn: 0.5, easeOut: 0.5 });
+    },
+  },
+  {
     name: 'pose-library',
     example: 'walker',
     size: { width: 1360, height: 800 },

@@ -3,7 +3,9 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
+import { activeLayer } from '../../model/takes/layers.ts';
 import { columnOf } from '../../model/takes/samples.ts';
+import type { Take } from '../../model/takes/take.ts';
 import { indexIn } from '../arguments.ts';
 import type { Edit } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -81,6 +83,15 @@ function valuesOf(
   );
 }
 
+/** What such a layer has outside the moment would take the place of the motion below it. */
+function refuseOverride(take: Take): void {
+  const layer = activeLayer(take);
+  if (layer?.mode !== 'override') return;
+  throw new CommandError(
+    `Layer "${layer.name}" overrides the motion below it, so no pose in it can be for a moment. Make it additive, or key its weight.`,
+  );
+}
+
 function changedFor(
   character: Character,
   values: ReadonlyMap<number, number>,
@@ -91,6 +102,7 @@ function changedFor(
   const taking = withChannels(character, baked);
   const take = shownTake(taking);
   if (!take) return { character, keys: [] };
+  refuseOverride(take);
   const channels = [...take.channels];
   const sampled = new Map<number, number>();
   const keys = [];

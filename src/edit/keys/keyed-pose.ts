@@ -1,9 +1,12 @@
 /** What a step has keyed at a time: for doing the same for a moment (`moment.ts`), and for telling what it will look like. */
 import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
+import type { LayerShare } from '../../evaluate/layers.ts';
 import { type Character, type Document, findCharacter, shownTake } from '../../model/document.ts';
 import type { DofValue } from '../../model/skeleton/dofs.ts';
+import { activeLayer } from '../../model/takes/layers.ts';
 import { type Channel, type KeyedChannel, keysOf, repeats } from '../../model/takes/take.ts';
+import { activeShare } from '../layers/layer-values.ts';
 import { period } from './cycle.ts';
 import { findKey } from './same-time.ts';
 
@@ -15,7 +18,7 @@ const JUMPS_WITHIN = 0.1;
 /** The DOFs of one character that a step has keyed off their curves. */
 export interface KeyedPose {
   readonly characterId: string;
-  /** By index into the character's DOFs: those keyed off their curve. */
+  /** By index into the character's DOFs: those keyed off their curve, with the values that are displayed. */
   readonly dofs: readonly DofValue[];
 }
 
@@ -44,7 +47,14 @@ export function keyedPose(before: Document, after: Document, timeSeconds: number
     const value = channel.values[key];
     if (!isOnCurve(old, at, value)) dofs.push({ index, value });
   }
-  return dofs.length > 0 ? { characterId: now.id, dofs } : undefined;
+  const share = activeShare(now, timeSeconds);
+  if (dofs.length === 0) return undefined;
+  return { characterId: now.id, dofs: share ? dofs.map((dof) => displayed(dof, share(dof.index))) : dofs };
+}
+
+/** What a layer's own value shows. */
+function displayed({ index, value }: DofValue, { a, b }: LayerShare): DofValue {
+  return { index, value: a + b * value };
 }
 
 /** Whether a channel has a value at a time of the take already, up to rounding. */
@@ -59,15 +69,20 @@ export type Abrupt =
   /** Seconds to the nearer neighbour. */
   | { readonly kind: 'jumps'; readonly dof: number; readonly seconds: number }
   /** Seconds between repetitions, each of which shows it. */
-  | { readonly kind: 'repeats'; readonly dof: number; readonly seconds: number };
+  | { readonly kind: 'repeats'; readonly dof: number; readonly seconds: number }
+  /** The only key of an additive layer's channel, which so shows it at all times. */
+  | { readonly kind: 'holds'; readonly dof: number };
 
-/** The first of these DOFs whose key at that time makes a jump, or shows in every repetition; undefined if none does. */
+/** The first of these DOFs whose key at that time makes a jump, or shows at other times too; undefined if none does. */
 export function abruptKey(character: Character, dofs: readonly DofValue[], timeSeconds: number): Abrupt | undefined {
-  const channels = shownTake(character)?.channels ?? [];
+  const take = shownTake(character);
+  const channels = take?.channels ?? [];
+  const isAdded = take !== undefined && activeLayer(take)?.mode === 'additive';
   const at = timeSeconds + character.timeOffsetSeconds;
   for (const { index: dof } of dofs) {
     const channel = channels[dof];
     if (channel?.kind !== 'keys') continue;
+    if (isAdded && channel.times.length === 1) return { kind: 'holds', dof };
     const seconds = nearestNeighbour(channel, at);
     if (seconds < JUMPS_WITHIN) return { kind: 'jumps', dof, seconds };
     const isRepeating = repeats(channel.extrapolateIn) || repeats(channel.extrapolateOut);

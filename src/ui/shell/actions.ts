@@ -5,6 +5,7 @@
 import { COMPARE_ACTIONS } from '../editors/compare/actions.ts';
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';
+import { LAYER_ACTIONS } from '../editors/layers/actions.ts';
 import { POSE_ACTIONS } from '../editors/poses/actions.ts';
 import { POSING_ACTIONS } from '../editors/posing/actions.ts';
 import { KEYING_ACTIONS } from '../editors/posing/keying-actions.ts';
@@ -41,6 +42,7 @@ export const ACTIONS: readonly Action[] = [
   ...UNDO_MEMORY_ACTIONS,
   ...RIG_ACTIONS,
   ...KEYING_ACTIONS,
+  ...LAYER_ACTIONS,
   ...KEY_ACTIONS,
   ...TWEEN_ACTIONS,
   ...TIMELINE_ACTIONS,

@@ -14,6 +14,7 @@ const EXPLAINED = {
   cycle: 'guide/curves.html#cycles-and-extrapolation',
   comparing: 'guide/check-your-program.html',
   flags: 'guide/capture-and-review.html#review',
+  layers: 'guide/layers.html',
 } as const satisfies Record<string, ManualPage>;
 
 export const EXPLAINED_PAGES: readonly ManualPage[] = Object.values(EXPLAINED);

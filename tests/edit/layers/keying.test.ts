@@ -8,7 +8,10 @@ import {
   setLayer,
 } from '../../../src/edit/commands/beside/layers.ts';
 import { keyPose } from '../../../src/edit/commands/keying.ts';
+import { keyForMoment } from '../../../src/edit/commands/moment.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
+import { mirrorTakes, setTakeSpeed } from '../../../src/edit/commands/take-edits.ts';
+import { abruptKey, keyedPose } from '../../../src/edit/keys/keyed-pose.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { type Document, shownTake } from '../../../src/model/document.ts';
@@ -91,6 +94,37 @@ describe('keying into a layer', () => {
     expect(store.document).toEqual(added);
     store.undo();
     expect(store.document.characters[0].takes).toEqual(HERO.characters[0].takes);
+  });
+
+  it('for a moment adds what was posed around that time alone, and is refused for a layer that overrides', () => {
+    const store = layered({ weight: 0.5 });
+    const before = [0.1, 1.5].map((time) => shownIn(store.document, time));
+    const { document } = store;
+    store.apply(setDofs, { ...WHO, dofs: [{ index: 4, value: 1 }], timeSeconds: 0.5, key: {} });
+    const pose = keyedPose(document, store.document, 0.5);
+    expect(pose).toEqual({ characterId: 'c1', dofs: [{ index: 4, value: expect.closeTo(1, 12) }] });
+    const [hero] = store.document.characters;
+    expect(abruptKey(hero, pose?.dofs ?? [], 0.5)).toEqual({ kind: 'holds', dof: 4 });
+    store.undo();
+    const easing = { timeSeconds: 0.5, easeIn: 0.3, easeOut: 0.5 };
+    store.apply(keyForMoment, { ...WHO, ...easing, dofs: pose?.dofs ?? [] });
+    expect([0.1, 1.5].map((time) => shownIn(store.document, time))).toEqual(before);
+    expect(shownIn(store.document, 0.5)[4]).toBeCloseTo(1, 12);
+    const over = layered({ mode: 'override' });
+    expect(() => over.apply(keyForMoment, { ...WHO, ...easing, dofs: [{ index: 4, value: 1 }] })).toThrow(
+      'Layer "layer" overrides the motion below it',
+    );
+  });
+
+  it('is kept for one that edits whole takes: that is refused, and says what to do first', () => {
+    const { document } = layered();
+    const [hero] = document.characters;
+    const takes = [{ characterId: 'c1', take: 0 }];
+    const flattenFirst = 'walk has layers, and this changes takes as a whole. Flatten them first';
+    expect(() => setTakeSpeed.run(document, { takes, factor: 2 })).toThrow(flattenFirst);
+    expect(() => mirrorTakes.run(document, { takes })).toThrow(flattenFirst);
+    const keyed = documentOf({ ...hero, takes: HERO.characters[0].takes });
+    expect(setTakeSpeed.run(keyed, { takes, factor: 2 })).not.toBe(keyed);
   });
 
   it('moves the same once layers are merged and flattened', () => {

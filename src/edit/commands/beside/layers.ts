@@ -41,16 +41,21 @@ export const addLayer = command({
   },
   label: (_document, { name }) => (name === undefined ? 'Add layer' : `Add layer ${cutName(name)}`),
   run: (document, { characterId, name, mode: how = 'additive', joints }) =>
-    changed(document, characterId, (take) => {
-      const list = listOf(take);
-      const called = name === undefined ? freeName(list) : unusedName(list, name, -1);
-      const layer: Layer = {
-        ...{ name: called, mode: how, weight: 1, mute: false, solo: false, root: false, morphs: false },
-        ...(joints && { joints: referencesTo(document, characterId, joints) }),
-        motion: emptyMotion(take.channels.length),
-      };
-      return arranged(take, motionOf(take, -1), [...list, layer], list.length);
-    }),
+    changed(
+      document,
+      characterId,
+      (take) => {
+        const list = listOf(take);
+        const called = name === undefined ? freeName(list) : unusedName(list, name, -1);
+        const layer: Layer = {
+          ...{ name: called, mode: how, weight: 1, mute: false, solo: false, root: false, morphs: false },
+          ...(joints && { joints: referencesTo(document, characterId, joints) }),
+          motion: emptyMotion(take.channels.length),
+        };
+        return arranged(take, motionOf(take, -1), [...list, layer], list.length);
+      },
+      'keeps unkeyed',
+    ),
 });
 
 /** Removes a layer with its keys; without any left, the take is its base. */
@@ -110,7 +115,10 @@ export const setLayer = command({
       };
       const before = list[layer];
       const { ofWeight, ...rest } = before;
-      const next: Layer = { ...(given.weight === undefined && ofWeight ? before : rest), ...set };
+      const next = wholeMask(document, characterId, {
+        ...(given.weight === undefined && ofWeight ? before : rest),
+        ...set,
+      });
       const isSame = JSON.stringify({ ...next, motion: 0 }) === JSON.stringify({ ...before, motion: 0 });
       return isSame ? take : withList(take, list.with(layer, next));
     }),
@@ -162,10 +170,15 @@ export const activateLayer = command({
   args: { ...CHARACTER, layer: whole(-1) },
   label: (document, of) => (of.layer < 0 ? 'Edit base' : `Edit layer ${layerIn(document, of)}`),
   run: (document, { characterId, layer }) =>
-    changed(document, characterId, (take) => {
-      indexIn(layer, -1, listOf(take).length, 'layer');
-      return withActive(take, layer);
-    }),
+    changed(
+      document,
+      characterId,
+      (take) => {
+        indexIn(layer, -1, listOf(take).length, 'layer');
+        return withActive(take, layer);
+      },
+      'keeps unkeyed',
+    ),
 });
 
 /** Replaces a layer and the one beneath it, or the base, by their flattened sum. */
@@ -193,8 +206,16 @@ export const flattenLayers = command({
     }),
 });
 
-/** The document with another shown take; unkeyed changes and selected keys were of the one before. */
-function changed(document: Document, characterId: string, change: (take: Take) => Take): Document | Edit {
+/**
+ * The document with another shown take; selected keys were of the one before.
+ * @param unkeyed whether unkeyed changes stay, as values that are to be shown, and go into the layer that is then active
+ */
+function changed(
+  document: Document,
+  characterId: string,
+  change: (take: Take) => Take,
+  unkeyed?: 'keeps unkeyed',
+): Document | Edit {
   provideLayers();
   const before = requireCharacter(document, characterId);
   requireTake(before);
@@ -202,7 +223,7 @@ function changed(document: Document, characterId: string, change: (take: Take) =
   const next = changeCharacter(document, characterId, () => {
     const take = requireTake(taking);
     const made = change(take);
-    return made === take ? before : withTake(withoutUnkeyed(taking), taking.shownTake, made);
+    return made === take ? before : withTake(unkeyed ? taking : withoutUnkeyed(taking), taking.shownTake, made);
   });
   if (next === document) return document;
   const isOther = shownTake(requireCharacter(next, characterId))?.channels !== shownTake(before)?.channels;
@@ -231,6 +252,14 @@ function layerIn(
 ): string {
   const take = shownTake(requireCharacter(document, characterId));
   return cutName(take?.layers?.list[layer]?.name ?? String(layer), length);
+}
+
+/** A layer that touches every joint, root and morphs touches everything, and names nothing. */
+function wholeMask(document: Document, characterId: string, layer: Layer): Layer {
+  const count = requireCharacter(document, characterId).skeleton?.joints.length;
+  if (!layer.root || !layer.morphs || new Set(layer.joints).size !== count) return layer;
+  const { joints: _joints, ...rest } = layer;
+  return { ...rest, root: false, morphs: false };
 }
 
 function referencesTo(document: Document, characterId: string, joints: readonly number[]): readonly string[] {

@@ -1,4 +1,5 @@
 /** Text of an empty plot: how to get curves. */
+import { activeLayer } from '../../../model/takes/layers.ts';
 import { spanOfChannel } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -18,6 +19,10 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
   }
   const current = currentTake(wb);
   const at = `${shown(wb.transport.get().timeSeconds)} s`;
+  const layer = current && activeLayer(current.take);
+  if (layer && listed) {
+    return `Layer “${layer.name}” has no keys of these channels yet; the motion below is faint. Pose a joint and press K to key it at ${at}.`;
+  }
   const keyed = current?.take.channels.some((_, c) => spanOfChannel(current.take, c)) ?? false;
   if (!keyed && !character.skeleton && character.morphs.length === 0) {
     return `${character.name} has no skeleton, so there is nothing to animate. Drop its .skel file here.`;

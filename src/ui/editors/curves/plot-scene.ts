@@ -16,7 +16,8 @@ import {
   listedChannels,
   selectedChannels,
 } from '../timeline/channels.ts';
-import { currentTake, selectedKeysInView } from '../timeline/current-take.ts';
+import { type CurrentTake, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
+import { restCurves } from './scene/rest-curves.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 import { type TheirChannel, type TheirChannels, theirChannels } from './scene/their-channels.ts';
@@ -44,6 +45,7 @@ export class PlotScene {
   private emphasised: ReadonlySet<number> | undefined;
   private made: CurveScene | undefined;
   private stale = true;
+  private rest: CurveScene['rest'];
   private linesOf: readonly unknown[] = [];
   private linesDrawn: readonly number[] | undefined;
   private byChannel: ReadonlyMap<number, CurveLine> = new Map();
@@ -87,11 +89,13 @@ export class PlotScene {
     const take = current?.take ?? NO_TAKE;
     const offsetSeconds = current?.character.timeOffsetSeconds ?? 0;
     const theirs = current && this.theirsOf(current.character);
+    const rest = current && this.restOf(current, view);
     const made: CurveScene = {
       take,
       curves: compileTake(take),
       offsetSeconds,
       lines: this.lines,
+      ...(rest && { rest }),
       ...(theirs && { theirs }),
       selected: selectedKeysInView(wb),
       ...(this.emphasised && { emphasised: this.emphasised }),
@@ -103,6 +107,20 @@ export class PlotScene {
     };
     this.made = made;
     return made;
+  }
+
+  /** What the active layer lies over, of all channels that are listed and not hidden. */
+  private restOf({ character, take }: CurrentTake, { hidden, isolated }: TimelineView): CurveScene['rest'] {
+    const curves = restCurves(take, character.skeleton);
+    const lines = this.listed.flatMap(({ channel }) => {
+      const isShown = isolated ? isolated.includes(channel) : !hidden.includes(channel);
+      return (isShown && this.byChannel.get(channel)) || [];
+    });
+    const { rest } = this;
+    const isSame = rest?.lines.length === lines.length && rest.lines.every((line, i) => line === lines[i]);
+    if (!curves) this.rest = undefined;
+    else if (rest?.curves !== curves || !isSame) this.rest = { curves, lines };
+    return this.rest;
   }
 
   /** What is compared with the take; undefined if no channels are. */

@@ -235,7 +235,8 @@ export class CurvePlot implements PlotHost {
     if (this.dragging) return;
     const current = currentTake(wb);
     const view = wb.timeline.view.get();
-    const name = current ? `${current.character.id} ${current.character.shownTake}` : '';
+    const layer = current?.take.layers?.active ?? '';
+    const name = current ? `${current.character.id} ${current.character.shownTake} ${layer}` : '';
     const { lines, theirs } = plotScene.scene;
     // Hiding a curve doesn't refit the others.
     const channels = [

@@ -9,6 +9,8 @@ import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selecti
 import { withSelectedKeys } from '../../../edit/store.ts';
 import { compileChannels, compileTake } from '../../../evaluate/compiled-take.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { motionsOf } from '../../../model/takes/layers.ts';
+import type { Motion, Take } from '../../../model/takes/take.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
@@ -301,6 +303,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       ...this.shown(),
       sheet: this.sheet(),
       curves: current ? compileTake(current.take) : NO_CURVES,
+      others: current ? otherMotions(current.take) : [],
       selected: this.selected(),
       selectedJoints: this.currentJoints(),
       range,
@@ -314,6 +317,11 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const label = current ? `Keys of ${current.character.name}. ${selectedText(this.wb)}` : 'Keys. No take.';
     setAttribute(this.plot, 'aria-label', label);
   }
+}
+
+/** What is below the active layer and above it. */
+function otherMotions(take: Take): readonly Motion[] {
+  return take.layers ? motionsOf(take).filter((_, i) => i - 1 !== take.layers?.active) : [];
 }
 
 /** Whether two takes have the same rows. */

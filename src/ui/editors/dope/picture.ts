@@ -3,9 +3,11 @@
  * redraws only a line.
  */
 
-import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
+import { markKeys, markMoves, type PixelSpan, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
+import { NO_KEY_SELECTION } from '../../../edit/keys/selection.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
 import { rangeOfSamples } from '../../../model/takes/samples.ts';
+import type { Motion } from '../../../model/takes/take.ts';
 import { secondsPerPixel } from '../../widgets/time/time-window.ts';
 import { drawOutsideRange, drawPlayhead, drawTimeGrid, type TimeView, translucent } from '../timeline/time-ground.ts';
 import { TimePicture } from '../timeline/time-picture.ts';
@@ -25,6 +27,13 @@ import type { DopeOverlay, DopeScene } from './scene.ts';
 import { HEAD, rowsInView, rowsTop, rowTop } from './sheet.ts';
 
 const BAND_HALF: Readonly<Record<DiamondSize, number>> = { summary: 4, group: 3, channel: 2 };
+
+/** The keys of a row. */
+interface RowKeys {
+  readonly of: readonly number[];
+  readonly span: PixelSpan;
+  readonly y: number;
+}
 
 export class DopePicture {
   private readonly picture = new TimePicture(readColours);
@@ -119,6 +128,7 @@ export class DopePicture {
       const [from, to] = rangeOfSamples(curves.samples);
       drawSampled(g, sheet, from - offsetSeconds, to - offsetSeconds, y, colours);
     }
+    for (const motion of scene.others) this.drawOther(g, scene, motion, { of, span, y }, colours);
     const ends = markMoves(curves, of, span, moves);
     if (ends) drawHeld(g, moves, ends, y, colours);
     markKeys(channels, of, selected, span, marks);
@@ -135,7 +145,28 @@ export class DopePicture {
       },
     });
   }
+
+  /** Keys and samples of another layer, or of the base. */
+  private drawOther(
+    g: CanvasRenderingContext2D,
+    { sheet, offsetSeconds }: DopeScene,
+    { channels, samples }: Motion,
+    { of, span, y }: RowKeys,
+    colours: DopeColours,
+  ): void {
+    if (samples && of.some((channel) => channels[channel]?.kind === 'samples')) {
+      const [from, to] = rangeOfSamples(samples);
+      drawSampled(g, sheet, from - offsetSeconds, to - offsetSeconds, y, colours);
+    }
+    markKeys(channels, of, NO_KEY_SELECTION, span, this.marks);
+    g.fillStyle = colours.held;
+    const tick = (from: number, to: number) => g.fillRect(from - PAD, y - OTHER_HALF, to - from + 1, 2 * OTHER_HALF);
+    runsOf(this.marks, { diamond: (at) => tick(at, at), band: tick });
+  }
 }
+
+/** Half the height of a tick for a key of another layer. */
+const OTHER_HALF = 3;
 
 function timeView({ sheet, range, framesPerSecond, inFrames }: DopeScene): TimeView {
   return { window: sheet.window, width: sheet.width, range, framesPerSecond, inFrames };

@@ -1,6 +1,7 @@
 /** What the dope sheet shows: everything that drawing needs, read-only. */
 import type { CompiledTake } from '../../../evaluate/compiled-take.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
+import type { Motion } from '../../../model/takes/take.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
@@ -8,6 +9,8 @@ import type { Sheet } from './sheet.ts';
 export interface DopeScene extends SheetKeys {
   readonly sheet: Sheet;
   readonly curves: CompiledTake;
+  /** Of a take with layers: the motions other than the active one, whose keys are faint. */
+  readonly others: readonly Motion[];
   readonly selected: readonly ChannelKeys[];
   /** Its rows are emphasised. */
   readonly selectedJoints: readonly number[];

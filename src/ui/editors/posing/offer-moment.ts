@@ -1,6 +1,6 @@
 /**
- * Keys of a pose over motion that goes on are abrupt: between keys of every frame they are a jump, and within a cycle
- * every repetition shows them. Both are said, with a way to key the pose for a moment instead.
+ * Keys of a pose over motion that goes on are abrupt: between keys of every frame they are a jump, within a cycle every
+ * repetition shows them, and in a new layer they hold. That is said, with a way to key the pose for a moment instead.
  */
 import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Abrupt, abruptKey, keyedPose } from '../../../edit/keys/keyed-pose.ts';
@@ -25,7 +25,7 @@ export function followKeyedPoses(wb: Parts): () => void {
     const was = findCharacter(before, character.id);
     // That the cycle itself has changed is said elsewhere.
     if (was && changedCyclesOf(was, character).length + keyedEndsOf(was, character).length > 0) return;
-    const label = abrupt.kind === 'jumps' ? 'Ease in and out…' : 'Only for a moment…';
+    const label = abrupt.kind === 'repeats' ? 'Only for a moment…' : 'Ease in and out…';
     messages.confirm(
       abruptText(character, abrupt),
       { label, run: () => askForMoment(wb, pose, before, true) },
@@ -35,8 +35,10 @@ export function followKeyedPoses(wb: Parts): () => void {
 }
 
 /** `This key is 0.033 s from the next: upper_arm_l rz will jump.` */
-function abruptText(character: Character, { kind, dof, seconds }: Abrupt): string {
-  const name = channelName(namedChannel(character, dof));
-  if (kind === 'jumps') return `This key is ${shown(seconds)} s from the next: ${name} will jump.`;
-  return `Every repeat shows this key: ${name} repeats every ${shown(seconds)} s.`;
+function abruptText(character: Character, abrupt: Abrupt): string {
+  const name = channelName(namedChannel(character, abrupt.dof));
+  if (abrupt.kind === 'holds') return `This is the layer’s only key of ${name}, so it is held at all times.`;
+  const seconds = shown(abrupt.seconds);
+  if (abrupt.kind === 'jumps') return `This key is ${seconds} s from the next: ${name} will jump.`;
+  return `Every repeat shows this key: ${name} repeats every ${seconds} s.`;
 }

@@ -1,6 +1,6 @@
 /**
- * The takes tab: the table, and while two takes are compared, the distances of their joints beside it. Both follow the
- * document and redraw only while visible.
+ * The takes tab: the table, and beside it the layers of the shown take, or while two takes are compared, the distances
+ * of their joints. All follow the document and redraw only while visible.
  */
 import { placeCharacter } from '../../../edit/commands/characters.ts';
 import { findCharacter } from '../../../model/document.ts';
@@ -16,6 +16,7 @@ import { isMac } from '../../widgets/focus/keyboard.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
 import { zoomWindow } from '../../widgets/time/time-window.ts';
+import { LayersPane } from '../layers/pane.ts';
 import { movedEntries } from '../retarget/moved.ts';
 import { compareWith } from './compare-menu.ts';
 import { type CompareSwitch, compareSwitch } from './compare-switch.ts';
@@ -53,6 +54,7 @@ class TakesPanel implements TimelineTab {
   readonly tools: HTMLElement;
   private readonly table: TakeTable;
   private readonly distances: DistancePane;
+  private readonly layers: LayersPane;
   private readonly parts: CompareSwitch;
   private readonly empty = element('p', { class: 'empty take-empty', hidden: true });
   private visible = false;
@@ -78,6 +80,7 @@ class TakesPanel implements TimelineTab {
       menu: (row, at) => (row ? this.menu(row, at) : openMenu(at, sectionsOf(wb, MENU_OF_ALL), { label: 'Takes' })),
     });
     this.distances = new DistancePane(wb);
+    this.layers = new LayersPane(wb);
     this.tools = takeTools(wb);
     this.element = element(
       'div',
@@ -85,6 +88,7 @@ class TakesPanel implements TimelineTab {
       this.empty,
       this.table.element,
       this.distances.element,
+      this.layers.element,
     );
     this.parts = compareSwitch(this.element);
     this.element.prepend(this.parts.element);
@@ -96,7 +100,10 @@ class TakesPanel implements TimelineTab {
     const { takes } = wb.timeline;
     followSelection(wb);
     wb.store.subscribe((now, before) => {
-      if (now.selection.characterId !== before.selection.characterId) this.goToSelected();
+      if (now.selection.characterId !== before.selection.characterId) {
+        this.goToSelected();
+        this.showSoon();
+      }
       if (now.document !== before.document) this.showSoon();
     });
     // At once, since the next key continues from this row.
@@ -117,6 +124,7 @@ class TakesPanel implements TimelineTab {
     if (visible) this.goToSelected();
     this.show();
     this.distances.setVisible(visible);
+    if (!visible) this.layers.setVisible(false);
   }
 
   fitAll(): void {
@@ -148,6 +156,9 @@ class TakesPanel implements TimelineTab {
     const isComparing = compared !== undefined;
     const rows = listOfTakes(wb);
     this.element.classList.toggle('comparing', isComparing);
+    const hasLayers = !isComparing && this.layers.isUseful;
+    this.element.classList.toggle('with-layers', hasLayers);
+    this.layers.setVisible(hasLayers);
     write(this.distances.element, 'hidden', !isComparing);
     write(this.empty, 'hidden', rows.length > 0);
     write(this.table.element, 'hidden', rows.length === 0);

@@ -1,12 +1,17 @@
-/** The cell at the left of the ruler: the take that is shown, with a menu of the takes that could be. */
+/**
+ * The cell at the left of the ruler: the take that is shown, with its active layer, and a menu of the takes that could be
+ * and of layers.
+ */
 
+import { activeLayer } from '../../../model/takes/layers.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { element, keepsFocusElsewhere, setAttribute } from '../../widgets/dom.ts';
+import { element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
 import { type MenuEntry, menuButton } from '../../widgets/menu.ts';
 import { middleCut } from '../../widgets/middle-cut.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
 import { currentTake } from '../timeline/current-take.ts';
 import { playAlone } from './play.ts';
 import { shownKey, takeRows } from './rows.ts';
@@ -18,12 +23,15 @@ export function takeCell(
   wb: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline' | 'settings' | 'messages'>,
 ): HTMLElement {
   const name = middleCut('take-cell-name');
+  const active = element('span', { class: 'take-cell-layer', hidden: true });
+  setTooltip(active, 'The layer that poses and keys go into');
   const made = keepsFocusElsewhere(
     element(
       'button',
       { type: 'button', class: 'take-cell', 'data-panel': 'transport' },
       icon('take'),
       name.element,
+      active,
       icon('fold'),
     ),
   );
@@ -39,14 +47,20 @@ export function takeCell(
       radio: true,
       run: () => playAlone(wb, row),
     }));
-    const edits = sectionsOf(wb, [['take.list'], ['take.new', 'take.duplicate', 'take.rename', 'take.remove']]);
+    const edits = sectionsOf(wb, [
+      ['take.list', 'Keys/Layers'],
+      ['take.new', 'take.duplicate', 'take.rename', 'take.remove'],
+    ]);
     return others.length ? [...others, { kind: 'line' }, ...edits] : edits;
   });
   const show = () => {
-    const take = currentTake(wb)?.take.name;
-    name.show(take ?? 'No take');
+    const take = currentTake(wb)?.take;
+    const layer = take && activeLayer(take)?.name;
+    name.show(take?.name ?? 'No take');
+    setText(active, layer ?? '');
+    write(active, 'hidden', layer === undefined);
     made.classList.toggle('faint', take === undefined);
-    setAttribute(made, 'aria-label', take === undefined ? 'No take' : `Take ${take}`);
+    setAttribute(made, 'aria-label', take ? `Take ${take.name}${layer ? `, layer ${layer}` : ''}` : 'No take');
   };
   wb.store.subscribe((now, before) => {
     if (now.document !== before.document || now.selection.characterId !== before.selection.characterId) show();

@@ -17,6 +17,7 @@ import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts'
 import { type CharacterDof, rootDofCount } from '../../../model/skeleton/dofs.ts';
 import { shortJointName } from '../../../model/skeleton/joint-name.ts';
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
+import { motionsOf } from '../../../model/takes/layers.ts';
 import type { Take } from '../../../model/takes/take.ts';
 import { dofsFor, followedName } from './channels.ts';
 
@@ -116,7 +117,8 @@ export function keyedChannels(character: Character, filter: string): number[] {
 export function sameRows(a: Take, b: Take): boolean {
   if (a === b) return true;
   if (a.channels.length !== b.channels.length) return false;
-  return a.channels.every((c, i) => c === b.channels[i] || isAnimated(a, i) === isAnimated(b, i));
+  const isSame = a.layers === b.layers;
+  return a.channels.every((c, i) => (isSame && c === b.channels[i]) || isAnimated(a, i) === isAnimated(b, i));
 }
 
 /** All groups that can be expanded for a character with such a take. */
@@ -185,6 +187,10 @@ function channelRows(
   return rows;
 }
 
+/** By itself, or below the active layer or above it: its row shows faintly what is there. */
 function isAnimated(take: Take, channel: number): boolean {
-  return take.channels[channel].kind !== 'rest';
+  if (take.channels[channel].kind !== 'rest') return true;
+  return (
+    take.layers !== undefined && motionsOf(take).some(({ channels }) => (channels[channel]?.kind ?? 'rest') !== 'rest')
+  );
 }

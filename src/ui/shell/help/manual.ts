@@ -74,6 +74,7 @@ const PARTS: Readonly<Record<string, ManualPage>> = {
   transport: 'guide/looking.html#play',
   manual: CONTENTS,
   why: 'guide/curves.html#curve-editor',
+  layers: 'guide/layers.html',
 };
 
 export const MANUAL_PAGES: readonly ManualPage[] = [DIALOGS, TABS, MODES, PARTS].flatMap((pages) =>

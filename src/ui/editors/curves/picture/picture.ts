@@ -4,7 +4,7 @@
  *     overlay    playhead, the hovered curve and its name, selection box
  *     labels     of values, and names at the curves' ends
  *     keys       diamonds, tangent handles of selected ones
- *     curves
+ *     curves      over what is below the active layer
  *     ground     range, grid, limits
  *
  * While a curve is hovered, all others and their keys are faint: two layers change their opacity, and nothing is
@@ -26,6 +26,7 @@ import { drawHoveredName, drawNames } from './names.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer } from './picture-curves.ts';
 import { drawKeys, drawKeysOf, KEY_PIXELS } from './picture-keys.ts';
+import { drawRest } from './picture-rest.ts';
 import { drawTheirs } from './picture-theirs.ts';
 
 const HOVER_WIDTH = 2.5;
@@ -109,6 +110,7 @@ export class CurvePicture {
       drawLimits(g, scene, limited, ratio, colours);
     });
     this.curves.draw((g) => {
+      drawRest(g, scene, colours);
       this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette, ground: colours.plot });
       drawTheirs(g, scene, colours);
     });
@@ -197,6 +199,7 @@ function sameGround(a: CurveScene, b: CurveScene): boolean {
     a.take === b.take &&
     a.offsetSeconds === b.offsetSeconds &&
     a.lines === b.lines &&
+    a.rest === b.rest &&
     a.theirs === b.theirs &&
     a.space === b.space &&
     a.range[0] === b.range[0] &&

@@ -3,12 +3,13 @@
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import { keysOf, spanOfChannel } from '../../../../model/takes/take.ts';
 import { FARTHEST, fitWindow, shortestAt } from '../../../widgets/time/time-window.ts';
+import { restValues } from './rest-curves.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { type AxisName, type CurveSpace, VALUE_AXES, type ValueAxis } from './space.ts';
 
 export type Fitted = Pick<
   CurveScene,
-  'take' | 'curves' | 'lines' | 'theirs' | 'offsetSeconds' | 'selected' | 'space' | 'range'
+  'take' | 'curves' | 'lines' | 'rest' | 'theirs' | 'offsetSeconds' | 'selected' | 'space' | 'range'
 >;
 
 /** Margin for half a diamond. */
@@ -127,6 +128,20 @@ function includeInView(scene: Fitted, bounds: Bounds): void {
     const [from, to] = [window.from + scene.offsetSeconds, window.to + scene.offsetSeconds];
     includeCurve(scene, line, from, to, bounds);
     includeTheirs(scene, line, from, to, bounds);
+  }
+  includeRest(scene, bounds);
+}
+
+/** Times at which what is below the curves is looked at. */
+const REST_TIMES = 100;
+
+function includeRest({ rest, space, offsetSeconds }: Fitted, bounds: Bounds): void {
+  if (!rest) return;
+  const { from, to } = space.window;
+  const { curves, lines } = rest;
+  const { values } = restValues(curves, from + offsetSeconds, (to - from) / (REST_TIMES - 1), REST_TIMES);
+  for (const line of lines) {
+    for (let i = line.channel; i < values.length; i += curves.count) include(bounds, line, values[i], values[i]);
   }
 }
 

@@ -13,6 +13,7 @@ import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleto
 import { columnOf } from '../../../../model/takes/samples.ts';
 import type { KeyedChannel, Take } from '../../../../model/takes/take.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
+import type { RestCurves } from './rest-curves.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 import type { TheirChannels } from './their-channels.ts';
 
@@ -46,6 +47,8 @@ export interface CurveScene {
    * with selected keys are never faint. Absent: all are alike.
    */
   readonly emphasised?: ReadonlySet<number>;
+  /** Of a take with layers: what is below those of the active one, and the channels of which it is drawn. */
+  readonly rest?: { readonly curves: RestCurves; readonly lines: readonly CurveLine[] };
   /** Another program's values that are compared, drawn over the lines. */
   readonly theirs?: TheirChannels;
   readonly space: CurveSpace;
