@@ -15,8 +15,15 @@ import { jointReferred } from '../model/skeleton/joint-reference.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { type LayerInfo, type LayersOverBase, provideLayerCode } from '../model/takes/layer-code.ts';
 import { unknownJoints } from '../model/takes/layer-joints.ts';
-import { baseOf, clampedWeight, countingLayers, haveSameFiles, motionOf, withMotions } from '../model/takes/layers.ts';
-import type { KeyedChannel, Layer, LayerSettings, Motion, Take } from '../model/takes/take.ts';
+import { clampedWeight, countingLayers, haveSameFiles, motionOf, withMotions } from '../model/takes/layers.ts';
+import {
+  baseOf,
+  type KeyedChannel,
+  type Layer,
+  type LayerSettings,
+  type Motion,
+  type Take,
+} from '../model/takes/take.ts';
 import { type CompiledTake, compileChannels } from './compiled-take.ts';
 import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';

@@ -2,6 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { shareOf } from '../../src/evaluate/layers.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
+import { frameRateOf } from '../../src/evaluate/samples/frame-rate.ts';
+import { framesOfTake } from '../../src/evaluate/samples/key-frames.ts';
 import { evaluateMotion, takeMotion } from '../../src/evaluate/take-motion.ts';
 import { withActive } from '../../src/model/takes/layers.ts';
 import { type Channel, restChannel, type Take } from '../../src/model/takes/take.ts';
@@ -94,6 +96,19 @@ describe('layers', () => {
         },
       ),
     );
+  });
+
+  it('leave the frame rate as the base has it, whichever of them is active', () => {
+    const frames = channelOf(Array.from({ length: 25 }, (_, f) => [f / 24, f]));
+    const uneven = channelOf([
+      [0, 0],
+      [0.313, 1],
+    ]);
+    const take = layeredTake([frames], [layerOf([uneven])], [0, 1]);
+    for (const active of [-1, 0]) {
+      expect(frameRateOf(withActive(take, active))).toBe(24);
+      expect(framesOfTake(withActive(take, active), 30).frameCount).toBe(25);
+    }
   });
 
   it('have a share in what is shown, a + b·x, by which a wanted value is set', () => {

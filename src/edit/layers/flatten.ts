@@ -14,9 +14,9 @@ import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import { restExtent } from '../../model/skeleton/rest-extent.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { baseOf, motionOf, unlayered } from '../../model/takes/layers.ts';
+import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
-import type { Channel, KeyedChannel, Motion, Take } from '../../model/takes/take.ts';
+import { baseOf, type Channel, type KeyedChannel, type Motion, type Take } from '../../model/takes/take.ts';
 import { fittedSum, type WeightedCurve } from './fit-sum.ts';
 import { sumOfCurves, type Term } from './sum-curves.ts';
 

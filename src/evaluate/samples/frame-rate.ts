@@ -9,7 +9,7 @@
 
 import { perObject } from '../../model/per-object.ts';
 import type { Samples } from '../../model/takes/samples.ts';
-import type { Take } from '../../model/takes/take.ts';
+import { baseOf, type Motion, type Take } from '../../model/takes/take.ts';
 import { LINEAR } from '../../model/takes/tangent-kinds.ts';
 
 /** Television rates are whole numbers divided by this. */
@@ -22,8 +22,10 @@ const MAX_LOST_FRAMES = 0.5;
 
 /** Frames per second of a take, greater than 0; undefined for keys at uneven times. Cached per take. */
 export const frameRateOf = perObject((take: Take): number | undefined => {
-  if (take.samples) return rateOfSamples(take.samples);
-  return take.framesPerSecond ?? rateOfKeys(take);
+  // Keys of layers come where they are wanted.
+  const base = baseOf(take);
+  if (base.samples) return rateOfSamples(base.samples);
+  return take.framesPerSecond ?? rateOfKeys(base);
 });
 
 /** Frames per second, greater than 0. */
@@ -83,7 +85,7 @@ export function isStraight({ channels }: Pick<Take, 'channels'>): boolean {
   );
 }
 
-function rateOfKeys(take: Take): number | undefined {
+function rateOfKeys(take: Motion): number | undefined {
   const times = take.channels.flatMap((channel) => (channel.kind === 'keys' ? [channel.times] : []));
   return rateOfTimes(times, isStraight(take));
 }

@@ -5,7 +5,7 @@
  */
 
 import { perObject } from '../../model/per-object.ts';
-import type { KeyedChannel, Take } from '../../model/takes/take.ts';
+import { baseOf, type KeyedChannel, type Take } from '../../model/takes/take.ts';
 import { type Frames, framesOf } from '../bake.ts';
 import { frameRateOf, isStraight, leastRate } from './frame-rate.ts';
 
@@ -19,7 +19,8 @@ const SAME_FRAME = 1e-4;
  * @param framesPerSecond of a take that has none
  */
 export function framesOfTake(take: Take, framesPerSecond: number): Frames {
-  const { samples, range } = take;
+  const { range } = take;
+  const { samples } = baseOf(take);
   if (samples) {
     const { startSeconds, frameSeconds, frameCount } = samples;
     return { startSeconds, frameSeconds, frameCount };
@@ -34,7 +35,9 @@ export function framesOfTake(take: Take, framesPerSecond: number): Frames {
 export const keyFrames = perObject(find);
 
 function find(take: Take): Frames | undefined {
-  const { channels, range, samples } = take;
+  const { range } = take;
+  const base = baseOf(take);
+  const { channels, samples } = base;
   if (samples) return undefined;
   const keyed = channels.filter((channel) => channel.kind === 'keys');
   const longest = keyed.reduce<KeyedChannel | undefined>(
@@ -44,7 +47,7 @@ function find(take: Take): Frames | undefined {
   const frames = longest && evenTimes(longest.times);
   if (!frames) return undefined;
   const { startSeconds, frameSeconds, frameCount } = frames;
-  if (!(frameSeconds * leastRate(isStraight(take)) <= 1)) return undefined;
+  if (!(frameSeconds * leastRate(isStraight(base)) <= 1)) return undefined;
   const frameOf = (seconds: number) => (seconds - startSeconds) / frameSeconds;
   const isFrame = (seconds: number) => {
     const frame = Math.round(frameOf(seconds));

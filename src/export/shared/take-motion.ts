@@ -9,9 +9,9 @@ import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { baseOf, motionsOf } from '../../model/takes/layers.ts';
+import { motionsOf } from '../../model/takes/layers.ts';
 import type { Samples } from '../../model/takes/samples.ts';
-import { type KeyedChannel, repeats, type Take } from '../../model/takes/take.ts';
+import { baseOf, type KeyedChannel, repeats, type Take } from '../../model/takes/take.ts';
 import { UserError } from '../../model/user-error.ts';
 import type { WriteNodes } from './joint-nodes.ts';
 

@@ -10,10 +10,10 @@ import { type Character, EMPTY_DOCUMENT, isOfJoints } from '../../model/document
 import type { FileContent, ParsedFile } from '../../model/files.ts';
 import { skelChannels, skelSkeleton } from '../../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { baseOf, motionOf, unlayered } from '../../model/takes/layers.ts';
+import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import type { LayersFile } from '../../model/takes/layers-file.ts';
 import { LAYERS_EXTENSION } from '../../model/takes/layers-file.ts';
-import { type Motion, restChannel, type Take } from '../../model/takes/take.ts';
+import { baseOf, type Motion, restChannel, type Take } from '../../model/takes/take.ts';
 import { openFiles } from '../open/open-files.ts';
 import type { Copy } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';

@@ -10,6 +10,7 @@
  *     take.layers.list[1]      layer 1, without
  */
 import {
+  baseOf,
   type Channel,
   type Layer,
   type LayerMode,
@@ -30,11 +31,6 @@ export function motionOf(take: Take, layer: number): Motion {
   const { layers } = take;
   if (!layers || layers.active === layer) return take;
   return (layer < 0 ? layers.base : layers.list[layer]?.motion) ?? NO_MOTION;
-}
-
-/** The motion beneath all layers; the take itself while that is active, or without layers. */
-export function baseOf(take: Take): Motion {
-  return motionOf(take, -1);
 }
 
 /** All motions of a take: the base's, then each layer's. */

@@ -74,6 +74,11 @@ export interface LayerStack {
   readonly others?: OtherFields;
 }
 
+/** The motion beneath all layers; the take itself while that is active, or without layers. */
+export function baseOf(take: Take): Motion {
+  return take.layers?.base ?? take;
+}
+
 /** The source of one DOF's values, told by `kind`. */
 export type Channel = KeyedChannel | SampledChannel | RestChannel;
 

@@ -15,7 +15,7 @@ import { abruptKey, keyedPose } from '../../../src/edit/keys/keyed-pose.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { type Document, shownTake } from '../../../src/model/document.ts';
-import { baseOf } from '../../../src/model/takes/layers.ts';
+import { baseOf } from '../../../src/model/takes/take.ts';
 import { character, documentOf, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { between } from '../keys/channels.ts';
 

@@ -1,4 +1,7 @@
 /** Edits of the shown take's layers, for menus, keys and the list. Loaded on first use. */
+
+import { documentIn } from '../../../edit/change.ts';
+import type { ArgsOf } from '../../../edit/command.ts';
 import {
   activateLayer,
   addLayer,
@@ -10,6 +13,7 @@ import {
   renameLayer,
   setLayer,
 } from '../../../edit/commands/beside/layers.ts';
+import { keyPose } from '../../../edit/commands/keying.ts';
 import { cutName } from '../../../edit/cut-name.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import { type LayerInfo, layerCode } from '../../../model/takes/layer-code.ts';
@@ -37,12 +41,28 @@ export function add(wb: Parts, masked = false): void {
   const joints = masked ? selectedJointsOf(wb, character.id) : [];
   const before = wb.store.document;
   apply(wb, (characterId) => wb.store.apply(addLayer, { characterId, ...(joints.length > 0 && { joints }) }));
+  if (wb.store.document !== before) tellActive(wb);
+}
+
+function tellActive(wb: Parts): void {
   const take = takeNow(wb);
   const made = take && activeLayer(take);
-  if (!made || wb.store.document === before) return;
+  if (!made) return;
   wb.messages.note(
     `Layer “${cutName(made.name)}” is active: poses and keys go into it, and ${take.name} stays below as it is.`,
   );
+}
+
+/** Adds a layer and keys DOFs in it as they are displayed, in one step. */
+export function addAndKey(wb: Parts, args: ArgsOf<typeof keyPose>): void {
+  const { store, messages } = wb;
+  attempt(messages, () => {
+    const { characterId } = args;
+    const keyed = keyPose.run(documentIn(addLayer.run(store.document, { characterId })), args);
+    const step = store.begin(keyPose.label(store.document, args));
+    step.preview(keyed);
+    step.commit();
+  });
 }
 
 /** Makes another layer active, or the base by −1. */

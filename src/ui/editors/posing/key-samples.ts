@@ -1,7 +1,7 @@
 /**
  * Keying what was captured. Sampled curves have a value at every frame and take no single keys, so those of the joints
- * become keys first, which changes them by up to a tolerance; or the frames are offset for a moment. Both are offered,
- * not done; offer taken, it is one step.
+ * become keys first, which changes them by up to a tolerance; or a layer over them is keyed; or the frames are offset for a
+ * moment. All are offered, not done; offer taken, it is one step.
  */
 
 import { documentIn, type Edit } from '../../../edit/change.ts';
@@ -20,6 +20,7 @@ import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { askForMoment } from '../../state/add-keys.ts';
 import { shownPerUnit, unitText } from '../../state/joints/angles.ts';
 import { lengthUnit } from '../../state/joints/length-unit.ts';
+import { onDemand } from '../../state/on-demand.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
 import { errorSize, plural, shown } from '../../widgets/numbers/number-text.ts';
@@ -56,10 +57,20 @@ export function offerToConvert(wb: Parts, characterId: string, dofs: readonly nu
         label: 'Convert to keys and key',
         run: () => convertAndKey(wb, { characterId, dofs, timeSeconds, ...options }),
       },
+      {
+        label: 'Key in a layer',
+        run: () => void keyInLayer(wb, { characterId, dofs: [...dofs], timeSeconds, ...options }),
+      },
       ...(posed.length > 0 ? [{ label: 'Ease in and out…', run: () => askForMoment(wb, pose, document, false) }] : []),
     ],
     () => wb.store.document !== document,
   );
+}
+
+/** The frames stay as they are, below a new layer. */
+async function keyInLayer(wb: Parts, args: ArgsOf<typeof keyPose>): Promise<void> {
+  const edits = await onDemand(wb.messages, 'Layers', () => import('../layers/edits.ts'));
+  edits?.addAndKey(wb, args);
 }
 
 function wantedOf(document: Document, characterId: string, dofs: readonly number[]): Wanted | undefined {

@@ -5,7 +5,7 @@ import { frameRateOf } from '../../../evaluate/samples/frame-rate.ts';
 import { framesOfTake } from '../../../evaluate/samples/key-frames.ts';
 import type { Character, Document, Driver } from '../../../model/document.ts';
 import { perObject } from '../../../model/per-object.ts';
-import type { Take } from '../../../model/takes/take.ts';
+import { baseOf, type Take } from '../../../model/takes/take.ts';
 import { playedTake, type TakeColumn, type TakeOrder } from '../../state/takes.ts';
 import { movesText } from '../retarget/moved-text.ts';
 
@@ -110,7 +110,7 @@ function retargetedRow(character: Character, { source }: Driver): TakeRow {
 }
 
 function framesIn(take: Take): Pick<TakeRow, 'isKeyed' | 'frameCount' | 'framesPerSecond'> {
-  const isKeyed = take.samples === undefined;
+  const isKeyed = baseOf(take).samples === undefined;
   const framesPerSecond = frameRateOf(take);
   if (framesPerSecond === undefined) return { isKeyed };
   return { isKeyed, framesPerSecond, frameCount: framesOfTake(take, framesPerSecond).frameCount };

@@ -43,6 +43,17 @@ describe('layers in the page', () => {
     expect(shownTake(now())?.channels[6]).toMatchObject({ kind: 'keys', values: Float64Array.of(0.7) });
   });
 
+  it('are added and keyed in one step, over a capture', () => {
+    const { wb, stack, now } = walking();
+    wb.store.apply(setDofs, { ...WHO, dofs: [{ index: 6, value: 0.7 }] });
+    const before = wb.store.document;
+    edits.addAndKey(wb, { ...WHO, dofs: [6] });
+    expect(stack()?.list).toHaveLength(1);
+    expect(shownTake(now())?.channels[6]).toMatchObject({ values: Float64Array.of(0.7) });
+    wb.store.undo();
+    expect(wb.store.document).toEqual(before);
+  });
+
   it('are stepped through, moved, muted, solo, named, masked, merged and removed, a step each', () => {
     const { wb, stack } = walking();
     edits.add(wb);
