@@ -287,7 +287,9 @@ async function saveByName(store: Store, name: string): Promise<string> {
   const { saveCharacter } = await import('../files/save/saving.ts');
   const preferred = resolveCharacter(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {
-    const file = saveCharacter(character, kind).find((f) => f.name.toLowerCase() === name.toLowerCase());
+    // Of takes with layers, those have all files of the take.
+    const files = [...saveCharacter(character, kind), ...saveCharacter(character, 'layers')];
+    const file = files.find((f) => f.name.toLowerCase() === name.toLowerCase());
     if (file) return file.text;
   }
   const first = saveCharacter(preferred, kind)[0];

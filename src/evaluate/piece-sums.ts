@@ -31,6 +31,7 @@ const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
 /** Near a seam of repetitions the evaluation of single channels decides which of them a time is in. */
 const SEAM = 16 * Number.EPSILON;
 
+/** Sums of channels, each ready for evaluation. */
 export class PieceSums {
   /** The sums at the time that was evaluated last. */
   readonly values: Float64Array;

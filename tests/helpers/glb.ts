@@ -195,8 +195,10 @@ export async function jointsInThree(
     mixer.setTime(seconds);
     scene.updateMatrixWorld(true);
     return names.map((name) => {
-      const { elements: m } = scene.getObjectByName(name)?.matrixWorld ?? { elements: [] };
-      return [m[12], m[13], m[14]];
+      const object = scene.getObjectByName(name);
+      if (!object) throw new Error(`The file has no node ${name}.`);
+      const [x, y, z] = object.matrixWorld.elements.slice(12);
+      return [x, y, z];
     });
   };
 }

@@ -15,7 +15,7 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type HeldTake, holding, placesAt } from '../hold/hold.ts';
 import type { HoldWindow } from '../hold/window.ts';
-import { refuseLayers } from '../refuse-layers.ts';
+import { refuseLayers } from '../layers/refuse-layers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { number, optional } from '../schema/shape.ts';
 import { CHARACTER, indices, range } from '../schema/shared-shapes.ts';

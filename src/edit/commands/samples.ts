@@ -16,7 +16,7 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
-import { refuseLayers } from '../refuse-layers.ts';
+import { refuseLayers } from '../layers/refuse-layers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
 import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';

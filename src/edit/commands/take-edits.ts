@@ -15,7 +15,7 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type LockedContact, lockingFeet } from '../hold/foot-lock.ts';
 import { markersWithin } from '../markers.ts';
-import { refuseLayers } from '../refuse-layers.ts';
+import { refuseLayers } from '../layers/refuse-layers.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { looping } from '../samples/loop.ts';
 import { retiming } from '../samples/speed.ts';

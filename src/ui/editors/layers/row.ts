@@ -117,7 +117,7 @@ export class LayerRowView {
   private showLayer({ name, mask, maskText }: LayerRow, info: LayerInfo, isWeightKeyed: boolean): void {
     const { mode, slider, field, key, switches } = this;
     const isAdditive = info.mode === 'additive';
-    setText(mode, isAdditive ? 'Add' : 'Over');
+    setText(mode, isAdditive ? 'Additive' : 'Override');
     setAttribute(mode, 'aria-label', `Mode of ${name}: ${isAdditive ? 'additive' : 'override'}`);
     setTooltip(
       mode,

@@ -1,6 +1,6 @@
 /** What edits frames, or a take as a whole, would change one of its layers and not the others. */
-import type { Take } from '../model/takes/take.ts';
-import { CommandError } from './command-error.ts';
+import type { Take } from '../../model/takes/take.ts';
+import { CommandError } from '../command-error.ts';
 
 /** Refuses a take with layers, and says what to do first. */
 export function refuseLayers({ name, layers }: Take): void {
