@@ -3,8 +3,9 @@
  *
  *     const { bytes } = writeGlb(character);
  */
-import { writeFbx as fbxOf } from '../export/fbx/write.ts';
+
 import { provideLayers } from '../evaluate/layers.ts';
+import { writeFbx as fbxOf } from '../export/fbx/write.ts';
 import { DEFAULT_GLB, type GlbOptions } from '../export/glb/options.ts';
 import { writeGlb as glbOf } from '../export/glb/write.ts';
 import type { ExchangeOptions } from '../export/shared/options.ts';
