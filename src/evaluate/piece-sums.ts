@@ -1,6 +1,6 @@
 /**
  * Weighted sums of channels over time, for layers: between two keys of all its channels, a sum is one cubic, and so are
- * extrapolated parts between two repeated keys. That cubic is kept until a time is asked for that it doesn't hold for.
+ * extrapolated parts between two repeated keys. That cubic is kept until the first time that it doesn't hold for.
  * Playing, few times in a row do that, so a frame costs a comparison and a cubic for each sum, however many channels it
  * has.
  *

@@ -128,7 +128,7 @@ it('a wave is laid over the walk by mouse and eased, the walk goes on as it was,
 
       await undoTo(page, opened);
       await expect.poll(() => saved(page, 'walker_walk.anim')).toBe(text);
-      expect(await layers(page)).toEqual([]);
+      await expect.poll(() => layers(page)).toEqual([]);
     },
     { walking: true },
   ));
@@ -189,7 +189,7 @@ it('files of layers are opened, come back after a reload, and are kept where the
       const joints = 3 + 3 * (await page.evaluate(() => window.marrow.characters()[0].joints.length));
       const moved = (await dofsAt(page, [0.2, 0.5, 2], 0.5)).map((dofs) => dofs.slice(0, joints));
       await undoTo(page, opened);
-      expect(await layers(page)).toEqual([]);
+      await expect.poll(() => layers(page)).toEqual([]);
 
       await dropFiles(page, [skel, ...files]);
       await expect.poll(async () => (await layers(page)).map((layer) => layer.name)).toEqual(['arm']);
@@ -211,7 +211,7 @@ it('files of layers are opened, come back after a reload, and are kept where the
         .getByText(/^walker_walk.anim was edited since it was saved with its layers/)
         .first()
         .waitFor();
-      expect(await layers(page)).toEqual([]);
+      await expect.poll(() => layers(page)).toEqual([]);
       await page.getByRole('button', { name: 'Keep the layers' }).first().click();
       await expect.poll(async () => (await layers(page)).map((layer) => layer.name)).toEqual(['arm']);
     },

@@ -1,6 +1,6 @@
 /**
  * Keys of a pose over motion that goes on are abrupt: between keys of every frame they are a jump, within a cycle every
- * repetition shows them, and in a new layer they hold. That is said, with a way to key the pose for a moment instead.
+ * repetition shows them, and in a new layer they hold. A line says so, with a way to key the pose for a moment instead.
  */
 import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Abrupt, abruptKey, keyedPose } from '../../../edit/keys/keyed-pose.ts';
