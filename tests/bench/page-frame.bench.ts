@@ -146,7 +146,7 @@ describe.skipIf(!hasChromium())(
               measured.push(new Measured(await meter(page)));
               await measure(others);
             },
-            { ...options, ...(folder && { folder }) },
+            { ...options, drawn: true, ...(folder && { folder }) },
           );
         };
         await measure(folders);

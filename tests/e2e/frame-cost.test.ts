@@ -15,6 +15,8 @@ const STEP = 0.01;
 const OPTIONS = {
   walking: true,
   firstVisit: true,
+  // What draws nothing fills no pixels either, and isn't counted.
+  drawn: true,
   before: [drawNothing, countGlCalls],
   size: { width: 800, height: 600 },
 } as const;

@@ -69,7 +69,7 @@ it.each(['dark', 'light'] as const)(
         expect(Math.min(...found.map(({ upper }) => upper))).toBeGreaterThanOrEqual(0.25);
         expect(Math.max(...found.map(({ nearBlack }) => nearBlack))).toBeLessThanOrEqual(0.02);
       },
-      { colorScheme, walking: true, firstVisit: true },
+      { colorScheme, walking: true, firstVisit: true, drawn: true },
     ),
 );
 
@@ -92,7 +92,7 @@ describeShared('characters of the course', () => {
         expect(found.nearBlack).toBeLessThanOrEqual(0.02);
         expect(found.upper).toBeGreaterThan(0.1);
       },
-      { colorScheme },
+      { colorScheme, drawn: true },
     ),
   );
 });

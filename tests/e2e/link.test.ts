@@ -67,6 +67,7 @@ it('a link shows what it says; its copy, opened in another page, shows the same 
     },
     {
       files,
+      drawn: true,
       query: `${FILES}&time=0.4&select=root&camera=2,1.5,3,0,0.4,0&show=skin,bones,no-shadow&theme=light&panel=curves`,
     },
   ));

@@ -223,5 +223,5 @@ it('pictures and videos are what the viewport shows at their times, and leave th
       expect(still.text).toContain('PNG');
       await expect.poll(() => state(page)).toEqual(before);
     },
-    { size: { width: 1024, height: 640 } },
+    { size: { width: 1024, height: 640 }, drawn: true },
   ));

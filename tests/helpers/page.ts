@@ -39,6 +39,8 @@ export interface PageOptions {
   readonly early?: boolean;
   /** With what newcomers see: the hint over the viewport, and shadows. */
   readonly firstVisit?: boolean;
+  /** With the pixels of the viewport, for tests that look at them. */
+  readonly drawn?: boolean;
   /** Run in the page before any of its own scripts. */
   readonly before?: (() => void) | readonly (() => void)[];
   /** With the page's service worker; by default there is none, so that no test reads what another has stored. */
@@ -103,6 +105,35 @@ function asKnownVisitor(): void {
   }
 }
 
+/**
+ * Runs in the page: the viewport stays empty. Everything is computed, compiled, sent to the GPU and checked as ever, but
+ * of what is shown no pixel is filled, which in software takes most of the time of a test. What lies under the pointer
+ * is drawn out of sight, and found as ever.
+ */
+function fillNoPixels(): void {
+  const { prototype } = HTMLCanvasElement;
+  const { getContext } = prototype;
+  const seen = new WeakSet<WebGL2RenderingContext>();
+  const stayEmpty = (gl: WebGL2RenderingContext) => {
+    seen.add(gl);
+    gl.enable(gl.RASTERIZER_DISCARD);
+    gl.canvas.addEventListener('webglcontextrestored', () => gl.enable(gl.RASTERIZER_DISCARD), { capture: true });
+    gl.bindFramebuffer = (target, buffer) => {
+      WebGL2RenderingContext.prototype.bindFramebuffer.call(gl, target, buffer);
+      if (target === gl.READ_FRAMEBUFFER) return;
+      if (buffer) gl.disable(gl.RASTERIZER_DISCARD);
+      else gl.enable(gl.RASTERIZER_DISCARD);
+    };
+  };
+  // It has an overload for each kind of context.
+  prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: object) {
+    if (kind !== 'webgl2') return getContext.call(this, kind, options);
+    const gl = getContext.call(this, kind, { ...options, antialias: false });
+    if (gl instanceof WebGL2RenderingContext && !seen.has(gl)) stayEmpty(gl);
+    return gl;
+  } as typeof getContext;
+}
+
 let chromium: Promise<Browser> | undefined;
 const servers = new Map<string, Promise<StaticServer>>();
 
@@ -139,6 +170,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       collectProblems(another, server.url, problems);
       await another.addInitScript(tellViolations);
       if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
+      if (!options.drawn) await another.addInitScript(fillNoPixels);
       for (const script of [options.before ?? []].flat()) await another.addInitScript(script);
       await another.goto(server.url + query);
       // If the page can't draw, it has neither.

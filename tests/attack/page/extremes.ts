@@ -87,7 +87,7 @@ async function tryOne(attempt: Attempt, extreme: Extreme, folder: string): Promi
         if (peak > MAX_PEAK_BYTES + 10 * size)
           attempt.gaveWay(`${extreme.name}: ${Math.round(peak / 1e6)} MB of memory for ${Math.round(size / 1e6)} MB`);
       },
-      { size: { width: 1280, height: 800 } },
+      { size: { width: 1280, height: 800 }, drawn: true },
     );
   } catch (error) {
     attempt.gaveWay(`${extreme.name}: ${step}: ${error instanceof Error ? error.message : error}`, kept(files));

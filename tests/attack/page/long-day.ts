@@ -72,7 +72,7 @@ export const longDay: Attack = {
         // Else what it grows by would be in what is compared.
         if (undone >= (steps * WARM_UP) / part) attempt.gaveWay('undo was not full after the first parts');
       },
-      { size: { width: 640, height: 480 }, before: [countResources, prepare] },
+      { size: { width: 640, height: 480 }, drawn: true, before: [countResources, prepare] },
     );
   },
 };

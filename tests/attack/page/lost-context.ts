@@ -67,7 +67,12 @@ export const lostContext: Attack = {
         const perLoss = losses < MIN_LOSSES ? [] : grownPast(MAX_PER_LOSS, before, after, losses);
         for (const what of [...perLoss, ...grownPast(MAX_LEFT, before, after)]) attempt.gaveWay(what);
       },
-      { size: { width: 960, height: 600 }, before: countResources, expected: /Context Lost|context lost/i },
+      {
+        size: { width: 960, height: 600 },
+        drawn: true,
+        before: countResources,
+        expected: /Context Lost|context lost/i,
+      },
     );
   },
 };

@@ -52,7 +52,7 @@ export const openClose: Attack = {
         if (cycles < MIN_CYCLES) return;
         for (const what of grownPast(MAX_GROWTH, before, after, cycles)) attempt.gaveWay(what);
       },
-      { size: { width: 1280, height: 800 }, before: countResources },
+      { size: { width: 1280, height: 800 }, drawn: true, before: countResources },
     );
   },
 };
@@ -160,11 +160,15 @@ async function openAndUndo(page: Page, files: readonly DroppedFile[]): Promise<v
       name,
       content: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
     }));
+    // What is taken back before it was drawn has made nothing, and would be the first to do so in a later cycle.
+    const drawn = () => new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)));
     const before = window.marrow.characters().length;
     const step = window.marrow.steps().undo;
     await window.marrow.open(decoded);
+    await drawn();
     // What was refused, or compared, is no step.
     if (window.marrow.steps().undo !== step) window.marrow.undo();
+    await drawn();
     if (window.marrow.characters().length !== before) throw new Error(`${given[0].name} is still open.`);
   }, encoded);
 }

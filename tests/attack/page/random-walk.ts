@@ -159,7 +159,7 @@ async function walk({ seed, events, done, tried, tell }: Round): Promise<Walked>
       await redo(page, steps.length - again);
       told('redo of everything', differenceOf(ended, await filesOf(page)));
     },
-    { walking: true, touch, size, colorScheme, expected: EXPECTED, before: prepare },
+    { walking: true, drawn: true, touch, size, colorScheme, expected: EXPECTED, before: prepare },
   );
   return walked;
 }
