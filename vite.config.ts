@@ -138,9 +138,19 @@ function executable(file: string): Plugin {
 
 const QUICK = ['tests/**/*.test.ts'];
 const DEEP = ['tests/**/*.deep.test.ts'];
+const MOCKED = ['tests/**/*.mocked.test.ts'];
 const BROWSER = ['tests/e2e/**/*.test.ts'];
 /** Tests that need the reference files, where these are not: `tests/helpers/shared.ts`. */
 const WITHOUT_FILES = existsSync(new URL('../shared', import.meta.url)) ? [] : ['tests/**/*.shared.*'];
+
+/**
+ * Node reads the modules itself: through Vite that took half of the time of the quick tests, and each call of another
+ * module's function a look-up. Only Vite puts mocks in place of modules.
+ */
+const READ_BY_NODE = {
+  execArgv: ['--import', new URL('./tests/helpers/typescript.mjs', import.meta.url).href],
+  experimental: { viteModuleRunner: false, nodeLoader: false },
+};
 
 /** Projects run one after the other. @param order from 0 */
 function tests(
@@ -154,7 +164,10 @@ function tests(
     test: {
       name,
       include,
-      pool: 'threads',
+      // Processes instead of threads: some tests measure their CPU time, and browsers end with the process.
+      pool: 'forks',
+      // Tests leave no global state, so a worker imports modules once.
+      isolate: false,
       maxWorkers: availableParallelism(),
       setupFiles: ['./tests/helpers/seed.ts'],
       // On a busy machine, polled conditions need longer than vitest's default of a second.
@@ -183,30 +196,27 @@ export default defineConfig(({ mode }) => {
       // What passes is only counted where nobody watches.
       reporters: [process.stdout.isTTY ? 'default' : 'minimal', './tests/helpers/count-reporter.ts'],
       projects: [
-        // Quick, and reported first. Tests leave no global state, so a worker imports modules once. Properties try
-        // hundreds of cases, which takes longer on a busy machine.
+        // Quick, and reported first. Properties try hundreds of cases, which takes longer on a busy machine.
         tests('unit', QUICK, 0, {
-          exclude: [...DEEP, ...BROWSER, ...WITHOUT_FILES],
-          isolate: false,
+          ...READ_BY_NODE,
+          exclude: [...DEEP, ...MOCKED, ...BROWSER, ...WITHOUT_FILES],
           testTimeout: 30_000,
         }),
-        // Properties over many cases and files, which take longer than all other tests together. Processes instead of
-        // threads: some measure their CPU time.
-        tests('deep', DEEP, 1, { exclude: WITHOUT_FILES, pool: 'forks', isolate: false, testTimeout: 60_000 }),
-        // Two browsers at most, since they draw in software. Processes, so that their browsers end with them. A browser
-        // under load may lose an event to a frame: a second try decides, and the run names each test that needed it.
+        // Properties over many cases and files, which take longer than all other tests together.
+        tests('deep', DEEP, 1, { ...READ_BY_NODE, exclude: WITHOUT_FILES, testTimeout: 60_000 }),
+        tests('mocked', MOCKED, 1, { testTimeout: 60_000 }),
+        // Two browsers at most, since they draw in software. A browser under load may lose an event to a frame: a second
+        // try decides, and the run names each test that needed it.
         tests('browser', BROWSER, 2, {
+          ...READ_BY_NODE,
           exclude: [...(firefoxPath() ? [] : ['tests/e2e/firefox.test.ts']), ...WITHOUT_FILES],
-          globalSetup: './tests/helpers/tell-firefox.ts',
           retry: 1,
-          pool: 'forks',
-          isolate: false,
           maxWorkers: 2,
           testTimeout: 120_000,
           hookTimeout: 60_000,
         }),
         // Benchmarks only, each alone in its own process.
-        tests('bench', [], 3, { pool: 'forks', maxWorkers: 1 }),
+        tests('bench', [], 3, { isolate: true, maxWorkers: 1 }),
       ],
     },
   };

@@ -31,10 +31,10 @@ async function step(script) {
   return passed;
 }
 
-/** The tests of one project of vite.config.ts. */
-async function tests(project) {
+/** The tests of projects of vite.config.ts. */
+async function tests(...projects) {
   let counted = false;
-  const passed = await run(`vitest run --project ${project}`, (line) => {
+  const passed = await run(`vitest run ${projects.map((name) => `--project ${name}`).join(' ')}`, (line) => {
     const found = COUNTS.exec(line);
     if (!found) return console.log(line);
     counted = true;
@@ -56,7 +56,7 @@ const first = verdict(
   'Types, lint and unit tests',
   await Promise.all(['test:types', 'test:lint'].map(step).concat(tests('unit'))),
 );
-const [built, deep] = await Promise.all([step('build'), tests('deep')]);
+const [built, deep] = await Promise.all([step('build'), tests('deep', 'mocked')]);
 const second = verdict('Build and deep tests', [built, deep]);
 const third = verdict('Browser tests', [built && (await tests('browser'))]);
 

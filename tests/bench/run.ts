@@ -3,17 +3,14 @@
  * `npm run bench -- gpu` compares frames on a GPU instead (`gpu/run.ts`).
  */
 import { spawnSync } from 'node:child_process';
-import { env, execPath } from 'node:process';
+import { execPath } from 'node:process';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 
 /** Runs a program of a package, and returns its exit code. */
 function node(path: string, ...args: readonly string[]): number {
-  // Vite's server, which reads this file, has set the variable to what it is itself: not a production build.
-  const { NODE_ENV: _, ...inherited } = env;
-  const options = { cwd: ROOT, stdio: 'inherit', env: inherited } as const;
-  return spawnSync(execPath, [`${ROOT}node_modules/${path}`, ...args], options).status ?? 1;
+  return spawnSync(execPath, [`${ROOT}node_modules/${path}`, ...args], { cwd: ROOT, stdio: 'inherit' }).status ?? 1;
 }
 
 const build = () => node('vite/bin/vite.js', 'build') === 0;

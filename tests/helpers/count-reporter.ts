@@ -1,7 +1,16 @@
-/** The last line of a test run: `123 passed, 0 failed`. Before it, the tests that passed at a second try only. */
-import type { Reporter, TestModule } from 'vitest/node';
+/**
+ * The last line of a test run: `123 passed, 0 failed`. Before it, the tests that passed at a second try only; and first,
+ * where there is no Firefox, that its tests are no part of a run of the browsers.
+ */
+import type { Reporter, TestModule, TestSpecification } from 'vitest/node';
+import { firefoxPath } from './firefox-path.ts';
 
 export default class CountReporter implements Reporter {
+  onTestRunStart(specifications: readonly TestSpecification[]): void {
+    if (specifications.some(({ project }) => project.name === 'browser') && !firefoxPath())
+      console.log('Firefox not found: its tests are no part of this run (set MARROW_FIREFOX).');
+  }
+
   onTestRunEnd(modules: readonly TestModule[], unhandled: readonly unknown[]): void {
     let passed = 0;
     let skipped = 0;

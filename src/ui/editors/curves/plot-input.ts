@@ -57,7 +57,10 @@ export class PlotInput {
     | undefined;
   private readonly moveSoon = oncePerFrame(() => this.flushMove());
 
-  constructor(private readonly plot: PlotHost) {
+  constructor(
+    private readonly plot: PlotHost,
+    private readonly mac = isMac,
+  ) {
     this.listen();
   }
 
@@ -124,7 +127,7 @@ export class PlotInput {
       x: event.clientX - box.left,
       y: event.clientY - box.top,
       shift: event.shiftKey,
-      ctrl: isMac ? event.metaKey : event.ctrlKey,
+      ctrl: this.mac ? event.metaKey : event.ctrlKey,
       alt: event.altKey,
     };
   }
@@ -142,7 +145,7 @@ export class PlotInput {
     if (this.drag || event.target instanceof HTMLButtonElement) return;
     const at = this.at(event);
     const hit = this.hitAt(at, event.pointerType === 'mouse' ? REACH_MOUSE : REACH_TOUCH);
-    const intent = this.intent(at, buttonMeant(event, isMac), hit);
+    const intent = this.intent(at, buttonMeant(event, this.mac), hit);
     event.preventDefault();
     this.plot.element.focus({ preventScroll: true });
     if (intent === 'menu' || !this.plot.scene()) return;
@@ -297,7 +300,7 @@ export class PlotInput {
     event.preventDefault();
     // Alt and the right button zoom.
     if (event.altKey || this.drag) return;
-    if (buttonMeant(event, isMac) !== 2) {
+    if (buttonMeant(event, this.mac) !== 2) {
       this.openMenuByKey();
       return;
     }
@@ -318,7 +321,7 @@ export class PlotInput {
     this.pointer = {
       ...pointer,
       shift: event.shiftKey,
-      ctrl: isMac ? event.metaKey : event.ctrlKey,
+      ctrl: this.mac ? event.metaKey : event.ctrlKey,
       alt: event.altKey,
     };
     if (!this.drag) this.lookUnder(this.pointer);
