@@ -28,7 +28,7 @@ const ROOT = 3;
 /** A capture of points. Its take shares `values`. @param name of skeleton and take */
 export function pointCapture(name: string, { labels, frameCount, framesPerSecond, values }: PointFrames): Capture {
   const joints = labels.map((label, p): Joint => {
-    const [x, y, z, visible] = values.subarray(4 * p, 4 * p + 4);
+    const [x, y, z, valid] = values.subarray(4 * p, 4 * p + 4);
     return {
       name: label,
       parent: -1,
@@ -36,7 +36,7 @@ export function pointCapture(name: string, { labels, frameCount, framesPerSecond
       box: NO_BOX,
       motion: POINT,
       limits: LIMITS,
-      pose: [x, y, z, visible],
+      pose: [x, y, z, valid],
     };
   });
   const width = 4 * labels.length;

@@ -5,5 +5,5 @@ import { arePoints } from './skeleton/joint-types.ts';
 /** Why a character can't be written in formats of joints and bones, as a sentence; undefined if it has some. */
 export function bonesObstacle({ skeleton, name }: Pick<Character, 'skeleton' | 'name'>): string | undefined {
   if (!arePoints(skeleton)) return undefined;
-  return `${name} is points without bones. Labels of MediaPipe, COCO, SMPL or another tree that Marrow knows would give it some; points can be saved as .trc.`;
+  return `${name} is points without bones, which this needs: no tree that Marrow knows has its labels. Points are saved as .trc.`;
 }

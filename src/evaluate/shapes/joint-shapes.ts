@@ -11,6 +11,7 @@
  * Only boxes use the joint's whole matrix, including shear and mirroring; the others show where joints are.
  */
 import { boneEnds } from '../../model/skeleton/bone-ends.ts';
+import { arePoints } from '../../model/skeleton/joint-types.ts';
 import { restExtent } from '../../model/skeleton/rest-extent.ts';
 import type { Box, Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 
@@ -28,6 +29,8 @@ export interface JointSizes {
 
 /** Maximum radius of a ball as a fraction of the bones that it ends. */
 const SHARE_OF_BONE = 0.22;
+/** Radius of points, by the size of all of them: there are many, close to one another. */
+const OF_POINTS = 0.009;
 /** Maximum ratio to the radius at the bone's other end. */
 const MAX_BESIDE = 1.4;
 /**
@@ -49,7 +52,8 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   const extent = restExtent(skeleton) || largestBox(joints) || 1;
   // Based on the long bones: most joints may be those of fingers, which are reduced below.
   const long = sorted[Math.floor(0.93 * sorted.length)] ?? 0;
-  const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : 0.03 * extent;
+  const alone = arePoints(skeleton) ? OF_POINTS : 0.03;
+  const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : alone * extent;
   const allLengths = sorted.reduce((sum, length) => sum + length, 0);
   const thickest = extent * ((MAX_COVER * extent) / (2 * allLengths));
   const visible = Math.max(usual, 0.003 * extent);

@@ -42,14 +42,19 @@ export class Rows {
     let start = this.at;
     let at = start;
     let isQuoted = false;
+    let isBlank = true;
     for (; ; at++) {
       const c = at < end ? bytes[at] : LF;
-      if (c === QUOTE) isQuoted = !isQuoted;
+      // Quotes hold separators of tables, in cells that begin with one.
+      if (c === QUOTE && (isQuoted || (isBlank && separator !== TAB))) isQuoted = !isQuoted;
+      isBlank &&= c === BLANK;
       const isEnd = c === LF || c === CR;
       if (!isEnd && (c !== separator || isQuoted)) continue;
       if (this.cell(cells, start, at)) this.count = cells + 1;
       cells++;
       start = at + 1;
+      isQuoted = false;
+      isBlank = true;
       if (isEnd) break;
     }
     this.lineEnd = at;
@@ -62,11 +67,11 @@ export class Rows {
 
   /** Keeps the range of a cell, without blanks and quotes around it; false if nothing is left. */
   private cell(c: number, from: number, to: number): boolean {
-    const { bytes } = this;
+    const { bytes, separator } = this;
     let [start, end] = [from, to];
     while (start < end && (bytes[start] === BLANK || bytes[start] === TAB)) start++;
     while (end > start && (bytes[end - 1] === BLANK || bytes[end - 1] === TAB)) end--;
-    if (end - start > 1 && bytes[start] === QUOTE && bytes[end - 1] === QUOTE) {
+    if (separator !== TAB && end - start > 1 && bytes[start] === QUOTE && bytes[end - 1] === QUOTE) {
       start++;
       end--;
     }
@@ -167,12 +172,18 @@ export function writePoint(rows: Rows, x: number, y: number, z: number, out: Flo
   return true;
 }
 
-/** Lines of a text, at least: as many as there are rows. */
+/** How many rows a text has. */
 export function lineCount(bytes: Uint8Array): number {
-  let [lines, crs] = [1, 1];
+  let lines = 1;
+  let crs = 0;
   for (let i = 0; i < bytes.length; i++) {
-    if (bytes[i] === LF) lines++;
-    else if (bytes[i] === CR) crs++;
+    const c = bytes[i];
+    if (c === CR) crs++;
+    else {
+      // Before an LF they are part of that.
+      lines += c === LF ? 1 : crs;
+      crs = 0;
+    }
   }
-  return Math.max(lines, crs);
+  return lines + crs;
 }

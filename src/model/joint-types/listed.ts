@@ -9,7 +9,7 @@ type MotionOf<K> = Extract<Motion, { readonly kind: K }>;
 const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
 const TX_TY_TZ = dofList(...TRANSLATIONS);
 const NONE = dofList();
-const POINT_DOFS = dofList(...TRANSLATIONS, 'visible');
+const POINT_DOFS = dofList(...TRANSLATIONS, 'valid');
 
 /** The translational joint: three DOFs, tx ty tz, in units of length. */
 export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {

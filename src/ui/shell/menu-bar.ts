@@ -1,6 +1,7 @@
 /** The bar at the top: menus on the left, what is loaded on the right. */
 import { cutName } from '../../edit/cut-name.ts';
 import { type Document, shownSkin, shownTake } from '../../model/document.ts';
+import { arePoints } from '../../model/skeleton/joint-types.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { tryById } from '../state/actions/action.ts';
 import { menuEntries } from '../state/actions/menu-entries.ts';
@@ -216,12 +217,13 @@ function loadedText(document: Document, cut = (name: string) => name): Loaded {
     return { example: '', name, facts: '', take: '' };
   }
   const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);
+  const isPoints = characters.every(({ skeleton }) => arePoints(skeleton));
   const vertices = characters.reduce((sum, c) => sum + (shownSkinSize(c) ?? 0), 0);
   return {
     example: document.isOpeningSample ? 'Example: ' : '',
     name: one ? cut(one.name) : plural(characters.length, 'character'),
     facts:
-      (joints ? ` · ${plural(joints, 'joint')}` : '') +
+      (joints ? ` · ${plural(joints, isPoints ? 'point' : 'joint')}` : '') +
       (vertices ? ` · ${plural(vertices, 'vertex', 'vertices')}` : ''),
     take: cut((one && shownTake(one)?.name) ?? ''),
   };

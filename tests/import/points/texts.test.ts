@@ -64,6 +64,13 @@ describe('a .trc', () => {
     expect(await errorIn('x.trc', text)).toMatch(message);
   });
 
+  it('may have quotes in labels, and line ends of any kind beside each other', async () => {
+    const text = trc(HEAD, 'Frame#\tTime\t"A\t\t\tB"C\t\t', [`${ROWS[0]}\r${ROWS[1]}`]).replace('\n', '\r');
+    const { character } = await pointsIn('x.trc', text);
+    expect(character.skeleton.joints.map(({ name }) => name)).toEqual(['"A', 'B"C']);
+    expect(placesIn(character)).toEqual(PLACES);
+  });
+
   it('tells the line and the column of a cell that is no number', async () => {
     const { diagnostics } = await readPointsIn('x.trc', trc(HEAD, NAMES, [ROWS[0], '2\t0\t1\t2\tthree']));
     expect(diagnostics.at(-1)).toMatchObject({ line: 8, column: 9, excerpt: { text: '2\t0\t1\t2\tthree', caret: 8 } });

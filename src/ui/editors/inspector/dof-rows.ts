@@ -240,8 +240,9 @@ function withOpenEnds({ min, max }: Limit, [low, high]: readonly [number, number
   return [min > UNLIMITED.min ? min : Math.min(low, max + low), max < UNLIMITED.max ? max : Math.max(high, min + high)];
 }
 
-/** Without limits: ±π, or ± the character's reach; scales up to 2, other factors ±1. */
+/** Without limits: ±π, or ± the character's reach; scales up to 2, whether a point is there 0 or 1, other factors ±1. */
 function fullSpan(dof: CharacterDof, skeleton: Skeleton | undefined): readonly [number, number] {
+  if (dof.name === 'valid') return [0, 1];
   if (dof.unit === 'factor') return dof.name.startsWith('s') ? [0, 2] : [-1, 1];
   const size = dof.unit === 'length' ? reachOf(skeleton) : Math.PI;
   return [-size, size];

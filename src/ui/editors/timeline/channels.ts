@@ -8,9 +8,15 @@ import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
 import { coupleOf } from '../../../model/skeleton/couples.ts';
-import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/skeleton/dofs.ts';
+import {
+  type CharacterDof,
+  characterDofs,
+  firstDofs,
+  rootDofCount,
+  unitOfChannel,
+} from '../../../model/skeleton/dofs.ts';
 import { shortJointName } from '../../../model/skeleton/joint-name.ts';
-import { dofsOf } from '../../../model/skeleton/joint-types.ts';
+import { arePoints, dofsOf } from '../../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { spanOfChannel } from '../../../model/takes/take.ts';
@@ -113,12 +119,18 @@ export function namedChannel(character: Character, channel: number): ListedChann
   return {
     channel,
     ...(follows !== undefined && { follows }),
-    joint: ofJoint ? shortJointName(character.skeleton, dof.joint) : '',
+    joint: ofJoint ? jointOf(character, channel, dof) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
     keyCount: own ? keyCountOf(own) : 0,
     sampleCount: own?.kind === 'samples' ? (take?.samples?.frameCount ?? 0) : 0,
   };
+}
+
+/** The root translation of points is nobody's own: it moves all of them. */
+function jointOf({ skeleton }: Character, channel: number, { joint }: CharacterDof): string {
+  const isOfAll = channel < rootDofCount(skeleton) && arePoints(skeleton);
+  return isOfAll ? 'All points' : shortJointName(skeleton, joint);
 }
 
 /** `leader r`: the DOF that a channel's linked DOF follows; undefined if not linked. */
