@@ -11,7 +11,6 @@ import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts
 import { resolvedSlopes } from '../evaluate/slopes.ts';
 import type { ExchangeFormat } from '../export/formats.ts';
 import type { GlbOptions } from '../export/glb/options.ts';
-import { formatKindOf, isSaved, WRITABLE_EXTENSIONS } from '../files/kinds.ts';
 import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, shownTake } from '../model/document.ts';
@@ -276,23 +275,8 @@ function keyInfos(found: Channel | undefined, channel: number): KeyInfo[] {
   }));
 }
 
-/**
- * The selected character's file of that name, or another character's; else the selected character's first of that kind.
- */
+/** See `savedByName`. */
 async function saveByName(store: Store, name: string): Promise<string> {
-  const kind = formatKindOf(name);
-  if (!kind || !isSaved(kind)) {
-    throw new Error(`"${name}" must end in one of ${WRITABLE_EXTENSIONS.map((e) => `.${e}`).join(' ')}.`);
-  }
-  const { saveCharacter } = await import('../files/save/saving.ts');
-  const preferred = resolveCharacter(store, undefined);
-  for (const character of [preferred, ...store.document.characters]) {
-    // Of takes with layers, those have all files of the take.
-    const files = [...saveCharacter(character, kind), ...saveCharacter(character, 'layers')];
-    const file = files.find((f) => f.name.toLowerCase() === name.toLowerCase());
-    if (file) return file.text;
-  }
-  const first = saveCharacter(preferred, kind)[0];
-  if (!first) throw new Error(`${preferred.name} has nothing to save as .${kind}.`);
-  return first.text;
+  const { savedByName } = await import('../files/save/by-name.ts');
+  return savedByName([resolveCharacter(store, undefined), ...store.document.characters], name);
 }
