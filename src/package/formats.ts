@@ -8,12 +8,15 @@
  * Names of what is read are those of the files, without the extension.
  */
 import { capturedContent } from '../files/captured.ts';
+import { formatOf } from '../files/readers.ts';
 import { readAmc as amcTake } from '../formats/acclaim/read-amc.ts';
 import { asfReader } from '../formats/acclaim/read-asf.ts';
 import { writeAmc as amcPieces } from '../formats/acclaim/write-amc.ts';
 import { animReader } from '../formats/anim/read.ts';
 import { bvhReader } from '../formats/bvh/read.ts';
 import { writeBvh as bvhPieces } from '../formats/bvh/write.ts';
+import { isWorthDiagnosing } from '../formats/diagnose/diagnose.ts';
+import { foldUnreadable } from '../formats/diagnose/fold.ts';
 import { stemOfName } from '../formats/grammar.ts';
 import { markersReader } from '../formats/markers/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
@@ -27,7 +30,8 @@ import {
   type WrittenPieces,
 } from '../formats/reader.ts';
 import { rigReader } from '../formats/rig/read.ts';
-import { skelReader } from '../formats/skel/read.ts';
+import { hierarchyReader } from '../formats/skel/read-hierarchy.ts';
+import { parentsReader } from '../formats/skel/read-parents.ts';
 import { writeSkel as skelText } from '../formats/skel/write.ts';
 import { skinReader } from '../formats/skin/read.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
@@ -84,13 +88,41 @@ function read<T>(reader: (fileName: string) => Reader<T>, content: Content, file
 }
 
 /**
- * Reads a `.skel`, in any of its three forms.
+ * Reads a `.skel`, in its hierarchy or its axis-angle form.
  * @param fileName in messages, and the name of the skeleton
  * @throws UserError if `content` is neither text nor bytes, as all readers do
  */
 export function readSkel(content: Content, fileName = ''): ReadSkeleton {
-  const { value: skeletons = [], diagnostics } = read(skelReader, content, fileName);
+  return skeletonsIn(read(hierarchyReader, content, fileName));
+}
+
+/**
+ * Reads a `.skel` with a joint on each line: `x y z PARENT`, the offset from the parent and its index, -1 for a root.
+ * `readCharacters` of `marrow/import` tells by itself which form a file has.
+ */
+export function readSkelRows(content: Content, fileName = ''): ReadSkeleton {
+  return skeletonsIn(read(parentsReader, content, fileName));
+}
+
+function skeletonsIn({ value: skeletons = [], diagnostics }: ReadResult<readonly Skeleton[]>): ReadSkeleton {
   return { ...(skeletons[0] && { skeleton: skeletons[0] }), skeletons, diagnostics };
+}
+
+/**
+ * Problems at the places where they are, as the page shows them, without those that follow from others. Readers tell of a
+ * problem where they can't go on, which may be far from it; here the file is read again, as each of the likely mistakes
+ * would have it.
+ * @param diagnostics from a reader of the same content
+ * @param fileName its extension says the format; of others, the problems are returned as they are
+ */
+export function locateProblems(
+  content: Content,
+  fileName: string,
+  diagnostics: readonly Diagnostic[],
+): readonly Diagnostic[] {
+  const bytes = bytesOf(content);
+  const diagnose = isWorthDiagnosing(diagnostics, bytes.length) ? formatOf(fileName)?.diagnose : undefined;
+  return foldUnreadable(diagnose ? diagnose(fileName, bytes, diagnostics) : diagnostics);
 }
 
 /** Reads a `.skin`. */

@@ -66,6 +66,25 @@ describe('marrow/formats', () => {
     expect(formats.readMarkers(formats.writeMarkers(markers).text).markers).toEqual(markers);
   });
 
+  it('readSkelRows reads a joint on each line, and readSkel the axis-angle form', () => {
+    const rows = formats.readSkelRows('0 1 0 -1\n1 0 0 0\n', 'a.skel').skeleton;
+    expect(rows?.joints.map(({ parent, offset }) => [parent, ...offset])).toEqual([
+      [-1, 0, 1, 0],
+      [0, 1, 0, 0],
+    ]);
+    expect(formats.readSkel('0 1 0 0 1 0', 'a.skel').skeleton?.form).toBe('axis-angle');
+  });
+
+  it('locateProblems gives the places of problems that the page gives', async () => {
+    const text = sample('walker.skel').toString().replace('offset 0 ', 'offset ');
+    const told = formats.readSkel(text, 'walker.skel').diagnostics;
+    const located = formats.locateProblems(text, 'walker.skel', told);
+    const { diagnostics } = await readCharacters([{ name: 'walker.skel', content: text }]);
+    expect(located.length).toBeGreaterThan(0);
+    expect(diagnostics).toEqual(located);
+    expect(formats.locateProblems(text, 'notes.docx', told)).toEqual(told);
+  });
+
   it('marrow/formats takes text, bytes, parts of buffers and whole ones alike', () => {
     const bytes = sample('cube.skel');
     const padded = new Uint8Array(bytes.length + 9);
@@ -82,7 +101,7 @@ describe('marrow/formats', () => {
     expect([skeleton, skeletons]).toEqual([undefined, []]);
     expect(diagnostics[0]).toMatchObject({ severity: 'error', file: 'a.skel', line: 2, column: 12 });
     const readers = Object.entries(formats).filter(([name]) => name.startsWith('read'));
-    expect(readers.length).toBe(10);
+    expect(readers.length).toBe(11);
     const wrong: readonly (readonly [unknown, string])[] = [
       [undefined, 'undefined'],
       [null, 'null'],
