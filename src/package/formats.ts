@@ -110,7 +110,7 @@ function skeletonsIn({ value: skeletons = [], diagnostics }: ReadResult<readonly
 
 /**
  * Problems at the places where they are, as the page shows them, without those that follow from others. Readers tell of a
- * problem where they can't go on, which may be far from it; here the file is read again, as each of the likely mistakes
+ * problem where they can't continue, which may be far from it; here the file is read again, as each of the likely mistakes
  * would have it.
  * @param diagnostics from a reader of the same content
  * @param fileName its extension says the format; of others, the problems are returned as they are
