@@ -98,6 +98,10 @@ const element: UserConfig = {
 /** Its worker, also for bundlers. */
 const elementWorker = standalone(['element', 'viewer'], 'worker', 'src/viewer/worker.ts');
 
+const NOTICE = `/*! marrow-viewer: characters in any page. MIT License.
+ * With parts of three.js (© three.js authors), fflate (© Arjun Barrett) and meshoptimizer (© Arseny Kapoulkine), MIT
+ * License, and of Draco (© The Draco Authors), Apache License 2.0. */`;
+
 /** @param folders of build/package/ */
 function standalone(folders: readonly string[], name: string, entry: string): UserConfig {
   return {
@@ -113,6 +117,8 @@ function standalone(folders: readonly string[], name: string, entry: string): Us
           dir: `build/package/${folder}`,
           entryFileNames: '[name].js',
           chunkFileNames: 'parts/[name]-[hash].js',
+          // After minifying, which removes what the packages say of themselves.
+          postBanner: ({ isEntry }) => (isEntry ? NOTICE : ''),
           codeSplitting: { groups: [{ name, tags: ['$initial'] }] },
         })),
       },

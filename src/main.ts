@@ -1,6 +1,5 @@
 /** The page's entry: nothing but wiring. */
 import { beginAutosave } from './app/autosave/begin.ts';
-import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';
 import { SampleDisplay } from './app/example-display.ts';
 import { fetchOpening, fetchSample, listSamples } from './app/examples.ts';
@@ -43,6 +42,8 @@ trustOwnScripts();
 const root = document.getElementById('app');
 if (!root) throw new Error('index.html has no element "app".');
 
+/** In a frame of another page (`app/embed/embed.ts`). */
+const isEmbedded = location.search.includes('embed=1');
 const store = new Store();
 const transport = observable(DEFAULT_PLAYBACK);
 const messages = new Messages();
@@ -85,7 +86,7 @@ const unsaved = new Unsaved(store);
 const handles = new DiskHandles();
 
 const settings = rememberedSettings(
-  () => localStorage,
+  () => (isEmbedded ? undefined : localStorage),
   (now) => sampleDisplay.without(now),
 );
 const sampleDisplay = new SampleDisplay(settings, store);
@@ -167,21 +168,34 @@ window.addEventListener('error', ({ error, message }) => {
 window.addEventListener('unhandledrejection', ({ reason }) => faults.tell(WRONG, reason));
 
 const opening = location.search.length > 1 ? openAddress() : openSample();
-const setActions = (all: ActionList) => {
-  actions = all;
-};
-const rest = restOfPage(root, opening, {
-  beside: listed,
-  mount: ({ mountWorkbench }) => mountWorkbench(root, workbench, { theme, setActions }, forever),
-});
-fillPanels(rest.filled);
-window.marrow = scriptingApi(workbench, opener, rest);
-onLaunched((files) => void opener.open(() => files), window);
-const saving = savingMarks(unsaved, handles, timeline.review);
-void beginAutosave({ ...workbench, camera: viewport.camera, opener, worker, saving }, opening);
+if (isEmbedded) void startEmbedded(root);
+else startWorkbench(root);
 
-// Only the built page has a service worker.
-if (import.meta.env.PROD && 'serviceWorker' in navigator) void opening.then(() => whenIdle(workbench, storePage));
+/** Nothing of the workbench but its viewport. */
+async function startEmbedded(frame: HTMLElement): Promise<void> {
+  frame.replaceChildren(viewportElement);
+  fillPanels(opening);
+  const { embed } = await import('./app/embed/embed.ts');
+  embed(frame, { ...workbench, opener, theme }, opening);
+}
+
+/** Menus, panels and keys, and what keeps work. */
+function startWorkbench(frame: HTMLElement): void {
+  const setActions = (all: ActionList) => {
+    actions = all;
+  };
+  const rest = restOfPage(frame, opening, {
+    beside: listed,
+    mount: ({ mountWorkbench }) => mountWorkbench(frame, workbench, { theme, setActions }, forever),
+  });
+  fillPanels(rest.filled);
+  window.marrow = scriptingApi(workbench, opener, rest);
+  onLaunched((files) => void opener.open(() => files), window);
+  void beginAutosave({ ...workbench, camera: viewport.camera, opener, worker, unsaved, handles }, opening);
+
+  // Only the built page has a service worker.
+  if (import.meta.env.PROD && 'serviceWorker' in navigator) void opening.then(() => whenIdle(workbench, storePage));
+}
 
 /** Stores the page for working offline. What fails in it isn't needed. */
 async function storePage(): Promise<void> {

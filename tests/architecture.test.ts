@@ -86,6 +86,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
     'view',
     'io',
     'offline',
+    'viewer',
     'worker',
     'files',
     'formats',

@@ -80,8 +80,10 @@ export class SharedView extends View {
     this.requestRender();
   }
 
-  /** Gives back what is large and soon drawn again, while nobody sees it. */
+  /** While nobody sees it, gives back the shadow map: the largest thing that a small picture needs. */
   rest(): void {
-    this.shown.stage.rest();
+    const { stage } = this.shown;
+    stage.key.shadow.dispose();
+    stage.moveCasters();
   }
 }

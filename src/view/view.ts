@@ -90,7 +90,6 @@ export class View {
     this.camera = new ViewCamera(this.rig, this.framer, shown, { update: () => this.update(), redraw });
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
     container.append(this.canvas);
-    shown.setTheme('dark');
     screen.fill();
   }
 
@@ -125,6 +124,7 @@ export class View {
     shown.annotate(annotations);
   }
 
+  /** Call before `show`. */
   setTheme(name: ThemeName): void {
     this.shown.setTheme(name);
   }

@@ -34,7 +34,6 @@ export class Viewport extends View {
       redraw: () => this.requestRender(),
     });
     container.append(this.orientation.element);
-    this.setTheme('dark');
   }
 
   /** Makes ready what `show` will need of a character that is about to be added: see `ShownCharacters`. */

@@ -5,7 +5,7 @@
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
-import { HEADERS } from '../../plugins/policy.ts';
+import { HEADERS, POLICY } from '../../plugins/policy.ts';
 
 /** Files served in addition to the folder's, by their path below the sub-path: `given/a.skel`. */
 export type ExtraFiles = Readonly<Record<string, Uint8Array | string>>;
@@ -36,8 +36,11 @@ const TYPES: Readonly<Record<string, string>> = {
   '.ico': 'image/x-icon',
 };
 
-/** @param subPath begins and ends with `/` */
-export async function serveFolder(folder: string, subPath: string): Promise<StaticServer> {
+/**
+ * @param subPath begins and ends with `/`
+ * @param framedBy pages that may frame it, as in a policy
+ */
+export async function serveFolder(folder: string, subPath: string, framedBy?: string): Promise<StaticServer> {
   let extra: readonly ExtraFiles[] = [];
   let asked: string[] = [];
   const server = createServer((request, response) => {
@@ -45,7 +48,12 @@ export async function serveFolder(folder: string, subPath: string): Promise<Stat
     if (!pathname.startsWith(subPath)) return void response.writeHead(404).end();
     const path = decodeURIComponent(pathname.slice(subPath.length)) || 'index.html';
     asked.push(pathname.slice(subPath.length));
-    const headers = { ...HEADERS, 'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream' };
+    const framing = framedBy && { 'Content-Security-Policy': `${POLICY}; frame-ancestors ${framedBy}` };
+    const headers = {
+      ...HEADERS,
+      ...framing,
+      'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream',
+    };
 
     const given = extra.find((files) => Object.hasOwn(files, path))?.[path];
     if (given !== undefined) return void response.writeHead(200, headers).end(given);

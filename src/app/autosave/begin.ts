@@ -4,13 +4,10 @@
  */
 import { onDemand, whenIdle } from '../../ui/state/on-demand.ts';
 import type { OpenedFiles } from '../opening.ts';
-import type { AutosaveParts } from './autosave.ts';
+import type { FollowedParts } from './start.ts';
 
 /** @param opening opens the page's initial document, which isn't kept since it is opened again on each start */
-export async function beginAutosave(
-  parts: Omit<AutosaveParts, 'sessions' | 'locks'>,
-  opening: Promise<unknown>,
-): Promise<void> {
+export async function beginAutosave(parts: FollowedParts, opening: Promise<unknown>): Promise<void> {
   const { store, opener, loading, messages } = parts;
   const opened: OpenedFiles[] = [];
   const stop = opener.subscribe((files) => opened.push(files));

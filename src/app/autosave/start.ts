@@ -3,18 +3,32 @@
 import { sessionLocks } from '../../io/session-locks.ts';
 import { sessionStore } from '../../io/session-store.ts';
 import { write } from '../../ui/widgets/dom.ts';
+import type { DiskHandles } from '../disk-handles.ts';
+import type { Unsaved } from '../unsaved.ts';
 import { Autosave, type AutosaveParts, type TimeBefore } from './autosave.ts';
+import { savingMarks } from './saving-marks.ts';
+
+/** What autosave follows. */
+export interface FollowedParts extends Omit<AutosaveParts, 'sessions' | 'locks' | 'saving'> {
+  readonly unsaved: Unsaved;
+  readonly handles: DiskHandles;
+}
 
 /** @param before what happened since the page was loaded */
 export function startAutosave(
-  parts: Omit<AutosaveParts, 'sessions' | 'locks'>,
+  { unsaved, handles, ...parts }: FollowedParts,
   before: TimeBefore,
   page: Window = window,
 ): void {
   const { documentElement } = page.document;
-  const autosave = new Autosave({ ...parts, sessions: sessionStore(), locks: sessionLocks() }, before, (state) => {
-    write(documentElement.dataset, 'autosave', state);
-  });
+  const saving = savingMarks(unsaved, handles, parts.timeline.review);
+  const autosave = new Autosave(
+    { ...parts, saving, sessions: sessionStore(), locks: sessionLocks() },
+    before,
+    (state) => {
+      write(documentElement.dataset, 'autosave', state);
+    },
+  );
   const options = { capture: true, passive: true };
   const up = () => {
     autosave.setPointerDown(false);

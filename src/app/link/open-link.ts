@@ -95,12 +95,17 @@ function showTakes({ store }: LinkParts, { takes }: Link, wrong: string[]): void
 }
 
 function select({ store }: LinkParts, { joint }: Link, wrong: string[]): void {
-  if (joint === undefined) return;
+  if (joint === undefined || selectJoint(store, joint)) return;
+  wrong.push(`select=${joint} (expected the name of a joint)`);
+}
+
+/** Selects the first joint of that name; false if there is none. */
+export function selectJoint(store: LinkParts['store'], name: string): boolean {
   for (const { id, skeleton } of store.document.characters) {
-    const at = skeleton?.joints.findIndex(({ name }) => name === joint) ?? -1;
+    const at = skeleton?.joints.findIndex((joint) => joint.name === name) ?? -1;
     if (at < 0) continue;
     store.select({ characterId: id, joint: at });
-    return;
+    return true;
   }
-  wrong.push(`select=${joint} (expected the name of a joint)`);
+  return false;
 }

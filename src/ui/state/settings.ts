@@ -97,10 +97,11 @@ const WRITE_DELAY_MS = 250;
 /**
  * The stored settings, with every later change stored too.
  *
+ * @param storage undefined: nothing is stored
  * @param kept the part of them to be stored
  */
 export function rememberedSettings(
-  storage: () => Storage,
+  storage: () => Storage | undefined,
   kept: (settings: Settings) => Settings = (settings) => settings,
 ): Observable<Settings> {
   const settings = observable(parseSettings(read(storage)));
@@ -108,7 +109,7 @@ export function rememberedSettings(
   const write = () => {
     timer = undefined;
     try {
-      storage().setItem(KEY, JSON.stringify(kept(settings.get())));
+      storage()?.setItem(KEY, JSON.stringify(kept(settings.get())));
     } catch {
       // Forbidden or full: this visit isn't remembered.
     }
@@ -212,9 +213,9 @@ function parseJson(text: string | null): unknown {
   }
 }
 
-function read(storage: () => Storage): string | null {
+function read(storage: () => Storage | undefined): string | null {
   try {
-    return storage().getItem(KEY);
+    return storage()?.getItem(KEY) ?? null;
   } catch {
     return null;
   }

@@ -292,7 +292,8 @@ export class CameraRig {
     window.addEventListener(
       'pointerdown',
       (event) => {
-        if (event.target !== element) return;
+        // Of a canvas in a shadow root, the target would be its host.
+        if (event.composedPath()[0] !== element) return;
         // A second finger is never a click.
         if (event.isPrimary) this.press.press(event);
         else this.arrive();

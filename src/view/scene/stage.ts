@@ -67,7 +67,8 @@ export class Stage {
   readonly scene = new Scene();
   /** Parent of the characters. */
   readonly content = new Group();
-  private readonly key = new DirectionalLight('#fff0de', 2);
+  /** Throws the shadow. */
+  readonly key = new DirectionalLight('#fff0de', 2);
   private readonly rim = new DirectionalLight('#b9d2ff', 2.4);
   private readonly fill = new DirectionalLight('#fff4e8', 0.95);
   private readonly sky = new HemisphereLight('#eaf0ff', '#cfc6bb', 1.5);
@@ -215,12 +216,6 @@ export class Stage {
     const from = this.away.subVectors(center, this.key.target.position);
     return Math.abs(from.dot(this.right)) <= reach && Math.abs(from.dot(this.up)) <= reach;
   };
-
-  /** Gives back the shadow map until the next frame: it is the largest thing that a small picture needs. */
-  rest(): void {
-    this.key.shadow.dispose();
-    this.moveCasters();
-  }
 
   /** See `ShownDocument.forget`. */
   forget(): void {
