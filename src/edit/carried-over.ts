@@ -1,9 +1,10 @@
 /**
- * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings, sets, locks
- * and retargeting. All of these refer to joints, which may have changed.
+ * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings, sets, locks,
+ * limbs and retargeting. All of these refer to joints, which may have changed.
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
+import { remapLimbs } from '../model/limbs.ts';
 import { remapSets } from '../model/sets.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
@@ -16,13 +17,14 @@ import { remapIk, remapPairs, withIk } from './rig/by-joint.ts';
  * @param after the character with its new skeleton, and everything else as before
  */
 export function carriedOver(before: Character, after: Character): Character {
-  const { poses, ik, driver, sets } = before;
-  if (!(poses ?? ik ?? driver ?? sets)) return after;
+  const { poses, ik, driver, sets, limbs } = before;
+  if (!(poses ?? ik ?? driver ?? sets ?? limbs)) return after;
   const to = before.skeleton && after.skeleton ? sameJoints(before.skeleton, after.skeleton) : [];
   const next = {
     ...after,
     ...(poses && { poses: movedPoses(before, after, poses, to) }),
     ...(sets && { sets: remapSets(sets, to) }),
+    ...(limbs && { limbs: remapLimbs(limbs, to) }),
     ...(driver && { driver: { ...driver, pairs: remapPairs(driver.pairs, 'target', to) } }),
   };
   return ik ? withIk(next, remapIk(ik, to)) : next;
@@ -30,7 +32,7 @@ export function carriedOver(before: Character, after: Character): Character {
 
 /** Reports what referred to joints or DOFs that no longer exist. */
 export function lostOver(before: Character, after: Character, file: string): Diagnostic[] {
-  const { skeleton, ik, sets } = before;
+  const { skeleton, ik, sets, limbs } = before;
   if (!skeleton || !after.skeleton) return [];
   const { joints } = skeleton;
   const to = sameJoints(skeleton, after.skeleton);
@@ -51,9 +53,10 @@ export function lostOver(before: Character, after: Character, file: string): Dia
   const inSets = [
     ...(sets?.sets.flatMap((set) => set.joints) ?? []),
     ...(sets?.locked.map(({ joint }) => joint) ?? []),
+    ...(limbs?.list.flatMap((limb) => limb.joints) ?? []),
   ];
   const lost = inSets.filter((joint) => to[joint] < 0);
-  if (lost.length) say('sets-lost', `${called(lost)} no longer exists and was removed from selection sets and locks.`);
+  if (lost.length) say('sets-lost', `${called(lost)} no longer exists and was removed from sets, locks and limbs.`);
   return problems;
 }
 

@@ -12,10 +12,19 @@ export const RETARGETED = -2;
 
 /** The data that retargeting needs of a character; undefined if it has no skeleton or shows no take. */
 export function driverSource(character: Character): DriverSource | undefined {
-  const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space } = character;
+  const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space, limbs } = character;
   const take = shownTake(character);
   if (!skeleton || !take) return undefined;
-  return { name, skeleton, take, pose, clampsToLimits, timeOffsetSeconds, ...(space && { space }) };
+  return {
+    name,
+    skeleton,
+    take,
+    pose,
+    clampsToLimits,
+    timeOffsetSeconds,
+    ...(space && { space }),
+    ...(limbs && { limbs }),
+  };
 }
 
 /** Whether a character's take can be retargeted to another one. */
@@ -45,17 +54,12 @@ export function followSources(before: Document, after: Document): Document {
   return changed ? { ...after, characters } : after;
 }
 
+/** The fields of a source that are those of its character. */
+const OF_CHARACTER = ['name', 'skeleton', 'pose', 'clampsToLimits', 'timeOffsetSeconds', 'space', 'limbs'] as const;
+
 function sameSource(a: Character, b: Character | undefined): boolean {
   return (
-    a === b ||
-    (b !== undefined &&
-      a.name === b.name &&
-      a.skeleton === b.skeleton &&
-      shownTake(a) === shownTake(b) &&
-      a.pose === b.pose &&
-      a.clampsToLimits === b.clampsToLimits &&
-      a.timeOffsetSeconds === b.timeOffsetSeconds &&
-      a.space === b.space)
+    a === b || (b !== undefined && shownTake(a) === shownTake(b) && OF_CHARACTER.every((key) => a[key] === b[key]))
   );
 }
 

@@ -14,6 +14,7 @@ import {
   ownRevision,
   type PartMark,
   type PartMarks,
+  SINGLE_PARTS,
   UNMARKED,
 } from '../model/part.ts';
 import { characterDofs } from '../model/skeleton/dofs.ts';
@@ -60,42 +61,30 @@ function marksOf(was: Character | undefined, now: Character, count: Count): Part
     const marks = isSaid ? b.map((_, i) => said[key][i] ?? UNMARKED) : followed(a, before[key], b);
     return sameItems(marks.map(numbered), said[key]);
   };
-  const one = (
-    key: 'skeleton' | 'poses' | 'sets',
-    a: object | undefined,
-    b: object | undefined,
-  ): PartMark | undefined => {
-    if (!b) return undefined;
+  const single = SINGLE_PARTS.flatMap((key) => {
+    const [old, own] = [was?.[key], now[key]];
+    if (!own) return [];
     const mark = said[key] ?? UNMARKED;
-    return numbered(a && a !== b && mark === before[key] ? { ...mark, revision: 0 } : mark);
-  };
+    const isNew = old && old !== own && mark === before[key];
+    const known = numbered(isNew ? { ...mark, revision: 0 } : mark);
+    const isSame = !was || known !== before[key] || isWrittenAlike(key, was, now);
+    return [[key, isSame ? known : changed(known)] as const];
+  });
 
-  const skeleton = one('skeleton', was?.skeleton, now.skeleton);
   const skins = list('skins', was?.skins ?? [], now.skins);
   const morphs = list('morphs', was?.morphs ?? [], now.morphs);
   let takes = list('takes', was?.takes ?? [], now.takes);
-  let poses = one('poses', was?.poses, now.poses);
-  let sets = one('sets', was?.sets, now.sets);
   if (was && was.skeleton !== now.skeleton && (isBvh(now) || arePoints(now.skeleton))) {
     // A `.bvh` contains the skeleton with each of its takes.
     takes = takes.map((mark) => (before.takes.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
   }
-  if (was && poses && poses === before.poses && !arePosedAlike(was, now)) poses = changed(poses);
-  if (was && sets && sets === before.sets && !areNamedAlike(was, now)) sets = changed(sets);
 
-  const parts: PartMarks = {
-    ...(skeleton && { skeleton }),
-    ...{ skins, morphs, takes },
-    ...(poses && { poses }),
-    ...(sets && { sets }),
-  };
+  const parts: PartMarks = { ...Object.fromEntries(single), ...{ skins, morphs, takes } };
   const isSame =
-    skeleton === said.skeleton &&
     skins === said.skins &&
     morphs === said.morphs &&
     takes === said.takes &&
-    poses === said.poses &&
-    sets === said.sets;
+    SINGLE_PARTS.every((key) => parts[key] === said[key]);
   return isSame && now.parts ? now.parts : parts;
 
   /** Unchanged content keeps its mark; other content in its place is a new revision of the part. */
@@ -153,6 +142,11 @@ function areTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean
 
 function haveSameMarkers(a: Partial<Take>, b: Partial<Take>): boolean {
   return sameValue(a.markers ?? [], b.markers ?? []);
+}
+
+/** Whether a part that is the same in both is written the same: those of joints name them. */
+function isWrittenAlike(key: (typeof SINGLE_PARTS)[number], was: Character, now: Character): boolean {
+  return key === 'skeleton' || (key === 'poses' ? arePosedAlike : areNamedAlike)(was, now);
 }
 
 /** Whether joints of both are written the same in files beside the skeleton. */

@@ -13,6 +13,7 @@
 import { perObject } from '../model/per-object.ts';
 import { jointReferred } from '../model/skeleton/joint-reference.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
+import { remapGoals } from '../model/takes/goals.ts';
 import { type LayerInfo, type LayersOverBase, provideLayerCode } from '../model/takes/layer-code.ts';
 import { unknownJoints } from '../model/takes/layer-joints.ts';
 import { clampedWeight, countingLayers, haveSameFiles, motionOf, withMotions } from '../model/takes/layers.ts';
@@ -27,6 +28,7 @@ import {
 import { type CompiledTake, compileChannels } from './compiled-take.ts';
 import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';
+import { goalProblems, takeLimbs } from './limbs/over-pose.ts';
 import { PieceSums, type PieceTerm } from './piece-sums.ts';
 
 /** A layer ready for evaluation. */
@@ -46,9 +48,9 @@ export interface CompiledLayer {
   readonly values: Float64Array;
 }
 
-/** Passes this code on to what moves and edits takes; called before there is a take with layers. */
+/** Passes this code on to what moves and edits takes; called before there is a take with layers or goals. */
 export function provideLayers(): void {
-  provideLayerCode({ haveSameFiles, infos, overBase, unknownJoints, withMotions });
+  provideLayerCode({ goalProblems, haveSameFiles, infos, overBase, remapGoals, takeLimbs, unknownJoints, withMotions });
 }
 
 /** A take's layers that count, from the lowest up; cached. */

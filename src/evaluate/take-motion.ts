@@ -1,9 +1,10 @@
 /**
  * The one place where what controls a take becomes values of DOFs: its base, then its layers. The code for layers
- * (`layers.ts`) is passed on once there are any: see `model/takes/layer-code.ts`.
+ * (`layers.ts`) is passed on once there are any: see `model/takes/layer-code.ts`. The goals of limbs come after limits.
  */
+import type { Limbs } from '../model/limbs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import { type LayersOverBase, layerCode } from '../model/takes/layer-code.ts';
+import { type LayersOverBase, type LimbsOverPose, layerCode } from '../model/takes/layer-code.ts';
 import type { Take } from '../model/takes/take.ts';
 import { type CompiledTake, compileTake } from './compiled-take.ts';
 import { evaluateTake } from './curves.ts';
@@ -33,6 +34,17 @@ export function takeMotion(take: Take, skeleton: Skeleton | undefined): TakeMoti
     joints: curves.samples && skeleton && sampledJoints(curves, skeleton),
     layers,
   };
+}
+
+/**
+ * The limbs that a take moves to its goals; undefined without any.
+ * @throws Error for a take with goals whose code was not provided
+ */
+export function limbsOf(
+  take: Take | undefined,
+  { limbs, skeleton }: { readonly limbs?: Limbs; readonly skeleton?: Skeleton },
+): LimbsOverPose | undefined {
+  return take?.goals && limbs && skeleton && layerCode(take).takeLimbs(take.goals, limbs, skeleton);
 }
 
 /**

@@ -19,6 +19,7 @@ import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
 import { LAYERS_EXTENSION } from '../model/takes/layers-file.ts';
+import { LIMBS_EXTENSION } from '../model/takes/limbs-file.ts';
 import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { keysOf, type Take } from '../model/takes/take.ts';
@@ -284,6 +285,18 @@ export const KINDS = {
       isOwn: () => false,
     },
   },
+  limbs: {
+    extensions: [LIMBS_EXTENSION],
+    label: 'limbs',
+    content: 'limbs',
+    isRare: true,
+    beside: 'skeleton',
+    save: {
+      label: 'Limbs (.limbs.json)',
+      has: ({ limbs }) => limbs !== undefined,
+      isOwn: isAnyones,
+    },
+  },
   // Told by content; other texts with these extensions are read as dumps without numbers.
   dump: {
     extensions: DUMP_EXTENSIONS,
@@ -458,6 +471,7 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   dump: { as: 'dump' },
   markers: { as: 'beside' },
   sets: { as: 'beside' },
+  limbs: { as: 'beside' },
   // Joined with the files that it names before anything is opened (`open/layers.ts`).
   layers: { as: 'layers' },
 };
@@ -559,6 +573,11 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
       ...{ name, file, mode, weight: typeof weight === 'number' ? weight : `${weight.times.length} keys` },
       ...{ mute, solo },
     })),
+  }),
+  limbs: ({ limbs: { limbs, base, goals } }) => ({
+    ...(limbs && { limbs: limbs.map(({ name, joints }) => ({ name, joints })) }),
+    ...(base !== undefined && { base }),
+    ...(goals && { goals: goals.map(({ limb, space }) => ({ limb, space })) }),
   }),
   dump: ({ dump: { blocks, time: stated } }) => ({
     blocks: blocks.map(({ holds, time = stated, values, lines }) => ({

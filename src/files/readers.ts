@@ -6,6 +6,7 @@ import { diagnose } from '../formats/diagnose/diagnose.ts';
 import { TEXT_LAYOUTS, type TextLayout } from '../formats/diagnose/layouts.ts';
 import { dumpReader } from '../formats/dump/read.ts';
 import { layersReader } from '../formats/layers/read.ts';
+import { limbsReader } from '../formats/limbs/read.ts';
 import { markersReader } from '../formats/markers/read.ts';
 import { morphReader } from '../formats/morph/read.ts';
 import { NO_PLACE } from '../formats/places.ts';
@@ -61,6 +62,7 @@ const READERS = {
   markers: (name) => mapped(markersReader(name), (markers) => ({ kind: 'markers', markers })),
   sets: (name) => mapped(setsReader(name), (sets) => ({ kind: 'sets', sets })),
   layers: (name) => mapped(layersReader(name), (layers) => ({ kind: 'layers', layers })),
+  limbs: (name) => mapped(limbsReader(name), (limbs) => ({ kind: 'limbs', limbs })),
   dump,
 } satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K> | ContentOf<'character'>> };
 

@@ -4,6 +4,7 @@ import { writeAsf } from '../formats/acclaim/write-asf.ts';
 import { writeAnim } from '../formats/anim/write.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
 import { writeLayers } from '../formats/layers/write.ts';
+import { writeLimbs } from '../formats/limbs/write.ts';
 import { writeMarkers } from '../formats/markers/write.ts';
 import { writeMorph } from '../formats/morph/write.ts';
 import { writePoses } from '../formats/pose/write.ts';
@@ -158,6 +159,10 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
     write: ({ layers }, name) => writeLayers(layers, name),
     detail: (character) => [{ count: shownTake(character)?.layers?.list.length ?? 0, one: 'layer' }],
     copies: layersCopies,
+  },
+  limbs: {
+    write: ({ limbs }, name) => writeLimbs(limbs, name),
+    detail: ({ limbs }) => [{ count: limbs?.list.length ?? 0, one: 'limb' }],
   },
 };
 

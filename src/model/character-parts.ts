@@ -7,7 +7,7 @@ import type { Skeleton } from './skeleton/skeleton.ts';
 
 /** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
-  const { name, skeleton, skins, morphs, takes, poses, sets, parts = NO_MARKS } = character;
+  const { name, skeleton, skins, morphs, takes, poses, sets, limbs, parts = NO_MARKS } = character;
   const capture = skeleton && isBvh(character) ? skeleton : undefined;
   const isAcclaim = isOfJoints(character, 'asf');
   const isPoints = arePoints(skeleton);
@@ -33,6 +33,9 @@ export function partsOf(character: Character): readonly Part[] {
     ...animations,
     ...(poses ? [part('pose', name, { ...(skeleton && { skeleton }), morphs, poses }, parts.poses)] : []),
     ...(skeleton && sets ? [part('sets', stemBeside(skeleton, parts.skeleton), { skeleton, sets }, parts.sets)] : []),
+    ...(skeleton && limbs
+      ? [part('limbs', stemBeside(skeleton, parts.skeleton), { skeleton, limbs }, parts.limbs)]
+      : []),
   ];
 }
 
@@ -55,7 +58,7 @@ function part<K extends PartKind>(kind: K, name: string, content: PartContents[K
   } as Part;
 }
 
-/** Skeletons, poses and sets are named independently of their files; all others take the file's name. */
+/** Skeletons, poses, sets and limbs are named independently of their files; all others take the file's name. */
 function isFrom(mark: PartMark | undefined, kind: PartKind, name: string): boolean {
   const { file } = mark ?? {};
   return file?.kind === kind && (isSkeletonKind(kind) || isNamedApart(kind) || file.holds === name);

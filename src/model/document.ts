@@ -6,6 +6,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { IkSetup } from './ik.ts';
 import type { JointType } from './joint-types/type.ts';
+import type { Limbs } from './limbs.ts';
 import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
 import { perObject } from './per-object.ts';
@@ -72,6 +73,8 @@ export interface Character {
   readonly poses?: readonly NamedPose[];
   /** Selection sets and locked DOFs, saved beside the skeleton; absent rather than empty. */
   readonly sets?: Sets;
+  /** Limbs that goals of takes move, saved beside the skeleton; absent rather than empty. */
+  readonly limbs?: Limbs;
   /** The files it was read from. */
   readonly sources: readonly SourceFile[];
   /** Files of it that had errors: read later, they are its own. Absent rather than empty. */
@@ -100,6 +103,7 @@ export interface DriverSource {
   readonly name: string;
   readonly skeleton: Skeleton;
   readonly take: Take;
+  readonly limbs?: Limbs;
   readonly pose: readonly number[];
   readonly clampsToLimits: boolean;
   readonly timeOffsetSeconds: number;

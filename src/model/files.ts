@@ -1,6 +1,7 @@
 /** Results of reading: one model per file, whatever its format. */
 
 import type { Dump } from './dump.ts';
+import type { Limbs } from './limbs.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
 import type { PoseLibrary } from './poses.ts';
@@ -11,6 +12,7 @@ import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { FileSpace } from './space.ts';
 import type { LayersFile } from './takes/layers-file.ts';
+import type { LimbsFile } from './takes/limbs-file.ts';
 import type { Marker } from './takes/markers.ts';
 import type { Take } from './takes/take.ts';
 
@@ -66,6 +68,8 @@ interface Contents {
   readonly markers: { readonly file: { readonly markers: readonly Marker[] } };
   /** Selection sets and locked DOFs of a character, beside its skeleton. */
   readonly sets: { readonly file: { readonly sets: SetsByName }; readonly part: SetsOf };
+  /** Limbs of a character, beside its skeleton; goals of a take, which it is called after; or both. */
+  readonly limbs: { readonly file: { readonly limbs: LimbsFile }; readonly part: LimbsOf };
   /** Layers of a take, which it is called after. */
   readonly layers: { readonly file: { readonly layers: LayersFile } };
   /** Numbers of another program, to be compared with a character. */
@@ -90,6 +94,12 @@ export type PartContents = { readonly [K in PartKind]: Contents[K]['part'] };
 export interface SetsOf {
   readonly skeleton: Skeleton;
   readonly sets: Sets;
+}
+
+/** Limbs with the skeleton whose joints they name. */
+export interface LimbsOf {
+  readonly skeleton: Skeleton;
+  readonly limbs: Limbs;
 }
 
 /** An Acclaim skeleton with the unit that it states, or that was guessed. */

@@ -11,6 +11,7 @@
 import { type FileKind, type PartContents, type PartKind, type SourceFile, sameName } from './files.ts';
 import { SETS_EXTENSION } from './sets.ts';
 import { savesAsAxisAngle } from './skeleton/axis-angle.ts';
+import { LIMBS_EXTENSION } from './takes/limbs-file.ts';
 import type { Take } from './takes/take.ts';
 
 /** The file that a part was read from or saved as. */
@@ -44,7 +45,11 @@ export interface PartMarks {
   readonly takes: readonly PartMark[];
   readonly poses?: PartMark;
   readonly sets?: PartMark;
+  readonly limbs?: PartMark;
 }
+
+/** The fields of characters, and of their marks, that are a part each. */
+export const SINGLE_PARTS = ['skeleton', 'poses', 'sets', 'limbs'] as const;
 
 /** The mark of a part that the store has not numbered yet. */
 export const UNMARKED: PartMark = { id: 0, revision: 0 };
@@ -64,14 +69,14 @@ export function ownRevision({ revision, withoutMarkers }: Pick<PartMark, 'revisi
 
 /** Applies a change to each mark, keeping their structure. */
 export function mapMarks(parts: PartMarks, change: (mark: PartMark) => PartMark): PartMarks {
-  const { skeleton, skins, morphs, takes, poses, sets } = parts;
+  const { skins, morphs, takes } = parts;
+  const single = SINGLE_PARTS.flatMap((key) => {
+    const mark = parts[key];
+    return mark ? [[key, change(mark)] as const] : [];
+  });
   return {
-    ...(skeleton && { skeleton: change(skeleton) }),
-    skins: skins.map(change),
-    morphs: morphs.map(change),
-    takes: takes.map(change),
-    ...(poses && { poses: change(poses) }),
-    ...(sets && { sets: change(sets) }),
+    ...Object.fromEntries(single),
+    ...{ skins: skins.map(change), morphs: morphs.map(change), takes: takes.map(change) },
   };
 }
 
@@ -106,7 +111,7 @@ export function isSkeletonKind(kind: PartKind): boolean {
 
 /** Whether the file of a part of that kind may have any name: it says nothing about its content. */
 export function isNamedApart(kind: PartKind): boolean {
-  return kind === 'pose' || kind === 'sets';
+  return kind === 'pose' || kind === 'sets' || kind === 'limbs';
 }
 
 /** Whether parts of a kind are takes, with or without their skeleton. */
@@ -132,7 +137,7 @@ export function fileNameOf(part: Part): string {
 }
 
 /** Where the extension is not the name of the kind. */
-const EXTENSIONS: { readonly [K in PartKind]?: string } = { sets: SETS_EXTENSION };
+const EXTENSIONS: { readonly [K in PartKind]?: string } = { sets: SETS_EXTENSION, limbs: LIMBS_EXTENSION };
 
 /** The axis-angle form may use its file's extension or its own. */
 export function newFileName(part: Part): string {

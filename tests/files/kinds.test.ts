@@ -66,6 +66,30 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, FetchedKind>, FileContent | 
       ],
     },
   },
+  limbs: {
+    kind: 'limbs',
+    limbs: {
+      limbs: [
+        {
+          ...{ name: 'leg', joints: ['thigh', '#7', 'foot'], tip: [0, -0.1, 0.2], orient: true },
+          bend: { dof: 'rx', sign: -1 },
+        },
+      ],
+      base: 'walk.base.anim',
+      flattened: { file: 'walk.anim', sha256: '0f'.repeat(32) },
+      goals: [
+        { limb: 'leg', space: 'world', channels: { tx: { curve: 1 } } },
+        {
+          limb: 'arm',
+          space: [
+            [0, 'world'],
+            [1.5, '#3'],
+          ],
+          channels: {},
+        },
+      ],
+    },
+  },
   dump: {
     bytes: 'world\n0 1 2\n',
     content: {

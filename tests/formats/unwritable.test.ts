@@ -63,6 +63,7 @@ const CASES: readonly (readonly [string, FileContent, string])[] = [
     { kind: 'layers', layers: { base: 'b.anim', layers: [], others: { made: Number.NaN } } },
     'found NaN in made.',
   ],
+  ['x.limbs.json', { kind: 'limbs', limbs: { limbs: [], others: { made: Number.NaN } } }, 'found NaN in made.'],
 ];
 
 describe('a number that no file can hold', () => {

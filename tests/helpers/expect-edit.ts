@@ -11,6 +11,7 @@ import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { Store } from '../../src/edit/store.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../../src/model/document.ts';
 import type { FileContent } from '../../src/model/files.ts';
+import { limbsByName } from '../../src/model/limbs.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
 import { setsByName } from '../../src/model/sets.ts';
 import { read } from '../formats/read-in-pieces.ts';
@@ -102,7 +103,7 @@ function freeze(value: unknown): void {
 const HOLDS_PARTS: readonly string[] = [
   ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'takes', 'channels', 'samples'],
   ...['layers', 'list', 'motion', 'base'],
-  ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sets', 'sources'],
+  ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sets', 'limbs', 'goals', 'sources'],
 ];
 
 /** The view compares by identity: an unchanged part must be the same object. Lists may be new. */
@@ -143,7 +144,7 @@ function nameOf(item: unknown): unknown {
 
 /** Changed parts, written to their formats. */
 function expectReadsBack(character: Character, before: Character | undefined): void {
-  const { skeleton, skins, morphs, takes, poses, sets } = character;
+  const { skeleton, skins, morphs, takes, poses, sets, limbs } = character;
   const isNew = (part: object, of: readonly object[] | undefined) => !of?.includes(part);
   if (skeleton && skeleton !== before?.skeleton && !isBvh(character)) {
     // No `.skel` has End Sites or BVH's joints, and its names are single words.
@@ -156,7 +157,9 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   for (const morph of morphs.filter((part) => isNew(part, before?.morphs))) {
     expectRoundTrip({ kind: 'morph', morph: { ...morph, name: 'x' } });
   }
-  for (const { markers: _besideIt, layers: _too, ...take } of takes.filter((part) => isNew(part, before?.takes))) {
+  for (const { markers: _besideIt, layers: _too, goals: _goals, ...take } of takes.filter((part) =>
+    isNew(part, before?.takes),
+  )) {
     // A `.bvh` has no keys; an `.anim` has no samples, and no resting channel without a key.
     const isCapture = skeleton !== undefined && isBvh(character) && take.channels.every(({ kind }) => kind !== 'keys');
     if (isCapture && take.samples) expectRoundTrip({ kind: 'bvh', captures: [{ skeleton, take }] }, false);
@@ -166,6 +169,15 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   }
   if (skeleton && sets && sets !== before?.sets) {
     expectRoundTrip({ kind: 'sets', sets: setsByName(sets, skeleton) }, true, 'x.sets.json');
+  }
+  if (skeleton && limbs && limbs !== before?.limbs) {
+    const { list, ...more } = limbs;
+    const content = { limbs: limbsByName(list, skeleton), ...more };
+    expectRoundTrip({ kind: 'limbs', limbs: content }, true, 'x.limbs.json');
+  }
+  for (const { goals } of takes.filter((part) => isNew(part, before?.takes))) {
+    if (goals)
+      expectRoundTrip({ kind: 'limbs', limbs: { goals: goals.list, base: 'x.base.anim' } }, true, 'x.limbs.json');
   }
   if (poses && poses !== before?.poses) {
     expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });

@@ -9,6 +9,7 @@
 
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { applyConstraints, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
+import { type LimbInfo, limbInfos } from '../../evaluate/limbs/infos.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { isVisible } from '../../evaluate/visible-points.ts';
@@ -156,6 +157,8 @@ interface PosedCharacter {
   /** Positions of End Sites: ends of bones without a joint there. Absent if there are none. */
   readonly endSites?: readonly EndSitePosition[];
   readonly morphs: readonly { readonly name: string; readonly weight: number }[];
+  /** Limbs that the take moves to goals; absent if there are none. */
+  readonly limbs?: readonly LimbInfo[];
   /** x y z per vertex. */
   readonly positions?: readonly number[];
   /** x y z per vertex, unit length. */
@@ -217,6 +220,9 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     ...(skinning && 16 * index < skinning.length && { skinning: matrixAt(skinning, index) }),
     ...(world && joint.length !== undefined && { tip: tipPosition(joint.length, world, index) }),
   }));
+  const time = timeOf(character, asked);
+  // Joints that were set by hand are not those of the take.
+  const limbs = time === undefined || asked.dofs || asked.root ? [] : limbInfos(character, time);
   const endSites = skeleton && world ? endSitePositions(skeleton, world, values) : [];
   const firstMorph = values.length - morphs.length;
   const { positions, normals } = deformed(character, values, firstMorph, world);
@@ -231,6 +237,7 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     ...(posedPoints && { points: posedPoints }),
     ...(endSites.length > 0 && { endSites }),
     morphs: morphs.map((morph, m) => ({ name: morph.name, weight: values[firstMorph + m] })),
+    ...(limbs.length > 0 && { limbs }),
     ...(withVertices && { positions: Array.from(positions ?? []), normals: Array.from(normals ?? []) }),
     bounds: boundsOf(points),
   };
@@ -300,7 +307,7 @@ function boundsOf(points: Float64Array): PosedCharacter['bounds'] {
 }
 
 function asText(posed: PosedCharacter): string {
-  const { name, root, joints, points = [], endSites = [], morphs, positions, normals, bounds } = posed;
+  const { name, root, joints, points = [], endSites = [], limbs = [], morphs, positions, normals, bounds } = posed;
   const lines = [`character ${name}, root ${root.join(' ')}`];
   for (const joint of joints) {
     lines.push(
@@ -311,6 +318,9 @@ function asText(posed: PosedCharacter): string {
   }
   for (const { name: label, position } of points) lines.push(`  ${label}: ${position?.join(' ') ?? 'missing'}`);
   for (const { joint, position } of endSites) lines.push(`  end site of ${joint}: ${position.join(' ')}`);
+  for (const { name: limb, blend, space, goal, gap } of limbs) {
+    lines.push(`  limb ${limb}: blend ${blend}, goal ${goal.join(' ')} in ${space}, gap ${gap}`);
+  }
   for (const morph of morphs) lines.push(`  morph ${morph.name}: ${morph.weight}`);
   for (let o = 0; positions && normals && o < positions.length; o += 3) {
     const [position, normal] = [positions, normals].map((list) => list.slice(o, o + 3).join(' '));

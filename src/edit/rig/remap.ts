@@ -1,11 +1,13 @@
 /**
  * Gives a character another skeleton and remaps everything that refers to joints or DOFs: skins, takes, pose, unkeyed
- * changes, pose library, IK settings, sets, locks and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
+ * changes, pose library, IK settings, sets, locks, limbs with their goals and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
  * keep their identity.
  */
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk } from '../../model/ik.ts';
+import { remapLimbs } from '../../model/limbs.ts';
 import { remapSets } from '../../model/sets.ts';
+import { layerCode } from '../../model/takes/layer-code.ts';
 import { changeCharacter } from '../characters.ts';
 import { sameValue } from '../delta.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -31,11 +33,22 @@ function remapped(character: Character, map: JointMap): Character {
     skins: mapped(skins, (skin) => remapSkin(skin, map)),
   };
   return withJoints(
-    map.keepsDofs
-      ? next
-      : withDofs({ ...next, takes: mapped(takes, (take) => remapTake(take, map, character.pose)) }, map),
+    withLimbs(
+      map.keepsDofs
+        ? next
+        : withDofs({ ...next, takes: mapped(takes, (take) => remapTake(take, map, character.pose)) }, map),
+      map,
+    ),
     map,
   );
+}
+
+/** Remaps limbs, and the spaces of goals by the names that joints now have. What is no limb any more is not moved. */
+function withLimbs(character: Character, { before, after, to }: JointMap): Character {
+  const { limbs, takes } = character;
+  if (!limbs) return character;
+  const moved = mapped(takes, (take) => (take.goals ? layerCode(take).remapGoals(take, before, after, to) : take));
+  return { ...character, limbs: remapLimbs(limbs, to), takes: moved };
 }
 
 /** The previous object if it is equal. */

@@ -60,10 +60,10 @@ function correction(bodies: Bodies, source: Character, target: number): Float64A
 }
 
 function referenceOf(bodies: Bodies, source: Character): Reference {
-  const { pose, clampsToLimits } = source;
+  const { pose, clampsToLimits, limbs } = source;
   const take = source.driver ? undefined : shownTake(source);
   if (!take) return { ...sourceBody(bodies), soles: true };
-  const played = playedSource({ skeleton: bodies.source, take, pose, clampsToLimits });
+  const played = playedSource({ skeleton: bodies.source, take, pose, clampsToLimits, ...(limbs && { limbs }) });
   return sourceReference(bodies, { played, range: take.range }, 'automatic');
 }
 

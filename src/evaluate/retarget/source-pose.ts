@@ -3,8 +3,9 @@
  * their own).
  */
 import type { DriverSource } from '../../model/document.ts';
+import type { LimbsOverPose } from '../../model/takes/layer-code.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
-import { evaluateMotion, type TakeMotion, takeMotion } from '../take-motion.ts';
+import { evaluateMotion, limbsOf, type TakeMotion, takeMotion } from '../take-motion.ts';
 
 /** A source of retargeting, compiled. */
 export interface PlayedSource {
@@ -12,6 +13,7 @@ export interface PlayedSource {
   readonly pose: readonly number[];
   readonly clampsToLimits: boolean;
   readonly motion: TakeMotion;
+  readonly limbs: LimbsOverPose | undefined;
   /** Number of DOFs of root and joints. */
   readonly dofCount: number;
   /** Number of leading DOFs that have a channel. */
@@ -19,12 +21,10 @@ export interface PlayedSource {
 }
 
 /** Compiles what is needed to pose a source at any time of its take. */
-export function playedSource({
-  skeleton,
-  take,
-  pose,
-  clampsToLimits,
-}: Pick<DriverSource, 'skeleton' | 'take' | 'pose' | 'clampsToLimits'>): PlayedSource {
+export function playedSource(
+  source: Pick<DriverSource, 'skeleton' | 'take' | 'limbs' | 'pose' | 'clampsToLimits'>,
+): PlayedSource {
+  const { skeleton, take, pose, clampsToLimits } = source;
   const compiled = compileSkeleton(skeleton);
   const dofCount = compiled.firstDof[compiled.jointCount];
   return {
@@ -32,6 +32,7 @@ export function playedSource({
     pose,
     clampsToLimits,
     motion: takeMotion(take, skeleton),
+    limbs: limbsOf(take, source),
     dofCount,
     driven: Math.min(take.channels.length, dofCount),
   };
@@ -43,4 +44,5 @@ export function sourcePose(source: PlayedSource, takeSeconds: number, out: Float
   for (let d = 0; d < dofCount; d++) out[d] = pose[d] ?? 0;
   evaluateMotion(motion, takeSeconds, out, driven);
   applyConstraints(source.skeleton, out, source.clampsToLimits);
+  source.limbs?.solve(takeSeconds, out, source.clampsToLimits);
 }

@@ -9,6 +9,7 @@ import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { goalCurves, spacesOf } from '../../model/takes/goals.ts';
 import { motionsOf } from '../../model/takes/layers.ts';
 import type { Samples } from '../../model/takes/samples.ts';
 import { baseOf, type KeyedChannel, repeats, type Take } from '../../model/takes/take.ts';
@@ -81,7 +82,7 @@ export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: n
   const { samples } = baseOf(take);
   // A weight over time times a cubic is none.
   const isFaded = take.layers?.list.some(({ weight }) => typeof weight !== 'number') ?? false;
-  const isKeyed = !drives && samples === undefined && !isFaded;
+  const isKeyed = !drives && samples === undefined && !isFaded && !take.goals;
   const hasKeys = motions.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
   return {
     name: take.name,
@@ -89,7 +90,8 @@ export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: n
     end,
     breaks: times,
     jumps,
-    isStraight: !drives && !hasKeys && samples?.interpolation === 'linear' && turnAsAWhole(character.skeleton),
+    isStraight:
+      !drives && !hasKeys && samples?.interpolation === 'linear' && !take.goals && turnAsAWhole(character.skeleton),
     isKeyed,
     framesPerSecond: samples && 1 / samples.frameSeconds,
     write(seconds, row) {
@@ -129,11 +131,13 @@ function breakTimes(take: Take, start: number, end: number): Breaks {
   };
   const seen: KeyedChannel[] = [];
   const weights = take.layers?.list.flatMap(({ weight }) => (typeof weight === 'number' ? [] : [weight])) ?? [];
-  for (const channel of [...motionsOf(take).flatMap(({ channels }) => channels), ...weights]) {
+  for (const channel of [...motionsOf(take).flatMap(({ channels }) => channels), ...weights, ...goalCurves(take)]) {
     if (channel.kind !== 'keys' || seen.some((other) => hasSameTimes(channel, other))) continue;
     seen.push(channel);
     seeKeys(channel, start, end, see);
   }
+  // Goals may jump where their space changes.
+  for (const [time] of take.goals?.list.flatMap(spacesOf) ?? []) see(time, true);
   const { samples, channels } = baseOf(take);
   if (samples && channels.some(({ kind }) => kind === 'samples')) seeFrames(samples, start, end, see);
   return merged(Float64Array.from(new Set(found)).sort(), jumps);

@@ -101,11 +101,20 @@ function bodyOf(skeleton: Skeleton, played: Character, bones: HumanBones): Body 
   eachFrame(played, start, (dofs) => {
     lengths = retargetBody(skeleton, played.space, dofs);
   });
-  const { clampsToLimits } = played;
+  const { clampsToLimits, limbs } = played;
   // What is retargeted to it has joints of its own.
   const stood =
     take && !played.driver
-      ? { played: playedSource({ skeleton, take, pose: filePose(skeleton, 0), clampsToLimits }), range: take.range }
+      ? {
+          played: playedSource({
+            skeleton,
+            take,
+            pose: filePose(skeleton, 0),
+            clampsToLimits,
+            ...(limbs && { limbs }),
+          }),
+          range: take.range,
+        }
       : undefined;
   const pose = tPoseOf(skeleton, played.space, bones, stood, lengths);
   return { kept: [...needed].sort((a, b) => a - b), pose, lengths };

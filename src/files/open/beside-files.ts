@@ -11,7 +11,7 @@
  * and autosave follow from there (`sets`). Otherwise it is a part of its take, as markers are.
  */
 
-import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import {
   type ContentOf,
@@ -22,8 +22,12 @@ import {
   sameName,
   stemOf,
 } from '../../model/files.ts';
+import { limbsOfJoints } from '../../model/limb-problems.ts';
 import { NO_MARKS, readAs } from '../../model/part.ts';
 import { setsOfJoints } from '../../model/sets.ts';
+import { layerCode } from '../../model/takes/layer-code.ts';
+import type { LimbsFile } from '../../model/takes/limbs-file.ts';
+import type { Goals } from '../../model/takes/take.ts';
 import { withMarkers } from '../../model/takes/with-markers.ts';
 import { type Beside, besideOf, formatKindOf, KINDS, nameBeside } from '../kinds.ts';
 import { withSource } from './assemble.ts';
@@ -43,7 +47,7 @@ interface Given {
  */
 type Give<K extends FileKind> = (at: BesidePlace, content: ContentOf<K>, source: SourceFile, called: string) => Given;
 
-const GIVE: { readonly [K in 'markers' | 'sets']: Give<K> } = {
+const GIVE: { readonly [K in 'markers' | 'sets' | 'limbs']: Give<K> } = {
   markers: ({ character, take }, { markers }) => ({
     character: { ...character, takes: character.takes.with(take, withMarkers(character.takes[take], markers)) },
   }),
@@ -61,13 +65,64 @@ const GIVE: { readonly [K in 'markers' | 'sets']: Give<K> } = {
       }),
     };
   },
+  // Limbs to the skeleton, in place of those that it had; goals to the take, if it is beside one.
+  limbs({ character, take }, { limbs: file }, source, called) {
+    const { skeleton } = character;
+    if (!skeleton) return { character };
+    const given = file.limbs ? withLimbs(character, file, source, called) : { character };
+    if (!file.goals || take < 0) return given;
+    const { goals: list, base, flattened, others } = file;
+    const goals: Goals = {
+      list,
+      ...(base !== undefined && { baseFile: base }),
+      ...(flattened?.others && { ofFlattened: flattened.others }),
+      ...(others && !file.limbs && { others }),
+    };
+    const { takes, limbs = { list: [] } } = given.character;
+    const problems = layerCode(takes[take]).goalProblems(goals, limbs, skeleton);
+    const told = problems.map(({ code, message }) =>
+      code === 'limb-cycle'
+        ? withoutPlace('error', code, message, called)
+        : withoutPlace('warning', code, message, called, 'left out'),
+    );
+    const diagnostics = [...(given.diagnostics ?? []), ...told];
+    if (hasErrors(told)) return { character, diagnostics };
+    const withGoals = { ...given.character, takes: takes.with(take, { ...takes[take], goals }) };
+    return { character: withSource(withGoals, source, character), diagnostics };
+  },
 };
+
+function withLimbs(
+  character: Character,
+  { limbs: byName = [], others }: LimbsFile,
+  source: SourceFile,
+  called: string,
+): Given {
+  const { skeleton, parts = NO_MARKS } = character;
+  if (!skeleton) return { character };
+  const { limbs: list, problems } = limbsOfJoints(byName, skeleton);
+  const mark = readAs(parts.limbs, { kind: 'limbs', source, holds: skeleton.name });
+  const limbs = { list, ...(others && { others }) };
+  return {
+    character: { ...withSource(character, source, character), limbs, parts: { ...parts, limbs: mark } },
+    diagnostics: problems.map(({ code, message }) => withoutPlace('warning', code, message, called, 'left out')),
+  };
+}
 
 /** Gives JSON to the skeleton or the take that it is beside: one from the same folder, just opened, or any. */
 export function openBeside(opening: Opening, file: ParsedFile): void {
   const format = formatKindOf(file.source.name);
-  const of = format && besideOf(format);
-  if (!of || (file.kind !== 'markers' && file.kind !== 'sets')) return;
+  const beside = format && besideOf(format);
+  if (!beside || opening.used.has(file)) return;
+  if (file.kind !== 'markers' && file.kind !== 'sets' && file.kind !== 'limbs') return;
+  const hasGoals = file.kind === 'limbs' && file.limbs.goals !== undefined;
+  const of = hasGoals ? 'take' : beside;
+  if (hasGoals) {
+    // Goals are checked against the limbs.
+    for (const other of opening.files) {
+      if (other.kind === 'limbs' && !other.limbs.goals) openBeside(opening, other);
+    }
+  }
   const characters = opening.characters.all;
   const known = opening.characters.withFile(file.source);
   const fresh = characters.filter((c) => opening.opened.has(c.id));
@@ -77,12 +132,19 @@ export function openBeside(opening: Opening, file: ParsedFile): void {
     return;
   }
   const called = opening.called(file.source);
-  const { character, diagnostics = [] } =
-    file.kind === 'sets' ? GIVE.sets(place, file, file.source, called) : GIVE.markers(place, file, file.source, called);
+  const { character, diagnostics = [] } = givenTo(place, file, called);
   opening.diagnostics.push(...diagnostics);
+  if (character === place.character) return;
   opening.characters.replace(character);
   opening.opened.add(character.id);
   opening.used.add(file);
+}
+
+function givenTo(place: BesidePlace, file: ContentOf<keyof typeof GIVE> & ParsedFile, called: string): Given {
+  if (file.kind === 'sets') return GIVE.sets(place, file, file.source, called);
+  return file.kind === 'limbs'
+    ? GIVE.limbs(place, file, file.source, called)
+    : GIVE.markers(place, file, file.source, called);
 }
 
 /** The place that a file is beside: a character, and the index of its take, or -1 for its skeleton. */

@@ -1,25 +1,22 @@
 /**
- * Joins the files of takes with layers, when files have been read and before they are opened: each `.layers.json` with
- * its base and its layers, found by base name among the files given, becomes one file of a take with the name of the
- * JSON. Its parts are no takes of their own, nor is the plain file beside it, which holds the flattened result.
+ * Joins the files of takes with layers or goals of limbs, when files have been read and before they are opened: each
+ * `.layers.json` and `.limbs.json` with its base and its layers, found by base name among the files given, becomes one
+ * file of a take with the name of the JSON. Its parts are no takes of their own, nor is the plain file beside it, which
+ * holds the flattened result.
  *
  *     walk.base.anim  walk.arm.anim  walk.layers.json  walk.anim   →   walk.anim, of a take with layers
+ *     walk.base.anim  walk.limbs.json  walk.anim                   →   walk.anim, of the base, and walk.limbs.json
+ *
+ * Goals are given to the take once it is open (`beside-files.ts`), since they depend on the limbs of its character.
  */
 import { provideLayers } from '../../evaluate/layers.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import {
-  baseName,
-  type FileNaming,
-  folderOf,
-  type ParsedFile,
-  type SourceFile,
-  sameName,
-  stemOf,
-} from '../../model/files.ts';
+import { baseName, type FileNaming, folderOf, type ParsedFile, type SourceFile, sameName } from '../../model/files.ts';
 import { ownChannels } from '../../model/skeleton/skel-motion.ts';
 import { arranged } from '../../model/takes/layers.ts';
-import { type FlattenedFile, LAYERS_EXTENSION, type LayersFile } from '../../model/takes/layers-file.ts';
+import type { FlattenedFile, LayersFile } from '../../model/takes/layers-file.ts';
 import { type Layer, restChannel, type Take } from '../../model/takes/take.ts';
+import { nameBeside } from '../kinds.ts';
 
 /** The two ways to take a plain file with other bytes than those that were saved with its controls. */
 export const KEEP = ['edit', 'controls'] as const;
@@ -33,11 +30,13 @@ export interface Joined {
 }
 
 type LayersParsed = Extract<ParsedFile, { readonly kind: 'layers' }>;
+type LimbsParsed = Extract<ParsedFile, { readonly kind: 'limbs' }>;
 type AnimParsed = Extract<ParsedFile, { readonly kind: 'anim' }>;
 type BaseParsed = AnimParsed | Extract<ParsedFile, { readonly kind: 'bvh' }>;
 
 /** Undefined for files that hold no controls of a take. */
 function flattenedIn(file: ParsedFile): FlattenedFile | undefined {
+  if (file.kind === 'limbs') return file.limbs.goals && file.limbs.flattened;
   return file.kind === 'layers' ? file.layers.flattened : undefined;
 }
 
@@ -60,53 +59,91 @@ export function editedPlainFiles(files: readonly ParsedFile[]): readonly ParsedF
   );
 }
 
-/** Joins the files of takes with layers; the same lists if there are none. */
+/** The JSON files of one take. */
+interface Controls {
+  readonly layers?: LayersParsed;
+  readonly limbs?: LimbsParsed;
+  /** The first of them. */
+  readonly json: LayersParsed | LimbsParsed;
+  readonly name: string;
+}
+
+/** The controls of each take, in the order of the files. */
+function controlsIn(files: readonly ParsedFile[]): readonly Controls[] {
+  const all = new Map<string, Controls>();
+  for (const file of files) {
+    if (file.kind !== 'layers' && !(file.kind === 'limbs' && file.limbs.goals)) continue;
+    const name = nameBeside(file.source.name);
+    const key = `${folderOf(file.source)}/${name}`.toLowerCase();
+    const known = all.get(key) ?? { json: file, name };
+    all.set(key, { ...known, ...(file.kind === 'layers' ? { layers: file } : { limbs: file }) });
+  }
+  return [...all.values()];
+}
+
+/** Joins the files of takes with layers or goals; the same lists if there are none. */
 export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: FileNaming): Joined {
-  const jsons = files.filter((file) => file.kind === 'layers');
-  if (jsons.length === 0) return { files, diagnostics: [] };
+  const all = controlsIn(files);
+  if (all.length === 0) return { files, diagnostics: [] };
   provideLayers();
   const diagnostics: Diagnostic[] = [];
   const replaced = new Map<ParsedFile, ParsedFile>();
   const gone = new Set<ParsedFile>();
-  for (const json of jsons) {
-    const parts = partsOf(json, files, called, diagnostics);
-    if (!parts) continue;
-    const { base, layers } = parts;
-    const { flattened } = json.layers;
-    const name = stemOfTake(json.source);
-    const plain = plainOf(json, files, base);
-    for (const part of [base, ...layers, json]) gone.add(part);
-    const isOther = plain !== undefined && flattened !== undefined && isEdited(plain, flattened);
-    if (isOther) diagnostics.push(edited(plain, keep, called(json.source)));
-    if (isOther && keep === 'edit') continue;
-    const take = layeredTake(json.layers, base, layers, name, called(json.source), diagnostics);
-    // Other bytes than those of the plain file are written anew, so it doesn't count as read.
-    const source: SourceFile = plain && !isOther ? plain.source : plainSource(plain, json.source, name);
-    const beside = [json, base, ...layers].map((part) => part.source);
-    if (base.kind === 'bvh') {
-      const captures = base.captures.map((capture, i) => (i === 0 ? { ...capture, take } : capture));
-      replaced.set(base, { ...base, captures, beside: beside.filter((one) => one !== base.source) });
-      gone.delete(base);
+  const drop = ({ layers, limbs }: Controls) => {
+    if (layers) gone.add(layers);
+    const left = limbs && withoutGoals(limbs);
+    if (left) replaced.set(limbs, left);
+    else if (limbs) gone.add(limbs);
+  };
+  for (const controls of all) {
+    const { json, name } = controls;
+    const parts = partsOf(controls, files, called, diagnostics);
+    if (!parts) {
+      drop(controls);
       continue;
     }
-    const joined: ParsedFile = { kind: 'anim', take, source, beside, ...(isOther && { isJoinedByChoice: true }) };
+    const { base, layers } = parts;
+    const plain = plainOf(controls, files, base);
+    const other = [controls.layers, controls.limbs].find((one) => one && plain && isEditedBeside(plain, one));
+    const isOther = plain !== undefined && other !== undefined;
+    if (isOther) diagnostics.push(edited(plain, keep, called(other.source)));
+    if (isOther && keep === 'edit') {
+      for (const part of [base, ...layers]) gone.add(part);
+      drop(controls);
+      continue;
+    }
+    const take = takeOfParts(controls, parts, called, diagnostics);
+    if (controls.layers) gone.add(controls.layers);
+    for (const part of layers) gone.add(part);
+    // Other bytes than those of the plain file are written anew, so it doesn't count as read.
+    const source: SourceFile = plain && !isOther ? plain.source : plainSource(plain, json.source, name);
+    const beside = [...(controls.layers ? [controls.layers] : []), base, ...layers].map((part) => part.source);
+    if (base.kind === 'bvh') {
+      const captures = base.captures.map((capture, i) => (i === 0 ? { ...capture, take } : capture));
+      const others = beside.filter((one) => one !== base.source);
+      if (controls.layers) replaced.set(base, { ...base, captures, beside: others });
+      continue;
+    }
     if (plain) gone.add(plain);
-    replaced.set(json, joined);
-    gone.delete(json);
+    replaced.set(base, { kind: 'anim', take, source, beside, ...(isOther && { isJoinedByChoice: true }) });
   }
-  const all = files.flatMap((file) => replaced.get(file) ?? (gone.has(file) ? [] : [file]));
-  return { files: all, diagnostics };
+  const joined = files.flatMap((file) => replaced.get(file) ?? (gone.has(file) ? [] : [file]));
+  return { files: joined, diagnostics };
+}
+
+/** What is left of a file without its goals: the limbs; undefined if there are none. */
+function withoutGoals(file: LimbsParsed): LimbsParsed | undefined {
+  const { goals: _goals, base: _base, flattened: _flattened, ...rest } = file.limbs;
+  return rest.limbs && { ...file, limbs: rest };
+}
+
+function isEditedBeside(plain: ParsedFile, json: ParsedFile): boolean {
+  const flattened = flattenedIn(json);
+  return flattened !== undefined && isEdited(plain, flattened);
 }
 
 function isEdited({ sha256 }: ParsedFile, flattened: FlattenedFile): boolean {
   return sha256 !== undefined && sha256 !== flattened.sha256;
-}
-
-/** `walk.layers.json` → `walk`. */
-function stemOfTake({ name }: SourceFile): string {
-  return name.toLowerCase().endsWith(`.${LAYERS_EXTENSION}`)
-    ? name.slice(0, -LAYERS_EXTENSION.length - 1)
-    : stemOf({ name, path: name, bytes: 0 });
 }
 
 function plainSource(plain: ParsedFile | undefined, json: SourceFile, name: string): SourceFile {
@@ -115,10 +152,14 @@ function plainSource(plain: ParsedFile | undefined, json: SourceFile, name: stri
   return { name: `${name}.anim`, path: folder ? `${folder}/${name}.anim` : `${name}.anim`, bytes: 0 };
 }
 
-/** The plain file beside a JSON: the one that it names, else the one with its name. */
-function plainOf(json: LayersParsed, files: readonly ParsedFile[], base: BaseParsed): AnimParsed | undefined {
-  const name = json.layers.flattened?.file ?? `${stemOfTake(json.source)}.anim`;
-  const found = fileNamed(files, name, json.source);
+/** The plain file beside JSON: the one that it names, else the one with its name. */
+function plainOf(
+  { layers, limbs, name, json }: Controls,
+  files: readonly ParsedFile[],
+  base: BaseParsed,
+): AnimParsed | undefined {
+  const named = layers?.layers.flattened ?? limbs?.limbs.flattened;
+  const found = fileNamed(files, named?.file ?? `${name}.anim`, json.source);
   return found?.kind === 'anim' && found !== base ? found : undefined;
 }
 
@@ -128,22 +169,29 @@ function fileNamed(files: readonly ParsedFile[], name: string, by: SourceFile): 
   return fits.find(({ source }) => folderOf(source) === folderOf(by)) ?? fits[0];
 }
 
-/** The files that a JSON names; undefined, with an error, if one is missing. */
+interface Parts {
+  readonly base: BaseParsed;
+  readonly layers: readonly AnimParsed[];
+}
+
+/** The files that the JSON of a take names; undefined, with an error, if one is missing. */
 function partsOf(
-  { layers, source }: LayersParsed,
+  { layers, limbs, json: { source } }: Controls,
   files: readonly ParsedFile[],
   called: FileNaming,
   diagnostics: Diagnostic[],
-): { readonly base: BaseParsed; readonly layers: readonly AnimParsed[] } | undefined {
+): Parts | undefined {
   const missing = (path: string, name: string) => {
     const message = `${path}: the file "${name}" was not among the files, or has errors.`;
     const problem = withoutPlace('error', 'layer-file-missing', message, called(source));
     diagnostics.push({ ...problem, missing: baseName(name) });
   };
-  const base = fileNamed(files, layers.base, source);
+  const { base: named = '' } = layers?.layers ?? limbs?.limbs ?? {};
+  const base = fileNamed(files, named, source);
   const isBase = base?.kind === 'anim' || (base?.kind === 'bvh' && base.captures[0]?.take !== undefined);
-  if (!isBase) missing('base', layers.base);
-  const found = layers.layers.map((row, i) => {
+  if (!isBase) missing('base', named);
+  const rows = layers?.layers.layers ?? [];
+  const found = rows.map((row, i) => {
     const file = fileNamed(files, row.file, source);
     if (file?.kind === 'anim') return file;
     missing(`layers[${i}].file`, row.file);
@@ -153,9 +201,23 @@ function partsOf(
   return isBase && own.length === found.length ? { base, layers: own } : undefined;
 }
 
+/** The take of the base, with its layers. */
+function takeOfParts(
+  { layers: json, name }: Controls,
+  { base, layers }: Parts,
+  called: FileNaming,
+  diagnostics: Diagnostic[],
+): Take {
+  if (json) return layeredTake(json.layers, base, layers, name, called(json.source), diagnostics);
+  const take = base.kind === 'anim' ? base.take : base.captures[0].take;
+  // `partsOf` has found it.
+  if (!take) throw new Error(`${base.source.name} has no take.`);
+  return { ...take, name };
+}
+
 function edited(plain: ParsedFile, keep: Keep, json: string): Diagnostic {
-  const message = `flattened.sha256: ${plain.source.name} has been edited since it was saved with these layers.`;
-  const assumed = keep === 'edit' ? `used ${plain.source.name}, without its layers` : 'used the layers';
+  const message = `flattened.sha256: ${plain.source.name} has been edited since it was saved with its controls.`;
+  const assumed = keep === 'edit' ? `used ${plain.source.name}, without its controls` : 'used the controls';
   return withoutPlace('warning', 'flattened-edited', message, json, assumed);
 }
 

@@ -10,6 +10,8 @@ import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
+import { soundLimbs } from '../../model/limb-problems.ts';
+import { limbsByName } from '../../model/limbs.ts';
 import { newFileName, type Part, takeOf } from '../../model/part.ts';
 import { setsByName } from '../../model/sets.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
@@ -110,6 +112,11 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned:
       return { kind: 'pose', poses: posesByNames(part.content) };
     case 'sets':
       return { kind: 'sets', sets: setsByName(part.content.sets, part.content.skeleton) };
+    case 'limbs': {
+      const { limbs, skeleton } = part.content;
+      const { list, others } = soundLimbs(limbs, skeleton);
+      return { kind: 'limbs', limbs: { limbs: limbsByName(list, skeleton), ...(others && { others }) } };
+    }
   }
 }
 

@@ -8,8 +8,9 @@
  */
 
 import { LAYER_MODES } from '../../model/takes/layers.ts';
-import type { FlattenedFile, LayerRow, LayersFile } from '../../model/takes/layers-file.ts';
+import type { LayerRow, LayersFile } from '../../model/takes/layers-file.ts';
 import { type JsonCurve, readCurve } from '../json/curve.ts';
+import { readFlattened } from '../json/flattened.ts';
 import { type JsonValue, jsonReader } from '../json/read.ts';
 import { WHOLE_FILE } from '../places.ts';
 import type { Reader } from '../reader.ts';
@@ -28,15 +29,6 @@ export function layersReader(fileName: string): Reader<LayersFile> {
     if (twice >= 0) rows[twice].object().field('name').wrong('a name that no other layer has');
     return { base, ...(flattened && { flattened: readFlattened(flattened) }), layers, ...object.others() };
   });
-}
-
-function readFlattened(value: JsonValue): FlattenedFile {
-  const object = value.object();
-  const file = object.field('file').text();
-  const hash = object.field('sha256');
-  const sha256 = hash.text();
-  if (!/^[0-9a-f]{64}$/i.test(sha256)) hash.wrong('64 hex digits');
-  return { file, sha256: sha256.toLowerCase(), ...object.others() };
 }
 
 function layerOf(value: JsonValue, report: Report): LayerRow {

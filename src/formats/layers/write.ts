@@ -1,6 +1,7 @@
 /** Writes `.layers.json`, a line for each layer; what is as when left out is left out. */
 import type { LayersFile } from '../../model/takes/layers-file.ts';
 import { curveValue } from '../json/curve.ts';
+import { flattenedValue } from '../json/flattened.ts';
 import { writeJson } from '../json/write.ts';
 import type { WriteResult } from '../reader.ts';
 
@@ -16,6 +17,5 @@ export function writeLayers({ base, flattened, layers, others }: LayersFile, fil
     ...(morphs && { morphs }),
     ...kept,
   }));
-  const plain = flattened && { file: flattened.file, sha256: flattened.sha256, ...flattened.others };
-  return writeJson({ base, flattened: plain, layers: rows, ...others }, fileName);
+  return writeJson({ base, flattened: flattenedValue(flattened), layers: rows, ...others }, fileName);
 }

@@ -1,16 +1,19 @@
 /**
- * What pages without layers do with takes of others: nothing, since the code for that (`layers.ts`) is a separate script.
- * Takes can't wait for it to load, so code that brings layers into a document passes it on before:
+ * What pages without layers and goals of limbs do with takes of others: nothing, since the code for that (`layers.ts`,
+ * `goals.ts`) is a separate script. Takes can't wait for it to load, so code that brings any into a document passes it on
+ * before:
  *
  *     provideLayers();
  *
  * of `evaluate/layers.ts`. The opener, the session reader, the commands for layers, the joining of files, and the
  * worker do.
  */
+import type { Limbs } from '../limbs.ts';
 import type { Skeleton } from '../skeleton/skeleton.ts';
+import type * as TakeGoals from './goals.ts';
 import type * as LayerJoints from './layer-joints.ts';
 import type * as Layers from './layers.ts';
-import type { LayerSettings, Motion, Take } from './take.ts';
+import type { Goals, LayerSettings, Motion, Take } from './take.ts';
 
 /** A layer at a time. */
 export interface LayerInfo extends Omit<LayerSettings, 'weight' | 'ofWeight' | 'others'> {
@@ -28,12 +31,30 @@ export interface LayersOverBase {
   add(timeSeconds: number, out: Float64Array, count: number): void;
 }
 
+/** Something that is wrong with the goals of a take. */
+export interface GoalProblem {
+  readonly code: 'goal-without-limb' | 'limb-joint-unknown' | 'limb-cycle';
+  /** A sentence that begins with the path of the value. */
+  readonly message: string;
+}
+
+/** The limbs that a take moves to goals, ready for evaluation. */
+export interface LimbsOverPose {
+  /** Moves them, in a pose within the limits. Allocates nothing. */
+  solve(timeSeconds: number, dofs: Float64Array, clamps: boolean): void;
+}
+
 /** The functions that the first script calls. */
 export interface LayerCode
   extends Pick<typeof Layers, 'haveSameFiles' | 'withMotions'>,
+    Pick<typeof TakeGoals, 'remapGoals'>,
     Pick<typeof LayerJoints, 'unknownJoints'> {
   /** Cached. Without a skeleton, layers with joints touch nothing. */
   overBase(take: Take, skeleton: Skeleton | undefined): LayersOverBase;
+  /** What is wrong with goals, which are then not reached. */
+  goalProblems(goals: Goals, limbs: Limbs, skeleton: Skeleton): readonly GoalProblem[];
+  /** Cached. */
+  takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): LimbsOverPose;
   /** All layers of a take at a time of it, from the lowest up. */
   infos(take: Take, timeSeconds: number): LayerInfo[];
 }
@@ -51,6 +72,6 @@ export function provideLayerCode(code: LayerCode): void {
  * @throws Error if none were
  */
 export function layerCode({ name }: Pick<Take, 'name'>): LayerCode {
-  if (!provided) throw new Error(`${name} has layers, but the code for that is not loaded.`);
+  if (!provided) throw new Error(`${name} needs code that is not loaded.`);
   return provided;
 }

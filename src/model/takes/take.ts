@@ -22,6 +22,8 @@ export interface Take {
   readonly markers?: readonly Marker[];
   /** Layers over a base; `channels` and `samples` are those of the active one. */
   readonly layers?: LayerStack;
+  /** Goals of the character's limbs, above all channels; absent rather than empty. */
+  readonly goals?: Goals;
 }
 
 /** How a layer's values meet those beneath: added to them, or in their place. */
@@ -67,6 +69,47 @@ export interface LayerStack {
   /** The motion beneath; absent while the base is active. */
   readonly base?: Motion;
   readonly list: readonly Layer[];
+  /** The name of the base's file; absent: not saved yet. */
+  readonly baseFile?: string;
+  /** Fields that are not known, as the file has them: of its plain file, and its own. */
+  readonly ofFlattened?: OtherFields;
+  readonly others?: OtherFields;
+}
+
+/**
+ * The curves of a goal: the share of IK; the goal's place and rotation, Rz·Ry·Rx; the point to which the limb bends; and
+ * to which side.
+ */
+export const GOAL_CHANNELS = ['blend', 'tx', 'ty', 'tz', 'rx', 'ry', 'rz', 'px', 'py', 'pz', 'bend'] as const;
+/** The name of a curve of a goal: see `GOAL_CHANNELS`. */
+export type GoalChannel = (typeof GOAL_CHANNELS)[number];
+
+/** A curve, or its constant value, with the fields of its object that are not known. */
+export interface GoalCurve {
+  readonly curve: number | KeyedChannel;
+  readonly others?: OtherFields;
+}
+
+/** From a time on, in seconds, a space: `world`, `parent`, or a joint by name or `#index`. */
+export type SpaceKey = readonly [number, string];
+
+/** The goal of one limb. */
+export interface Goal {
+  /** The name of the limb. */
+  readonly limb: string;
+  /** The space of goal and pole: one, or one from each time on, by time, the first before it too. */
+  readonly space: string | readonly SpaceKey[];
+  /** Those that the file has: `blend` is 1 without, `bend` the limb's sign, the others 0; without px py pz there is no pole. */
+  readonly channels: Readonly<Partial<Record<GoalChannel, GoalCurve>>>;
+  /** Fields that are not known, of the channels and its own. */
+  readonly ofChannels?: OtherFields;
+  readonly others?: OtherFields;
+}
+
+/** The goals of a take. */
+export interface Goals {
+  /** At most one for each limb. */
+  readonly list: readonly Goal[];
   /** The name of the base's file; absent: not saved yet. */
   readonly baseFile?: string;
   /** Fields that are not known, as the file has them: of its plain file, and its own. */

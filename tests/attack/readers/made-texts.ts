@@ -166,6 +166,10 @@ balljoint second{offset 1 2 3}
     '{ "base": "a.base.anim", "flattened": { "file": "a.anim", "sha256": "00" }, "layers": [ { "name": "arm", "file": "a.arm.anim", "mode": "additive", "weight": { "extrapolate": ["cycle", "linear"], "keys": [[0, -0, "flat", 1e3], [1, 1, "smooth", "linear"]] }, "joints": ["hip", "#7"], "note": [null] } ] }',
   ],
   [
+    'limbs.json',
+    '{ "limbs": [ { "name": "leg", "joints": ["hip", "#7", "foot"], "tip": [0, -0, 1e-3], "orient": true, "bend": { "dof": "rx", "sign": -1 }, "note": [null] } ], "base": "a.base.anim", "flattened": { "file": "a.anim", "sha256": "00" }, "goals": [ { "limb": "leg", "space": [[0, "world"], [1, "#2"]], "channels": { "blend": 1, "tx": { "extrapolate": ["cycle", "linear"], "keys": [[0, -0, "flat", 1e3], [1, 1, "smooth", "linear"]] }, "qx": 3 } } ] }',
+  ],
+  [
     'txt',
     'frame 0 time 1.5\nworld joint 0 (root):\n[1, 0, 0, 0]\n[0, 1, 0, 0]\n[0 0 1 0]\n0 0 0 1\nlocal:\n1 2 3\n4 5 6\nvertex 0: (1.0, -2e-3, nan)\n',
   ],

@@ -17,6 +17,7 @@ export const SUBJECTS = [
   'markers.json',
   'sets.json',
   'layers.json',
+  'limbs.json',
   'txt',
   'csv',
   'json',

@@ -1,0 +1,85 @@
+/** Limbs on the command line, against the reference's numbers. */
+import { expect, it } from 'vitest';
+import { expectClose } from '../helpers/close.ts';
+import { commandJson, type PoseJson } from '../helpers/command.ts';
+import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
+
+interface Craft {
+  readonly tolerance: number;
+  readonly limbs: readonly LimbsCase[];
+  readonly diagnostics: readonly DiagnosticCase[];
+}
+interface LimbsCase {
+  readonly files: readonly string[];
+  readonly take_file: string;
+  readonly frames: readonly (Frame & { readonly limbs: readonly LimbRow[] })[];
+}
+interface Frame {
+  readonly time: number;
+  readonly world: readonly (readonly number[])[];
+}
+interface LimbRow {
+  readonly name: string;
+  readonly blend: number;
+  readonly space: string;
+  readonly goal: readonly number[];
+  readonly gap: number;
+  readonly match: { readonly goal: readonly number[]; readonly pole: readonly number[]; readonly bend: number };
+}
+interface DiagnosticCase {
+  readonly files: readonly string[];
+  readonly code: string;
+  readonly severity: string;
+  readonly says?: string;
+}
+type LimbsJson = PoseJson & {
+  readonly characters: readonly (PoseJson['characters'][number] & { readonly limbs: readonly LimbRow[] })[];
+};
+
+const isOfLimbs = ({ files }: { readonly files: readonly string[] }) => files.some((f) => f.endsWith('.limbs.json'));
+
+describeShared('limbs of the reference files', () => {
+  const craft = conformance<Craft>('craft.json');
+  const shared = sharedPath('');
+
+  it.each(craft.limbs.map((one) => ({ ...one, name: one.take_file })))(
+    '$name has the reference’s poses, gaps and matches',
+    async ({ files, frames }) => {
+      const times = frames.map(({ time }) => time).join(',');
+      const found = await commandJson<{ readonly frames: readonly LimbsJson[] }>(
+        ['pose', ...files, '--times', times],
+        shared,
+      );
+      frames.forEach(({ time, world, limbs }, f) => {
+        const [character] = found.frames[f].characters;
+        expect(character.limbs.map(({ name }) => name).sort()).toEqual(limbs.map(({ name }) => name).sort());
+        for (const limb of limbs) {
+          const own = character.limbs.find(({ name }) => name === limb.name);
+          expect(own).toMatchObject({ space: limb.space });
+          const numbers = ({ blend, goal, gap, match }: LimbRow) => [
+            ...[blend, gap, ...goal],
+            ...[...match.goal, ...match.pole, match.bend],
+          ];
+          expectClose(numbers(own ?? limb), numbers(limb), craft.tolerance, `${limb.name} at ${time}`);
+        }
+        expectClose(
+          character.joints.flatMap((joint) => joint.world),
+          world.flat(),
+          craft.tolerance,
+          `world at ${time}`,
+        );
+      });
+    },
+  );
+
+  it.each(craft.diagnostics.filter(isOfLimbs).map((one) => ({ ...one, name: one.files.at(-1) ?? '' })))(
+    '$name tells $code',
+    async ({ files, code, severity, says, name }) => {
+      const args = ['pose', ...files, '--time', '0'];
+      const found = await commandJson<PoseJson>(args, shared, severity === 'error' ? 1 : 0);
+      const [first] = found.diagnostics.filter((d) => d.severity === severity || d.code === code);
+      expect(first).toMatchObject({ code, severity, file: name });
+      expect(first.message).toContain(says ?? '');
+    },
+  );
+});
