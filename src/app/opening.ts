@@ -144,13 +144,14 @@ export class Opener {
       const { reloads } = options;
       const result = await this.assembled(output, reloads, abort.signal);
       if (isLate()) return [];
-      const diagnostics = [...output.diagnostics, ...result.diagnostics];
       const before = store.document;
       const isChange = result.document !== before;
       const wasOpen = filesOf(store.document);
       const next = reloads === undefined ? result.document : showingTheSame(store.document, result.document);
       const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
       this.put(next, result.opened, label, options);
+      const lost = await lostIn(before, result);
+      const diagnostics = [...output.diagnostics, ...result.diagnostics, ...lost];
       const earlier = this.earlierIn(output.files).filter(({ path }) => !files.some((file) => file.path === path));
       const given = [...files, ...earlier];
       if (isChange) for (const listener of this.listeners) listener({ given, files: output.files });
@@ -325,6 +326,13 @@ function failure(error: unknown): Diagnostic {
   const message = sentenceOf(error);
   const code = error instanceof WorkerError ? 'worker-failed' : 'open-failed';
   return withoutPlace('error', code, `Nothing was opened. ${message}`, '');
+}
+
+/** What characters have lost whose skeleton was loaded again: of most openings there is none. */
+async function lostIn(before: Document, { document, opened }: OpenResult): Promise<readonly Diagnostic[]> {
+  const isAgain = (id: string) => findCharacter(before, id)?.skeleton !== findCharacter(document, id)?.skeleton;
+  if (!opened.some((id) => findCharacter(before, id) && isAgain(id))) return [];
+  return (await import('../files/open/lost-over.ts')).lostOver(before, document, byFileName);
 }
 
 /** What opens JSON beside other files, if any of these is such: of most there is none. */

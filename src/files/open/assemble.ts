@@ -1,6 +1,5 @@
 /** Assembles a character from the files that belong to it, and reports parts that don't fit. */
 
-import { lostOver } from '../../edit/carried-over.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
 import { withSkeleton } from '../../edit/with-skeleton.ts';
 import { checkMorph, checkSkin, checkTake } from '../../evaluate/skin/binding.ts';
@@ -211,9 +210,6 @@ export function checkParts(before: Character | undefined, after: Character, nami
   // Several skins of one file may name the same.
   const missing = new Set<string>();
   const called = (mark: PartMark | undefined, otherwise: string) => (mark?.file ? naming(mark.file.source) : otherwise);
-  if (before && newSkeleton && after.skeleton) {
-    problems.push(...lostOver(before, after, called(parts.skeleton, `${after.skeleton.name}.skel`)));
-  }
   after.skins.forEach((skin, i) => {
     const isNew = !before?.skins.includes(skin);
     const file = called(parts.skins[i], `${skin.name}.skin`);

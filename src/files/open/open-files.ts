@@ -2,10 +2,12 @@
  * `open-in-steps.ts` at once, with all that any file may need: the page, which opens in steps, fetches what reads JSON
  * beside other files only with the first of it.
  */
+
 import { runToEnd } from '../../evaluate/steps.ts';
 import type { Document } from '../../model/document.ts';
 import { type BrokenFile, byFileName, type ParsedFile } from '../../model/files.ts';
 import { openBeside } from './beside-files.ts';
+import { lostOver } from './lost-over.ts';
 import { type OpenResult, openInSteps } from './open-in-steps.ts';
 
 /**
@@ -22,5 +24,6 @@ export function openFiles(
   selectedId?: string,
   called = byFileName,
 ): OpenResult {
-  return runToEnd(openInSteps(document, files, broken, selectedId, called, openBeside));
+  const result = runToEnd(openInSteps(document, files, broken, selectedId, called, openBeside));
+  return { ...result, diagnostics: [...result.diagnostics, ...lostOver(document, result.document, called)] };
 }
