@@ -212,6 +212,20 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     dofs: dice.some([...characterDofs(character.skeleton, []).keys()], 0.2),
     locked: dice.is(0.6),
   }),
+  'ik.move': ({ dice, character }) => ({
+    characterId: character.id,
+    joint: dice.below(character.skeleton?.joints.length ?? 1),
+    to: [dice.below(3) - 1, dice.below(3), dice.below(3) - 1],
+    reach: dice.pick([undefined, 'limb', 'chain', 'body'] as const),
+    timeSeconds: time(dice),
+    ...autoKey(dice),
+  }),
+  'path.moveKey': ({ dice, character }) => ({
+    characterId: character.id,
+    joint: dice.below(character.skeleton?.joints.length ?? 1),
+    to: [dice.below(3) - 1, dice.below(3), dice.below(3) - 1],
+    timeSeconds: dice.below(3),
+  }),
   'ik.setRootFree': ({ dice, character }) => ({ characterId: character.id, isFree: dice.is(0.7) }),
   'hold.pins': (s) =>
     pinsOf(s) && {

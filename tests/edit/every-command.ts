@@ -404,6 +404,16 @@ export const CASES: Readonly<Record<string, EditCase>> = {
     args: { ...WHO, dofs: [0, 4, 6], locked: true },
     idle: { ...WHO, dofs: [6], locked: true },
   },
+  'ik.move': {
+    document: POSED,
+    args: { ...NOW, joint: 3, to: [-1, 1, 2] },
+    idle: { ...NOW, joint: 9, to: [0, 0, 0] },
+  },
+  'path.moveKey': {
+    document: documentOf({ ...HERO, takes: [{ ...WALK, channels: WALK.channels.map(() => WAVE) }] }),
+    args: { ...NOW, timeSeconds: 1, joint: 3, to: [-1, 1, 2] },
+    idle: { ...NOW, timeSeconds: 1.3, joint: 3, to: [0, 0, 0] },
+  },
   'ik.setRootFree': alone({ ...WHO, isFree: false }, { ...WHO, isFree: true }),
   'hold.pins': alone(
     { ...WHO, pins: [1], range: [0.5, 1.5], atSeconds: 0.5, framesPerSecond: 8 },

@@ -4,6 +4,7 @@ import * as layers from './beside/layers.ts';
 import * as sets from './beside/sets.ts';
 import * as channels from './channels.ts';
 import * as couples from './couples.ts';
+import * as drags from './drags/drags.ts';
 import { COMMANDS_AT_HAND, commandsIn } from './first-commands.ts';
 import * as heights from './heights.ts';
 import * as hold from './hold.ts';
@@ -28,7 +29,7 @@ import * as tangents from './tangents.ts';
 export const ALL_COMMANDS: ReadonlyMap<string, AnyCommand> = new Map([
   ...COMMANDS_AT_HAND,
   ...commandsIn([keys, paste, tangents, review, takes, takeEdits, takeJoins, markers, moment, channels, samples]),
-  ...commandsIn([layers, retarget, poses, ik, hold, rig, rigJoint, couples, skinWeights, heights, sets]),
+  ...commandsIn([layers, retarget, poses, ik, hold, rig, rigJoint, couples, skinWeights, heights, sets, drags]),
 ]);
 
 /** The arguments of each command in words, for `marrow.commands()`. */

@@ -35,6 +35,7 @@ const FETCHED: ReadonlySet<string> = new Set([
   'keys',
   'layers',
   'markers',
+  'path',
   'poses',
   'retarget',
   'review',

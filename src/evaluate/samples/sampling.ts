@@ -24,6 +24,13 @@ export function frameAt({ frameCount, frameSeconds, startSeconds }: Samples, tim
   return Math.abs(frame - nearest) < SAME_FRAME ? nearest : frame;
 }
 
+/** The frame that is at a time; undefined between frames, and outside of them. */
+export function wholeFrameAt(samples: Samples, timeSeconds: number): number | undefined {
+  const frame = Math.round(frameAt(samples, timeSeconds));
+  const exact = (timeSeconds - samples.startSeconds) / samples.frameSeconds;
+  return Math.abs(exact - frame) < SAME_FRAME ? frame : undefined;
+}
+
 /** The value of a single column: angles between frames follow the curve, not the joint's rotation. */
 export function sampleColumn(samples: Samples, column: number, timeSeconds: number): number {
   const { values, scales, frameCount, interpolation } = samples;

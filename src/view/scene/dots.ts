@@ -11,6 +11,8 @@ export interface DotOptions {
   readonly depthTest: boolean;
   /** A circle around what it marks rather than a dot. */
   readonly hollow?: boolean;
+  /** A square on its corner rather than a circle. */
+  readonly diamond?: boolean;
 }
 
 /** Position and visibility come from the instance matrices: translation, and any scale other than 0. */
@@ -24,7 +26,7 @@ export function dots(capacity: number, options: DotOptions): InstancedMesh<Buffe
   return mesh;
 }
 
-function dotMaterial({ size, depthTest, hollow = false }: DotOptions): ShaderMaterial {
+function dotMaterial({ size, depthTest, hollow = false, diamond = false }: DotOptions): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
     depthTest,
@@ -34,6 +36,7 @@ function dotMaterial({ size, depthTest, hollow = false }: DotOptions): ShaderMat
       resolution: LINE_RESOLUTION,
       size: { value: size },
       hollow: { value: hollow ? 1 : 0 },
+      diamond: { value: diamond ? 1 : 0 },
       color: { value: rawColor('#ffffff') },
       ring: { value: rawColor('#000000') },
     },
@@ -51,11 +54,12 @@ function dotMaterial({ size, depthTest, hollow = false }: DotOptions): ShaderMat
     fragmentShader: /* glsl */ `
       uniform float size;
       uniform float hollow;
+      uniform float diamond;
       uniform vec3 color;
       uniform vec3 ring;
       varying vec2 vAt;
       void main() {
-        float r = length(vAt);
+        float r = mix(length(vAt), abs(vAt.x) + abs(vAt.y), diamond);
         float soft = fwidth(r);
         float inside = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 0.5);
         float core = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 2.0);

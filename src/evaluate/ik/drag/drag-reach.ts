@@ -4,6 +4,8 @@
 import { ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
+import { lockedDofs } from '../../../model/sets.ts';
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { type Bending, bendingOf, type IkReach, limbOf, union } from '../limb.ts';
@@ -46,6 +48,12 @@ export function dragReach(
     return { id: first + i, joint: foot, point: ZERO, weight: 1, holdsOrientation: true };
   });
   return { bending, standing };
+}
+
+/** The number of locked DOFs of joints that could bend. */
+export function lockedIn(character: Character, bending: Bending): number {
+  const all = characterDofs(character.skeleton, []);
+  return [...lockedDofs(character)].filter((dof) => bending === 'body' || bending.includes(all[dof].joint)).length;
 }
 
 /** The character with those pins besides its own. */

@@ -8,16 +8,14 @@ import type { Command } from '../../../edit/command.ts';
 import type { SetDofs } from '../../../edit/commands/pose.ts';
 import { jointIn } from '../../../edit/step-names.ts';
 import { currentTargets } from '../../../evaluate/ik/drag/current-targets.ts';
+import { lockedIn } from '../../../evaluate/ik/drag/drag-reach.ts';
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import { type Gap, type Grip, Pull } from '../../../evaluate/ik/drag/pull.ts';
-import type { Bending } from '../../../evaluate/ik/limb.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { isSingular } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
-import { lockedDofs } from '../../../model/sets.ts';
-import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { addKeyed } from '../../state/add-keys.ts';
@@ -173,12 +171,6 @@ export class HandPull {
     const now = findCharacter(this.wb.store.document, this.character.id);
     return now?.skeleton === this.character.skeleton && now?.ik === this.character.ik;
   }
-}
-
-/** The locked DOFs of joints that could bend. */
-function lockedIn(character: Character, bending: Bending): number {
-  const all = characterDofs(character.skeleton, []);
-  return [...lockedDofs(character)].filter((dof) => bending === 'body' || bending.includes(all[dof].joint)).length;
 }
 
 /** Of the pose that is shown. */
