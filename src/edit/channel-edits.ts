@@ -6,6 +6,7 @@
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Document, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
+import { lockedDofs } from '../model/sets.ts';
 import { type Channel, type KeyedChannel, keysOf, type Take } from '../model/takes/take.ts';
 import { indexIn } from './arguments.ts';
 import type { Edit } from './change.ts';
@@ -14,6 +15,7 @@ import { CommandError } from './command-error.ts';
 import type { EditedChannel } from './keys/arrange.ts';
 import { wholeSteps, withoutStepsAfter } from './keys/steps.ts';
 import type { TangentSide } from './keys/tangents.ts';
+import { allLocked } from './pose/locks.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { requireTake, withTake } from './takes.ts';
 
@@ -37,10 +39,36 @@ export function takeOf(document: Document, characterId: string): Take {
 }
 
 /**
- * The document with other channels in a character's shown take; the same object if none changed. Refuses changes
- * to joints that a retargeted take drives, since they would have no effect.
+ * An edit of curves: other channels in a character's shown take. Those of locked DOFs stay as they are; the edit says
+ * how many would have changed. Refuses changes to joints that a retargeted take drives, since they would have no effect.
+ *
+ * @param keys selected after it
+ * @param before selected before it; of channels that stay these are kept
+ * @throws CommandError if all channels that would change are of locked DOFs
  */
-export function withTakeChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
+export function editedChannels(
+  document: Document,
+  characterId: string,
+  channels: readonly Channel[],
+  keys: readonly ChannelKeys[],
+  before: readonly ChannelKeys[] = [],
+): Edit {
+  const character = requireCharacter(document, characterId);
+  const { channels: own } = requireTake(character);
+  const stay = new Set([...lockedDofs(character)].filter((dof) => channels[dof] !== own[dof]));
+  if (stay.size === 0) return { document: withTakeChannels(document, characterId, channels), keys };
+  const open = channels.map((channel, i) => (stay.has(i) ? own[i] : channel));
+  if (open.every((channel, i) => channel === own[i])) throw allLocked(stay.size);
+  const kept = [...keys.filter((k) => !stay.has(k.channel)), ...before.filter((k) => stay.has(k.channel))];
+  return {
+    document: withTakeChannels(document, characterId, open),
+    keys: kept.sort((a, b) => a.channel - b.channel),
+    locked: stay.size,
+  };
+}
+
+/** The document with other channels in a character's shown take; the same object if none changed. */
+function withTakeChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
   return changeCharacter(document, characterId, (character) => {
     const take = shownTake(character);
     if (!take || channels.every((channel, i) => channel === take.channels[i])) return character;
@@ -67,7 +95,7 @@ export function changeKeys(
     channels[index] = moved.channel;
     if (moved.indices.length) now.push({ channel: index, indices: wholeSteps(moved.channel, moved.indices) });
   });
-  return { document: withTakeChannels(document, characterId, channels), keys: now };
+  return editedChannels(document, characterId, channels, now, keys);
 }
 
 /**

@@ -2,10 +2,25 @@
 import { describe, expect, it } from 'vitest';
 import type { Change } from '../../src/edit/change.ts';
 import { setLocked } from '../../src/edit/commands/beside/sets.ts';
+import { resample } from '../../src/edit/commands/channels.ts';
+import { setExtrapolation } from '../../src/edit/commands/extrapolation.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
+import {
+  addKey,
+  insertKeys,
+  moveKeys,
+  removeKeys,
+  rippleKeys,
+  scaleKeys,
+  setKeys,
+  tweenKeys,
+} from '../../src/edit/commands/keys.ts';
 import { keyForMoment } from '../../src/edit/commands/moment.ts';
+import { pasteKeys } from '../../src/edit/commands/paste.ts';
 import { resetPose, setDofs, tweenPose } from '../../src/edit/commands/pose.ts';
 import { applyPose, mirrorPose, pastePose } from '../../src/edit/commands/poses.ts';
+import { setTangents } from '../../src/edit/commands/tangents.ts';
+import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { Store } from '../../src/edit/store.ts';
 import { Pull } from '../../src/evaluate/ik/drag/pull.ts';
@@ -17,6 +32,7 @@ import { keysOf, type Take } from '../../src/model/takes/take.ts';
 import { character, documentOf, joint, takeOfValues } from '../helpers/builders.ts';
 import { channelOf } from './keys/channels.ts';
 
+const C1 = { characterId: 'c1' };
 const NOW = { characterId: 'c1', timeSeconds: 0.5 };
 const SIDES = [
   joint(-1, { name: 'body' }),
@@ -29,6 +45,12 @@ const LOCKS = [6, 7, 11];
 const wave = channelOf([
   [0, 0],
   [1, 1],
+]);
+/** Its middle key is between others. */
+const HILL = channelOf([
+  [0, 0],
+  [1, 4],
+  [2, 1],
 ]);
 const WALK: Take = { ...takeOfValues('walk', Array<number>(DOFS).fill(0)), channels: Array(DOFS).fill(wave) };
 const hero = character({ skeleton: { name: 'hero', joints: SIDES }, takes: [WALK], shownTake: 0 });
@@ -121,6 +143,48 @@ describe('locked DOFs', () => {
     pull.settle();
     expect(LOCKS.map((dof) => pull.dofs[dof])).toEqual([0, 0, 0]);
     expect(pull.dofs.some((value) => value !== 0)).toBe(true);
+  });
+
+  const keys = Array.from({ length: DOFS }, (_, channel) => ({ channel, indices: [1] }));
+  const copied = copyKeys(WALK, keys);
+  it.each<[string, (document: Document) => Document | Change]>([
+    ['moved', (d) => moveKeys.run(d, { ...C1, keys, seconds: 0.5, values: keys.map(() => 1) })],
+    ['scaled', (d) => scaleKeys.run(d, { ...C1, keys, valueFactor: 2 })],
+    ['tweened', (d) => tweenKeys.run(d, { ...C1, keys: keys.map((k) => ({ ...k, indices: [1] })), u: 0.5 })],
+    ['set', (d) => setKeys.run(d, { ...C1, keys, value: 5 })],
+    ['deleted', (d) => removeKeys.run(d, { ...C1, keys, timeSeconds: 0 })],
+    ['rippled', (d) => rippleKeys.run(d, { ...C1, keys, seconds: 1 })],
+    ['given tangents', (d) => setTangents.run(d, { ...C1, keys, side: 'both', kind: 'linear' })],
+    ['inserted', (d) => insertKeys.run(d, { ...C1, channels: [...keys.keys()], timeSeconds: 0.5 })],
+    ['pasted', (d) => pasteKeys.run(d, { ...NOW, copied, timeSeconds: 5, mode: 'merge' })],
+    [
+      'resampled',
+      (d) =>
+        resample.run(d, { ...C1, channels: [...keys.keys()], framesPerSecond: 4, from: 0, to: 2, tangents: 'linear' }),
+    ],
+    [
+      'extrapolated',
+      (d) => setExtrapolation.run(d, { ...C1, channels: [...keys.keys()], side: 'out', extrapolation: 'linear' }),
+    ],
+  ])('keep their curves when keys are %s, and how many is told', (_, run) => {
+    const start = locked({ ...hero, takes: [{ ...WALK, channels: Array(DOFS).fill(HILL) }] });
+    const { character: after, locked: count } = told(run(start));
+    expect(count).toBe(LOCKS.length);
+    shownTake(after)?.channels.forEach((channel, d) => {
+      if (LOCKS.includes(d)) expect(channel).toBe(HILL);
+      else expect(channel).not.toBe(HILL);
+    });
+  });
+
+  it('keep their keys selected, and refuse edits of nothing else', () => {
+    const store = new Store(locked());
+    store.select({ characterId: 'c1', keys });
+    store.apply(moveKeys, { ...C1, keys, seconds: 0.5 });
+    expect(store.selection.keys).toEqual(keys);
+    expect(() => moveKeys.run(locked(), { ...C1, keys: [keys[6], keys[7]], seconds: 1 })).toThrow(
+      'All 2 DOFs are locked',
+    );
+    expect(() => addKey.run(locked(), { ...NOW, channel: 6, value: 3 })).toThrow('This DOF is locked');
   });
 
   it('a step tells its listeners how many it has left alone, after a drag too', () => {

@@ -11,7 +11,7 @@ import type { DofUnit } from '../../model/skeleton/skeleton.ts';
 import type { Channel, KeyedChannel } from '../../model/takes/take.ts';
 import { described } from '../arguments.ts';
 import type { Edit } from '../change.ts';
-import { checkedChannels, type OfChannels, takeOf, withTakeChannels } from '../channel-edits.ts';
+import { checkedChannels, editedChannels, type OfChannels, takeOf } from '../channel-edits.ts';
 import { type Baked, withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { keepsOffset, withLoop } from '../channels/make-loop.ts';
 import { type Reduction, reductionOf } from '../channels/report.ts';
@@ -117,12 +117,12 @@ export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<E
   const given = checkedChannels(take, args.channels);
   if (given.some((channel) => take.channels[channel]?.kind === 'samples')) refuseMoved(character);
   const { take: filtered, ...result } = yield* filteringAngles(character, take, given);
-  const keyed = withTakeChannels(document, characterId, filtered.channels);
-  const after =
-    filtered.samples === take.samples
-      ? keyed
-      : changeCharacter(document, characterId, (c) => withTake(c, c.shownTake, filtered));
-  return { ...result, edit: { document: after, keys: allKeys(filtered, result.changed) } };
+  const keys = allKeys(filtered, result.changed);
+  if (filtered.samples === take.samples) {
+    return { ...result, edit: editedChannels(document, characterId, filtered.channels, keys) };
+  }
+  const after = changeCharacter(document, characterId, (c) => withTake(c, c.shownTake, filtered));
+  return { ...result, edit: { document: after, keys } };
 }
 
 /** Arguments of baking the extrapolation of channels. */
@@ -215,10 +215,7 @@ function edited(document: Document, { characterId }: OfChannels, made: ReadonlyM
     if (next !== channel) changed.push(index);
     return next;
   });
-  return {
-    document: withTakeChannels(document, characterId, channels),
-    keys: allKeys({ ...take, channels }, changed),
-  };
+  return editedChannels(document, characterId, channels, allKeys({ ...take, channels }, changed));
 }
 
 /** The last simplification of each channel: the preview and the command after it need the same. */

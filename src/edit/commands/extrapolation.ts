@@ -1,7 +1,8 @@
 /** Extrapolation of channels before their first key and after their last. */
 
 import type { Extrapolation } from '../../model/takes/take.ts';
-import { checkedChannels, keyable, takeOf, withTakeChannels } from '../channel-edits.ts';
+import type { Change } from '../change.ts';
+import { checkedChannels, editedChannels, keyable, takeOf } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import type { TangentSide } from '../keys/tangents.ts';
 import { CHANNELS, extrapolation, side } from '../schema/shared-shapes.ts';
@@ -23,7 +24,7 @@ export const setExtrapolation = command({
   args: { ...CHANNELS, side, extrapolation },
   label: (document, { characterId, channels, side, extrapolation }) =>
     `Set ${curvesIn(document, characterId, channels)} to ${EXTRAPOLATION_NAMES[extrapolation].toLowerCase()} ${WHERE[side]}`,
-  run(document, { characterId, channels, side, extrapolation }) {
+  run(document, { characterId, channels, side, extrapolation }): Change {
     const take = takeOf(document, characterId);
     const changed = [...take.channels];
     for (const index of keyable(take, checkedChannels(take, channels))) {
@@ -33,6 +34,7 @@ export const setExtrapolation = command({
       if (extrapolateIn === channel.extrapolateIn && extrapolateOut === channel.extrapolateOut) continue;
       changed[index] = { ...channel, extrapolateIn, extrapolateOut };
     }
-    return withTakeChannels(document, characterId, changed);
+    const { keys: _asBefore, ...change } = editedChannels(document, characterId, changed, []);
+    return change;
   },
 });

@@ -12,11 +12,11 @@ import {
   changeKeys,
   checkedChannels,
   checkedKeys,
+  editedChannels,
   keyable,
   type OfKeys,
   requireKeyable,
   takeOf,
-  withTakeChannels,
 } from '../channel-edits.ts';
 import { requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
@@ -65,7 +65,7 @@ export const insertKeys = command({
       changed[index] = inserted.channel;
       return { channel: index, indices: [inserted.index] };
     });
-    return { document: withTakeChannels(document, characterId, changed), keys };
+    return editedChannels(document, characterId, changed, keys);
   },
 });
 
@@ -90,10 +90,7 @@ export const addKey = command({
     requireKeyable(take, [index]);
     const put = putKeyAt(take.channels[index], timeSeconds, value, TANGENT_KINDS.indexOf(tangents), placing);
     const channels = take.channels.map((c, i) => (i === index ? put.channel : c));
-    return {
-      document: withTakeChannels(document, characterId, channels),
-      keys: [{ channel: index, indices: [put.index] }],
-    };
+    return editedChannels(document, characterId, channels, [{ channel: index, indices: [put.index] }]);
   },
 });
 
@@ -266,8 +263,7 @@ export const removeKeys = command({
     for (const { channel, index, indices } of checkedKeys(take, keys)) {
       channels[index] = withKeysRemoved(channel, indices, evaluateChannel(curves, index, timeSeconds));
     }
-    const after = withTakeChannels(document, characterId, followingSamples(channels, take.samples));
-    return { document: after, keys: [] };
+    return editedChannels(document, characterId, followingSamples(channels, take.samples), [], keys);
   },
 });
 

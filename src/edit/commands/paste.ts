@@ -2,7 +2,7 @@
 
 import type { Tangents } from '../../model/takes/take.ts';
 import { FIXED_TANGENT, TANGENT_KINDS } from '../../model/takes/tangent-kinds.ts';
-import { requireKeyable, takeOf, withTakeChannels } from '../channel-edits.ts';
+import { editedChannels, requireKeyable, takeOf } from '../channel-edits.ts';
 import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { type CopiedKeys, PASTE_MODES, withKeysPasted } from '../keys/clipboard.ts';
@@ -46,7 +46,7 @@ export const pasteKeys = command({
       take,
       keys.map((k) => k.channel),
     );
-    return { document: withTakeChannels(document, characterId, channels), keys };
+    return editedChannels(document, characterId, channels, keys);
   },
 });
 

@@ -23,10 +23,13 @@ export function openValues(
   const open = new Map([...values].filter(([dof]) => !locks.has(dof)));
   const locked = values.size - open.size;
   if (locked === 0) return { open: values, locked };
-  if (open.size === 0) {
-    throw new CommandError(
-      `${locked === 1 ? 'This DOF is' : `All ${locked} DOFs are`} locked. Unlock what is to be changed.`,
-    );
-  }
+  if (open.size === 0) throw allLocked(locked);
   return { open, locked };
+}
+
+/** That nothing is left to change, as all of so many DOFs are locked. */
+export function allLocked(count: number): CommandError {
+  return new CommandError(
+    `${count === 1 ? 'This DOF is' : `All ${count} DOFs are`} locked. Unlock what is to be changed.`,
+  );
 }
