@@ -35,10 +35,12 @@ export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'hea
 /** `bare`: solid, for characters drawn without a skin. */
 export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 
-/** Units of the distance between onion skins. */
-export const GHOST_UNITS = ['seconds', 'frames'] as const;
+/** Units of the distance between onion skins; `keys` are where they are, whatever the distance. */
+export const GHOST_UNITS = ['seconds', 'frames', 'keys'] as const;
 /** Unit of the distance between onion skins; see `GHOST_UNITS`. */
 export type GhostUnit = (typeof GHOST_UNITS)[number];
+/** Forms in which onion skins are drawn: as bones, or as the shown skin. */
+export const GHOST_SHAPES = ['skeleton', 'skin'] as const;
 /** On each side of the current time. */
 export const MAX_GHOSTS = 20;
 
@@ -71,6 +73,7 @@ export interface Display {
   /** Between ghosts, in `ghostStepIn`; greater than 0. */
   readonly ghostStep: number;
   readonly ghostStepIn: GhostUnit;
+  readonly ghostsOf: (typeof GHOST_SHAPES)[number];
   /** Keeps the camera on the selected joint. */
   readonly follow: boolean;
   /** Moves the camera over the ground with the root: of the selected character, or of the only one. */
@@ -101,6 +104,7 @@ export const DEFAULT_DISPLAY: Display = {
   ghostsAfter: 3,
   ghostStep: 0.2,
   ghostStepIn: 'seconds',
+  ghostsOf: 'skeleton',
   follow: false,
   followRoot: false,
   inPlace: false,

@@ -27,6 +27,7 @@ import { type Skin, textureNames, vertexCount } from '../model/skin.ts';
 import { PosePlayer } from './motion/pose-track.ts';
 import { Bones } from './skeleton/bones.ts';
 import type { DrawnSkins } from './skin/drawn-skins.ts';
+import type { SharedSkin } from './skin/shared-skins.ts';
 import { BUILT_AT_ONCE, type Heat, ShownSkin } from './skin/shown-skin.ts';
 import { SkinTextures } from './skin/skin-textures.ts';
 import type { MarrowSkinnedMesh } from './skin/skinned-mesh.ts';
@@ -109,6 +110,11 @@ export class CharacterView {
   /** One per placement; none without a skin, or while a large one is being prepared. */
   get skinnedMeshes(): readonly MarrowSkinnedMesh[] {
     return this.skin?.isShown ? this.skin.meshes : [];
+  }
+
+  /** What its skin shares with equal ones; undefined without a skin, or while a large one is being prepared. */
+  get sharedSkin(): SharedSkin | undefined {
+    return this.skin?.isShown ? this.skin.shared : undefined;
   }
 
   /** See `SkinShape`. */

@@ -118,7 +118,7 @@ export class View {
   /** Draws names, motion paths, ghosts and the marked vertex from now on. Given, not made here: the first picture does without. */
   annotate(create: (...parts: ConstructorParameters<typeof Annotations>) => Annotations): void {
     const { shown, screen } = this;
-    const annotations = create(shown.characters, () => this.requestRender());
+    const annotations = create(shown.characters, () => this.requestRender(), shown.skins);
     this.canvas.after(annotations.labels.canvas);
     annotations.labels.resize(screen.width, screen.height, screen.ratio);
     shown.annotate(annotations);

@@ -340,7 +340,7 @@ export class MarrowViewer extends Base {
     if (this.isAnnotated) return;
     this.isAnnotated = true;
     const { Annotations } = await import('../view/names/annotations.ts');
-    if (view === this.view) view.annotate((characters, redraw) => new Annotations(characters, redraw));
+    if (view === this.view) view.annotate((...parts) => new Annotations(...parts));
   }
 
   private showBackground(): void {

@@ -4,8 +4,10 @@
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import type { Display, Selection } from '../../model/session.ts';
+import type { Trail } from '../../view/motion/trail.ts';
 import { Annotations } from '../../view/names/annotations.ts';
 import { stageBanner } from '../editors/compare/stage-banner.ts';
+import { pathFirst } from '../editors/path/path-first.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import { withBoxSelect } from '../editors/viewport/box-select.ts';
 import { type CanvasPointer, listenToCanvas } from '../editors/viewport/canvas-tools.ts';
@@ -45,8 +47,19 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   setAttribute(viewport.canvas, 'aria-describedby', keys.id);
   // The view's own buttons have labels, but it knows no tooltips.
   for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
-  viewport.annotate((characters, redraw) => new Annotations(characters, redraw));
-  handTools(wb, signal);
+  viewport.annotate((characters, redraw, skins) => {
+    const annotations = new Annotations(characters, redraw, skins);
+    const { motion } = annotations;
+    handTools(wb, motion.trail, signal);
+    const stop = wb.transport.subscribe(({ playing, timeSeconds }, before) => {
+      if (playing === before.playing) return;
+      motion.isPlaying = playing;
+      // What is too dear while it plays comes back.
+      viewport.seek(timeSeconds);
+    });
+    signal.addEventListener('abort', stop);
+    return annotations;
+  });
   pinsInFk(wb, signal);
   const head = element('div', { class: 'stage-head' }, modeBar(wb), displayBar(wb));
   const stage = element(
@@ -97,8 +110,8 @@ function drawCompared(wb: Workbench, stage: HTMLElement, signal: AbortSignal): v
 }
 
 /** What the mode's tool doesn't use picks. */
-function handTools(wb: Workbench, signal: AbortSignal): void {
-  const modeTool = modeTools(wb, signal);
+function handTools(wb: Workbench, trail: Trail, signal: AbortSignal): void {
+  const modeTool = pathFirst(wb, trail, modeTools(wb, signal));
   // A take that is only reviewed is not in the document: the camera moves, and nothing is selected or posed.
   const isReviewing = () => wb.timeline.review.shown.get() !== undefined;
   const tool = () => (isReviewing() ? undefined : modeTool());

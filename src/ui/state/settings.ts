@@ -3,7 +3,7 @@
  * If storage is forbidden, full or has unexpected content, defaults are used: an older version's data must never lock
  * anyone out.
  */
-import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MAX_GHOSTS } from '../../model/session.ts';
+import { DEFAULT_DISPLAY, type Display, GHOST_SHAPES, GHOST_UNITS, MAX_GHOSTS } from '../../model/session.ts';
 import { NEW_KEY_TANGENTS, type NewKeyTangents } from '../../model/takes/tangent-kinds.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 
@@ -157,6 +157,7 @@ function parseDisplay(kept: Record<string, unknown>): Display {
     ghostsBefore: count(kept.ghostsBefore, DEFAULT_DISPLAY.ghostsBefore),
     ghostsAfter: count(kept.ghostsAfter, DEFAULT_DISPLAY.ghostsAfter),
     ghostStepIn: oneOf(GHOST_UNITS, kept.ghostStepIn, DEFAULT_DISPLAY.ghostStepIn),
+    ghostsOf: oneOf(GHOST_SHAPES, kept.ghostsOf, DEFAULT_DISPLAY.ghostsOf),
     // Not remembered: a camera that follows from the start looks like a fault.
     follow: DEFAULT_DISPLAY.follow,
     followRoot: DEFAULT_DISPLAY.followRoot,

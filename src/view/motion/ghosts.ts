@@ -1,8 +1,8 @@
 /**
  * Ghosts (onion skin): poses of the selected character before and after the current time, as translucent bones, cool
- * before and warm after, fainter the further away in time.
+ * before and warm after, fainter the further away in time. As skins: `ghost-skins.ts`.
  *
- *     now − 2·step   now − step   now   now + step   now + 2·step          none outside the playback range
+ *     now − 2·step   now − step   now   now + step   now + 2·step          see `ghost-times.ts`
  *
  * Two draw calls for all ghosts. They are posed every frame: six ghosts of 70 joints are 420 matrices, a fraction of a
  * millisecond, so nothing is cached that could go stale while scrubbing.
@@ -17,46 +17,23 @@ import {
   ShaderMaterial,
 } from 'three';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
-import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import { NO_TRAVEL, placementMatrix } from '../../evaluate/space/placements.ts';
 import { carrierOf, groundTravel } from '../../evaluate/travel.ts';
-import { type Character, shownTake } from '../../model/document.ts';
+import type { Character } from '../../model/document.ts';
 import type { Display } from '../../model/session.ts';
 import { rawColor } from '../scene/thick-lines.ts';
 import { ballGeometry, boneGeometry, type Level, levelFor } from '../skeleton/bone-levels.ts';
 import { nodesFor, posedNodes, sizesFor } from '../skeleton/drawn-skeletons.ts';
 import { fillBones, placementScale, placePoints } from '../skeleton/node-matrices.ts';
 import type { StageTheme } from '../theme.ts';
+import { GhostTimes } from './ghost-times.ts';
 
 /** Opacity of the nearest and the furthest ghost. */
 const NEAR_OPACITY = 0.5;
 const FAR_OPACITY = 0.16;
 /** Those of a few joints are pale, and have no more triangles than those of some. */
 const GHOST_LEVELS: readonly Level[] = [1, 1, 2];
-/** Tolerance at the range's ends; seconds. */
-const SLACK = 1e-9;
-
-/** Seconds between two ghosts. @param framesPerSecond for takes without frames of their own */
-export function ghostStepSeconds(character: Character, display: Display, framesPerSecond: number): number {
-  if (display.ghostStepIn === 'seconds') return display.ghostStep;
-  return display.ghostStep * (shownTake(character)?.samples?.frameSeconds ?? 1 / framesPerSecond);
-}
-
-/** Steps from the current time, earliest first: −2 −1 1 2, without those outside the range. */
-export function ghostSteps(
-  display: Display,
-  timeSeconds: number,
-  stepSeconds: number,
-  [start, end]: readonly [number, number],
-): number[] {
-  const steps: number[] = [];
-  if (!(stepSeconds > 0)) return steps;
-  for (let k = -display.ghostsBefore; k <= display.ghostsAfter; k++) {
-    const time = timeSeconds + k * stepSeconds;
-    if (k !== 0 && time >= start - SLACK && time <= end + SLACK) steps.push(k);
-  }
-  return steps;
-}
 
 export class Ghosts {
   readonly object = new Group();
@@ -67,6 +44,8 @@ export class Ghosts {
   private readonly bones: InstancedMesh;
   /** r g b a per instance, shared by both meshes. */
   private tint = new InstancedBufferAttribute(new Float32Array(4), 4);
+  private readonly ghostTimes = new GhostTimes();
+  private source: PoseSource | undefined;
   private readonly before = new Color();
   private readonly after = new Color();
   private dofs = new Float64Array(0);
@@ -105,24 +84,26 @@ export class Ghosts {
     const { object, balls, bones, placement, travel } = this;
     object.visible = false;
     if (!character?.skeleton) return;
-    const stepSeconds = ghostStepSeconds(character, display, framesPerSecond);
-    const steps = ghostSteps(display, timeSeconds, stepSeconds, range);
-    if (steps.length === 0) return;
+    const { ghostTimes } = this;
+    ghostTimes.fill(character, display, timeSeconds, range, framesPerSecond);
+    if (ghostTimes.count === 0) return;
     const { skeleton, placements } = character;
     const compiled = compileSkeleton(skeleton);
     const nodes = nodesFor(skeleton);
     const sizes = sizesFor(skeleton);
-    this.makeRoom(nodes.count * placements.length * steps.length, nodes.count, dofCountOf(character));
+    this.makeRoom(nodes.count * placements.length * ghostTimes.count, nodes.count, dofCountOf(character));
     const { dofs, world, placed, tint } = this;
     const carrier = carrierOf(character);
     let first = 0;
-    for (const step of steps) {
+    if (this.source?.character !== character) this.source = poseSource(character);
+    for (let g = 0; g < ghostTimes.count; g++) {
       // Unkeyed changes apply at the current time only, so ghosts ignore them.
-      poseAt(character, timeSeconds + step * stepSeconds, dofs);
+      poseFrom(this.source, ghostTimes.times[g], dofs);
       worldMatrices(compiled, dofs, world);
       if (display.inPlace) groundTravel(compiled, character.space, carrier, dofs, world, travel);
+      const step = ghostTimes.steps[g];
       const color = step < 0 ? this.before : this.after;
-      const opacity = opacityOf(step, step < 0 ? display.ghostsBefore : display.ghostsAfter);
+      const opacity = FAR_OPACITY + (NEAR_OPACITY - FAR_OPACITY) * nearness(step, display);
       for (const place of placements) {
         placementMatrix(place, character.space, display.inPlace ? travel : NO_TRAVEL, placement);
         placePoints(posedNodes(nodes, skeleton, dofs), placement, 0, world, placed);
@@ -167,9 +148,10 @@ export class Ghosts {
   }
 }
 
-function opacityOf(step: number, furthest: number): number {
-  const part = furthest > 1 ? (Math.abs(step) - 1) / (furthest - 1) : 0;
-  return NEAR_OPACITY + (FAR_OPACITY - NEAR_OPACITY) * part;
+/** 1 for the ghosts next to the current time, 0 for the furthest. */
+export function nearness(step: number, { ghostsBefore, ghostsAfter }: Display): number {
+  const furthest = step < 0 ? ghostsBefore : ghostsAfter;
+  return furthest > 1 ? 1 - (Math.abs(step) - 1) / (furthest - 1) : 1;
 }
 
 function matricesOf(mesh: InstancedMesh): Float32Array {

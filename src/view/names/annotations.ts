@@ -6,6 +6,7 @@
 
 import { MotionDrawing } from '../motion/motion-drawing.ts';
 import type { ShownCharacters } from '../shown-characters.ts';
+import type { DrawnSkins } from '../skin/drawn-skins.ts';
 import { VertexMarker } from '../skin/vertex-marker.ts';
 import type { StageTheme } from '../theme.ts';
 import { LabelCover } from './label-cover.ts';
@@ -18,9 +19,9 @@ export class Annotations {
   readonly motion: MotionDrawing;
   readonly vertexMarker = new VertexMarker();
 
-  /** @param redraw called when a path that takes longer is there */
-  constructor(characters: Pick<ShownCharacters, 'seen' | 'visible'>, redraw: () => void) {
-    this.motion = new MotionDrawing(characters, redraw);
+  /** @param redraw called when a path that takes longer is there @param skins where ghosts of skins are drawn */
+  constructor(characters: Pick<ShownCharacters, 'seen' | 'visible'>, redraw: () => void, skins: DrawnSkins) {
+    this.motion = new MotionDrawing(characters, redraw, skins);
   }
 
   setTheme(theme: StageTheme): void {

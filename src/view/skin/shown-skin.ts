@@ -52,7 +52,8 @@ export class ShownSkin {
   onLater: () => void = () => {};
   private readonly compiled: CompiledSkin;
   private readonly skeleton: PaletteSkeleton;
-  private shared: SharedSkin | undefined;
+  /** Undefined until it is built. */
+  shared: SharedSkin | undefined;
   private placed: readonly Placed[] = [];
   private display: Display | undefined;
   private textures: ReadonlyMap<string, Texture> = new Map();

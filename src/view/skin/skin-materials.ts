@@ -34,6 +34,7 @@ interface Made {
   readonly kind: MaterialKind;
   readonly tint: string | undefined;
   readonly color?: Vec3 | undefined;
+  readonly fade: number;
 }
 
 type MaterialKind = 'solid' | 'textured' | 'heat' | 'xray' | 'wire' | 'normals' | 'depth';
@@ -82,8 +83,9 @@ export class SkinMaterials {
     return this.get('heat', undefined, () => heat(this.skin, values), values);
   }
 
-  xray(tint?: string): Material {
-    return this.get('xray', tint, xray);
+  /** @param fade factor of its opacity */
+  xray(tint?: string, fade = 1): Material {
+    return this.get('xray', tint, xray, undefined, undefined, fade);
   }
 
   wire(tint?: string): Material {
@@ -106,8 +108,15 @@ export class SkinMaterials {
   }
 
   /** @param texture that it is made of: it ends with it */
-  private get(kind: MaterialKind, tint: string | undefined, make: () => Material, texture?: Texture, color?: Vec3) {
-    const name = [kind, tint, texture?.uuid, color].join(' ');
+  private get(
+    kind: MaterialKind,
+    tint: string | undefined,
+    make: () => Material,
+    texture?: Texture,
+    color?: Vec3,
+    fade = 1,
+  ): Material {
+    const name = [kind, tint, texture?.uuid, color, fade].join(' ');
     const known = this.made.get(name);
     if (known) return known.material;
     const { skin, uniforms } = this;
@@ -119,7 +128,7 @@ export class SkinMaterials {
       throughWorld: kind === 'depth',
     });
     material.name = `skin ${kind}`;
-    const made = { material, kind, tint, color };
+    const made = { material, kind, tint, color, fade };
     this.made.set(name, made);
     this.paint(made);
     texture?.addEventListener('dispose', () => {
@@ -129,7 +138,7 @@ export class SkinMaterials {
     return material;
   }
 
-  private paint({ material, kind, tint, color }: Made): void {
+  private paint({ material, kind, tint, color, fade }: Made): void {
     const { theme } = this;
     if (material instanceof MeshStandardMaterial && kind === 'solid') dye(material.color.set(theme.clay), tint);
     if (material instanceof MeshStandardMaterial && kind === 'textured') {
@@ -141,8 +150,8 @@ export class SkinMaterials {
     }
     if (material instanceof ShaderMaterial && kind === 'xray') {
       material.uniforms.colour.value.set(tint ?? theme.xray);
-      material.uniforms.facing.value = theme.xrayFacing;
-      material.uniforms.edge.value = theme.xrayEdge;
+      material.uniforms.facing.value = theme.xrayFacing * fade;
+      material.uniforms.edge.value = theme.xrayEdge * fade;
     }
     if (material instanceof ShaderMaterial && kind === 'normals') material.uniforms.colour.value.set(theme.normals);
   }

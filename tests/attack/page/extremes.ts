@@ -124,7 +124,7 @@ async function lookAround(page: Page, doing: Doing): Promise<void> {
     });
   }
   for (const action of [
-    'draw.ghosts',
+    'view.ghosts',
     'draw.trail',
     'draw.names',
     'draw.axes',

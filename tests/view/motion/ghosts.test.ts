@@ -2,7 +2,9 @@ import { InstancedMesh, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../../src/model/document.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../src/model/session.ts';
-import { Ghosts, ghostStepSeconds, ghostSteps } from '../../../src/view/motion/ghosts.ts';
+import { GhostTimes, ghostStepSeconds } from '../../../src/view/motion/ghost-times.ts';
+import { Ghosts } from '../../../src/view/motion/ghosts.ts';
+import { channelOf } from '../../edit/keys/channels.ts';
 import { character, takeOfValues } from '../../helpers/builders.ts';
 import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 
@@ -29,15 +31,72 @@ describe('how far apart ghosts are', () => {
   });
 });
 
+/** How far each ghost is from the current time, as its number and in seconds. */
+function ghostsAt(of: Character, display: Display, timeSeconds: number, range: readonly [number, number]) {
+  const found = new GhostTimes();
+  found.fill(of, display, timeSeconds, range, 30);
+  return [...found.steps.subarray(0, found.count)].map((step, g) => [step, found.times[g]]);
+}
+
 describe('which ghosts there are', () => {
+  const walker = character({ takes: [takeOfValues('walk', [0])], shownTake: 0 });
+  const stepsAt = (...[display, ...rest]: [Display, number, readonly [number, number]]) =>
+    ghostsAt(walker, display, ...rest).map(([step]) => step);
+
   it('ghosts are before and after, and never now', () => {
-    expect(ghostSteps(ON, 5, 0.1, [0, 10])).toEqual([-2, -1, 1, 2]);
+    expect(stepsAt(ON, 5, [0, 10])).toEqual([-2, -1, 1, 2]);
   });
 
   it('ghosts are inside the playback range, ends included', () => {
-    expect(ghostSteps(ON, 0.1, 0.1, [0, 10])).toEqual([-1, 1, 2]);
-    expect(ghostSteps(ON, 10, 0.1, [0, 10])).toEqual([-2, -1]);
-    expect(ghostSteps(ON, 0, 0, [0, 10])).toEqual([]);
+    expect(stepsAt(ON, 0.1, [0, 10])).toEqual([-1, 1, 2]);
+    expect(stepsAt(ON, 10, [0, 10])).toEqual([-2, -1]);
+    expect(stepsAt({ ...ON, ghostStep: 0 }, 0, [0, 10])).toEqual([]);
+  });
+
+  it('at keys they are at those of any channel, each once, wherever they are', () => {
+    const channels = [
+      [0, 1, 4],
+      [1, 2.5],
+    ].map((times) => channelOf(times.map((time) => [time, 0])));
+    const keyed = character({
+      takes: [{ ...takeOfValues('walk', []), range: [0, 4], channels }],
+      shownTake: 0,
+      timeOffsetSeconds: 1,
+    });
+    const atKeys: Display = { ...ON, ghostStepIn: 'keys' };
+    expect(ghostsAt(keyed, atKeys, 0.5, [-5, 5])).toEqual([
+      [-2, -1],
+      [-1, 0],
+      [1, 1.5],
+      [2, 3],
+    ]);
+    // The key that is shown is none of them.
+    expect(ghostsAt(keyed, atKeys, 1.5, [0, 5])).toEqual([
+      [-1, 0],
+      [1, 3],
+    ]);
+    expect(ghostsAt(keyed, atKeys, 9, [0, 9])).toEqual([
+      [-2, 1.5],
+      [-1, 3],
+    ]);
+  });
+
+  it('at keys they are at frames of a capture', () => {
+    const mocap = captured(
+      personSkeleton(),
+      takeOfRoots(personSkeleton(), [
+        [0, 85, 0],
+        [1, 85, 0],
+        [2, 85, 0],
+      ]),
+    );
+    const [[, before], [, after]] = ghostsAt(
+      mocap,
+      { ...ON, ghostStepIn: 'keys', ghostsBefore: 1, ghostsAfter: 1 },
+      0.1,
+      [0, 1],
+    );
+    expect(after - before).toBeCloseTo(2 * (mocap.takes[0].samples?.frameSeconds ?? 0), 12);
   });
 });
 

@@ -46,7 +46,7 @@ describe('the trail of a joint', () => {
   it('with a stepped preview the path and the ghosts are of the poses that are held', () => {
     const moving = character({ skeleton: skeleton(2), takes: [takeOfValues('walk', [0, 8])], shownTake: 0 });
     const entry = { id: moving.id, character: moving };
-    const made = new MotionDrawing({ seen: () => entry, visible: [entry] } as never, () => undefined);
+    const made = new MotionDrawing({ seen: () => entry, visible: [entry] } as never, () => undefined, {} as never);
     const drawn = vi.spyOn(Trail.prototype, 'show');
     const ghosts = vi.spyOn(Ghosts.prototype, 'fill');
     const display = { ...DEFAULT_DISPLAY, trail: true, ghosts: true };

@@ -1,12 +1,16 @@
 /** Rows of the onion skin: number of ghosts before and after, and their spacing. */
 import type { GUI } from 'lil-gui';
-import { type Display, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
+import { type Display, GHOST_SHAPES, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { Slider, showIn } from '../../widgets/numbers/slider.ts';
 import { setDisplay } from '../viewport/actions.ts';
 
-/** Default step in each unit, set when the unit changes. */
-const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.2 };
+/** Default step in each unit, set when the unit changes; at keys there is none. */
+const USUAL_STEP: Readonly<Record<GhostUnit, Partial<Display>>> = {
+  frames: { ghostStep: 5 },
+  seconds: { ghostStep: 0.2 },
+  keys: {},
+};
 
 /** Adds the rows to a section. Returns a function that updates them from the settings. */
 export function addGhostRows(wb: Uses<'settings' | 'messages'>, section: GUI): (display: Display) => void {
@@ -29,11 +33,15 @@ export function addGhostRows(wb: Uses<'settings' | 'messages'>, section: GUI): (
   });
   const binding = { unit: display.ghostStepIn };
   const unit = section.add(binding, 'unit', [...GHOST_UNITS]).name('Ghost step unit');
-  unit.onChange((ghostStepIn: GhostUnit) => setDisplay(wb, { ghostStepIn, ghostStep: USUAL_STEP[ghostStepIn] }));
+  unit.onChange((ghostStepIn: GhostUnit) => setDisplay(wb, { ghostStepIn, ...USUAL_STEP[ghostStepIn] }));
+  const shape = section.add({ of: display.ghostsOf }, 'of', [...GHOST_SHAPES]).name('Ghosts of');
+  shape.onChange((ghostsOf: Display['ghostsOf']) => setDisplay(wb, { ghostsOf }));
   return (now) => {
     before.showValue(now.ghostsBefore);
     after.showValue(now.ghostsAfter);
     step.showValue(now.ghostStep);
+    step.disable(now.ghostStepIn === 'keys');
     showIn(unit, now.ghostStepIn);
+    showIn(shape, now.ghostsOf);
   };
 }

@@ -168,7 +168,15 @@ export const VIEW_ACTIONS: readonly Action[] = [
   toggle('characterNames', 'Character names', undefined, []),
   toggle('normals', 'Normals', 'normals', ['Shift+N']),
   { ...toggle('trail', 'Motion path', undefined, []), also: 'trail trajectory' },
-  { ...toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']), also: 'ghosts' },
+  {
+    ...toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']),
+    id: 'view.ghosts',
+    also: 'ghosts',
+    async run(wb, args) {
+      if (typeof args === 'object') (await import('./show-ghosts.ts')).showGhosts(wb, args);
+      else setDisplay(wb, { ghosts: !wb.settings.get().display.ghosts });
+    },
+  },
   { ...toggle('grid', 'Grid', 'grid', ['G']), also: 'floor ground background' },
   {
     id: 'view.steppedPreview',

@@ -21,7 +21,7 @@ const SHORT_LABELS: Readonly<Record<string, string>> = { heat: 'Weights', four: 
 /** Switches by what they are about, as the menu shows them; a path is a submenu. */
 const SWITCHES: readonly (readonly [title: string, ids: readonly string[]])[] = [
   ['Draw', ['draw.bones', 'View/Boxes', 'draw.axes', 'draw.names', 'draw.characterNames', 'draw.normals']],
-  ['Motion', ['draw.ghosts', 'draw.trail']],
+  ['Motion', ['view.ghosts', 'draw.trail']],
   ['Floor', ['draw.grid', 'draw.shadow', 'draw.floorAtLowest']],
 ];
 
