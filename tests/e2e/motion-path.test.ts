@@ -28,8 +28,9 @@ async function showPath(page: Page, joint: string, seconds: number): Promise<voi
 async function onPath(page: Page, joint: string, at: number, now: number): Promise<{ x: number; y: number }> {
   await page.evaluate((to) => window.marrow.seek(to), at);
   const place = await position(page, joint);
-  // The camera may follow the root.
+  // The camera may follow the root, with the next frame.
   await page.evaluate((to) => window.marrow.seek(to), now);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   const found = await page.evaluate((point) => window.marrow.pointOnPage(point), place);
   if (!found) throw new Error('The path is in view.');
   // The script of the path comes with the first move over it.
@@ -47,6 +48,44 @@ async function drag(page: Page, { x, y }: { x: number; y: number }, by: readonly
   await page.mouse.down();
   await page.mouse.move(x + by[0], y + by[1], { steps: 4 });
 }
+
+it('a diamond is dragged in one step, Escape cancels, and a click goes to its time', () =>
+  withPage(
+    async ({ page }) => {
+      const [file, joint, now] = ['walker_walk.anim', 'hand_l', 0.2] as const;
+      await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
+      await showPath(page, joint, now);
+      const channel = await page.evaluate(
+        (name) => 3 + 3 * window.marrow.characters()[0].joints.findIndex((one) => one.name === name),
+        'upper_arm_l',
+      );
+      const times = await page.evaluate((of) => window.marrow.keys(of).map(({ time }) => time), channel);
+      const time = times.find((one) => one > 0.3) ?? 0;
+      const before = await saved(page, file);
+      const handle = await onPath(page, joint, time, now);
+      await drag(page, handle, [20, -30]);
+      await expect.poll(() => saved(page, file)).not.toBe(before);
+      await page.keyboard.press('Escape');
+      await page.mouse.up();
+      await expect.poll(() => saved(page, file)).toBe(before);
+
+      await drag(page, handle, [20, -30]);
+      await page.mouse.up();
+      await expect.poll(() => undoLabel(page)).toBe(`Move ${joint} on its path`);
+      const after = await page.evaluate((of) => window.marrow.keys(of).map((key) => key.time), channel);
+      expect(after).toEqual(times);
+      // It is where it was dragged to.
+      const moved = await onPath(page, joint, time, now);
+      expect(Math.hypot(moved.x - handle.x - 20, moved.y - handle.y + 30)).toBeLessThan(2);
+      await page.evaluate(() => window.marrow.undo());
+      await expect.poll(() => saved(page, file)).toBe(before);
+
+      const old = await position(page, joint);
+      await page.mouse.click(handle.x, handle.y);
+      await expect.poll(() => position(page, joint)).not.toEqual(old);
+    },
+    { walking: true },
+  ));
 
 it('a frame of a capture is dragged, and one line of the file changes', () =>
   withPage(async ({ page }) => {

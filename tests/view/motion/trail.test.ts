@@ -95,7 +95,7 @@ describe('the trail of a joint', () => {
       const trail = new Trail(redraw);
       trail.show(large, 7, range, false);
       expect(trail.object.visible).toBe(false);
-      await vi.waitFor(() => expect(redraw).toHaveBeenCalledOnce());
+      await vi.waitFor(() => expect(redraw).toHaveBeenCalledOnce(), 20_000);
       expect(trail.object.visible).toBe(true);
       expect(trail.object.count).toBe(1);
       const later = { ...large, name: 'renamed' };
@@ -123,7 +123,7 @@ describe('the trail of a joint', () => {
       trail.show(large, undefined, range, false);
       const done = new Trail(redraw);
       done.show(large, 8, range, false);
-      await vi.waitFor(() => expect(redraw).toHaveBeenCalledOnce());
+      await vi.waitFor(() => expect(redraw).toHaveBeenCalledOnce(), 20_000);
       expect(trail.object.visible).toBe(false);
       expect(trail.object.geometry).toBe(geometry);
     });

@@ -124,9 +124,12 @@ export class PointHand {
       this.frame = 0;
       const { looking, wb } = this;
       this.looking = undefined;
-      if (!looking || this.drag || wb.viewport.stats().triangles > HOVER_TRIANGLES) return;
+      const { style } = wb.viewport.canvas;
+      // The pointer has come to a handle meanwhile.
+      if (!looking || this.drag || style.cursor === 'grab') return;
+      if (wb.viewport.stats().triangles > HOVER_TRIANGLES) return;
       this.show(undefined, this.options.pointAt(looking));
-      wb.viewport.canvas.style.cursor = this.hoveredPoint ? 'pointer' : '';
+      style.cursor = this.hoveredPoint ? 'pointer' : '';
     });
   }
 

@@ -20,7 +20,9 @@ export function selectTool(wb: Workbench): ModeTool {
       back.textContent = BACK[wb.posing.modeBeforeSelect];
       wb.posing.controls.set(group);
       stop = wb.viewport.pointing.onHover(() => {
-        wb.viewport.canvas.style.cursor = cursor() ?? '';
+        const { style } = wb.viewport.canvas;
+        // Something else than a joint has the pointer: a key on a motion path.
+        if (style.cursor !== 'grab') style.cursor = cursor() ?? '';
       });
     },
     leave() {
