@@ -101,7 +101,7 @@ async function annotate({ viewport, settings, store }: EmbeddedParts): Promise<v
   if (annotated.has(viewport) || !(names || trail || ghosts || isNamed)) return;
   annotated.add(viewport);
   const { Annotations } = await import('../../view/names/annotations.ts');
-  viewport.annotate((characters, redraw) => new Annotations(characters, redraw));
+  viewport.annotate((...parts) => new Annotations(...parts));
 }
 
 function pauseOutOfSight(host: HTMLElement, { transport }: EmbeddedParts): void {
