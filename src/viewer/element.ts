@@ -281,8 +281,9 @@ export class MarrowViewer extends Base {
       }
       this.output = output;
       this.parts.setPoster('');
-      this.showDocument();
+      // A view has no colours before.
       this.showBackground();
+      this.showDocument();
       const range = rangeOfTakes(this.document);
       const { framesPerSecond } = output;
       this.player.update((now) => ({
