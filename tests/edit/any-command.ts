@@ -316,10 +316,13 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     const refs = [{ characterId: captured.id, take: 0 }];
     return { takes: refs, from, to: from + dice.number() * length, align, overlapSeconds: dice.number() / 4 };
   },
-  'takes.insert': ({ dice, character }) =>
-    character.takes.length
-      ? { into: someTakes(dice, character)[0], atSeconds: time(dice), holdSeconds: dice.number() }
-      : undefined,
+  'takes.insert': ({ dice, character, others }) => {
+    // Only captures take what is inserted; the others say why not.
+    const captured = others.find(({ takes }) => takes[0]?.samples);
+    const own = character.takes.length ? someTakes(dice, character)[0] : undefined;
+    const into = captured && dice.is(0.5) ? { characterId: captured.id, take: 0 } : own;
+    return into && { into, atSeconds: time(dice), holdSeconds: dice.number() };
+  },
   'takes.mirror': ({ dice, character }) => (character.takes.length ? { takes: someTakes(dice, character) } : undefined),
   'review.add': ({ dice }) => ({ paths: dice.some(REVIEWED, 0.5) }),
   'review.remove': ({ dice }) => ({ paths: dice.some(REVIEWED, 0.3) }),
