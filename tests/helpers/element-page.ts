@@ -49,6 +49,6 @@ export function withElement(
     'page.css': STYLE + style,
     'page.js': allowsWorkers ? ALLOW : '',
   };
-  const early = { folder: ELEMENT, walking: true, early: true, fullMotion: true } as const;
+  const early = { folder: ELEMENT, walking: true, early: true, fullMotion: true, drawn: true } as const;
   return withPage(body, { ...early, ...options, files: { ...samples, ...page, ...files } });
 }
