@@ -12,7 +12,6 @@ import { evaluateChannel as channelAt } from '../evaluate/curves.ts';
 import { solve } from '../evaluate/ik/solve.ts';
 import type { IkProblem, IkResult } from '../evaluate/ik/state.ts';
 import { compileSkeleton, localMatrices as localOf, worldMatrices as worldOf } from '../evaluate/kinematics.ts';
-import { provideLayers } from '../evaluate/layers.ts';
 import { dofCountOf, poseAt as poseOf } from '../evaluate/pose.ts';
 import {
   blendMorphs,
@@ -31,9 +30,7 @@ import type { Take } from '../model/takes/take.ts';
 export { IkError, type IkOptions, type IkPin } from '../evaluate/ik/pins.ts';
 export { ikProblem, movePin, turnPin } from '../evaluate/ik/problem.ts';
 export type { IkProblem, IkResult } from '../evaluate/ik/state.ts';
-
-// Takes with layers may come from elsewhere than from files, such as another thread.
-provideLayers();
+export { provideLayers } from '../evaluate/layers.ts';
 
 /** Number of a character's DOFs: the length of its poses. `characterDofs` of `marrow/model` names them. */
 export function dofCount(character: Character): number {

@@ -1,8 +1,14 @@
 /** Limbs on the command line, against the reference's numbers. */
-import { expect, it } from 'vitest';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, expect, it } from 'vitest';
 import { expectClose } from '../helpers/close.ts';
-import { commandJson, type PoseJson } from '../helpers/command.ts';
+import { command, commandJson, type PoseJson } from '../helpers/command.ts';
 import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
+
+const folder = mkdtempSync(join(tmpdir(), 'marrow-limbs-'));
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 interface Craft {
   readonly tolerance: number;
@@ -12,6 +18,8 @@ interface Craft {
 interface LimbsCase {
   readonly files: readonly string[];
   readonly take_file: string;
+  readonly size: number;
+  readonly flattened: readonly Frame[];
   readonly frames: readonly (Frame & { readonly limbs: readonly LimbRow[] })[];
 }
 interface Frame {
@@ -68,6 +76,25 @@ describeShared('limbs of the reference files', () => {
           craft.tolerance,
           `world at ${time}`,
         );
+      });
+    },
+  );
+
+  it.each(craft.limbs.map((one) => ({ ...one, name: one.take_file })))(
+    '$name is written as a plain .anim that plays the same at whole frames',
+    async ({ files, flattened, size }) => {
+      const out = join(folder, 'plain.anim');
+      expect((await command(['convert', ...files, out], shared)).code).toBe(0);
+      const times = flattened.map(({ time }) => time).join(',');
+      const skel = files.filter((name) => name.endsWith('.skel'));
+      const found = await commandJson<{ readonly frames: readonly PoseJson[] }>(
+        ['pose', ...skel, out, '--times', times],
+        shared,
+      );
+      // Of each of up to four joints above, an angle within 0.001.
+      flattened.forEach(({ time, world }, f) => {
+        const own = found.frames[f].characters[0].joints.flatMap((joint) => joint.world);
+        expectClose(own, world.flat(), 4e-3 * Math.max(1, size), `world at ${time}`);
       });
     },
   );

@@ -18,15 +18,8 @@ import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { baseOf, type Channel, type KeyedChannel, type Motion, type Take } from '../../model/takes/take.ts';
 import { fittedSum, type WeightedCurve } from './fit-sum.ts';
+import { DEFAULT_FRAMES_PER_SECOND, FLATTEN_TOLERANCE, type FlattenOptions } from './flatten-options.ts';
 import { sumOfCurves, type Term } from './sum-curves.ts';
-
-/** Options of flattening layers. */
-export interface FlattenOptions {
-  /** How far fitted curves may be off: radians and weights, and lengths in parts of the character's size; default 0.001. */
-  readonly tolerance?: number;
-  /** Of fitted curves; default the take's own, else 30. */
-  readonly framesPerSecond?: number;
-}
 
 /** A take whose layers are part of its channels. */
 export interface Flattened {
@@ -36,10 +29,6 @@ export interface Flattened {
   /** For each channel, whether it was fitted: it is within the tolerance, not exact. */
   readonly isFitted: readonly boolean[];
 }
-
-/** Default of `FlattenOptions.tolerance`. */
-export const FLATTEN_TOLERANCE = 1e-3;
-const DEFAULT_FRAMES_PER_SECOND = 30;
 
 /**
  * The take without layers, which moves the same; the same object if it has none.

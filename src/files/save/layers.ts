@@ -1,42 +1,50 @@
 /**
- * The files of a take with layers: its base, its layers, the plain file with the flattened result, and, last, the JSON
- * that says with which bytes of the plain file it was saved.
+ * The files of a take with layers or goals: its base, its layers, the plain file with the flattened result, and, last,
+ * the JSON that says with which bytes of the plain file it was saved.
  */
-import { type FlattenOptions, flattened as flattenedTake } from '../../edit/layers/flatten.ts';
+import { flattened as flattenedTake } from '../../edit/layers/flatten.ts';
+import type { FlattenOptions } from '../../edit/layers/flatten-options.ts';
+import { withoutGoals } from '../../edit/limbs/flatten-goals.ts';
 import { writeAnim } from '../../formats/anim/write.ts';
 import { sha256 } from '../../formats/sha256.ts';
+import { partsOf } from '../../model/character-parts.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, isOfJoints } from '../../model/document.ts';
 import type { FileContent, ParsedFile } from '../../model/files.ts';
+import { soundLimbs } from '../../model/limb-problems.ts';
+import { limbsByName } from '../../model/limbs.ts';
+import { newCharacter } from '../../model/new-character.ts';
+import type { OtherFields } from '../../model/other-fields.ts';
+import { fileNameOf, type Part } from '../../model/part.ts';
 import { skelChannels, skelSkeleton } from '../../model/skeleton/skel-motion.ts';
-import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { motionOf, unlayered } from '../../model/takes/layers.ts';
-import type { LayersFile } from '../../model/takes/layers-file.ts';
 import { LAYERS_EXTENSION } from '../../model/takes/layers-file.ts';
+import { LIMBS_EXTENSION, type LimbsFile } from '../../model/takes/limbs-file.ts';
 import { baseOf, type Motion, restChannel, type Take } from '../../model/takes/take.ts';
 import { openFiles } from '../open/open-files.ts';
 import type { Copy } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
 
-/** All files of the shown take, if it has layers. */
+/** All files of takes with layers or goals. */
 export function layersCopies(character: Character): readonly Copy[] {
-  return character.takes.flatMap((take) => (take.layers ? filesOf(character, take) : []));
+  return character.takes.flatMap((take) => filesOf(character, take));
 }
 
-/** All files of a take with layers but the plain one, in the order in which they are written. */
+/** All files of a take with layers or goals but the plain one, in the order in which they are written; none without. */
 export function besidePlain(character: Character, take: Take): readonly Copy[] {
   const plain = plainName(character, take);
-  return take.layers ? filesOf(character, take).filter(({ name }) => name !== plain) : [];
+  return filesOf(character, take).filter(({ name }) => name !== plain);
 }
 
-/** The take as other programs read it: without layers, moving the same; with what was lost on the way. */
+/** The take as other programs read it: without layers and goals, moving the same; with what was lost on the way. */
 export function plainTake(
-  { skeleton }: Pick<Character, 'skeleton'>,
+  character: Character,
   take: Take,
   file: string,
   options: FlattenOptions = {},
 ): { readonly take: Take; readonly diagnostics: readonly Diagnostic[] } {
-  const { take: plain, bakedCount } = flattenedTake(take, skeleton, options);
+  const { take: summed, bakedCount } = flattenedTake(take, character.skeleton, options);
+  const plain = withoutGoals(character, summed, options);
   if (bakedCount === 0) return { take: plain, diagnostics: [] };
   const what = bakedCount === 1 ? '1 channel repeats' : `${bakedCount} channels repeat`;
   const message = `${what} in a way that no sum of layers does.`;
@@ -46,7 +54,7 @@ export function plainTake(
   };
 }
 
-/** Files with plain takes in place of those with layers, which other formats than their own can't hold. */
+/** Files with plain takes in place of those with layers or goals, which other formats than their own can't hold. */
 export function plainFiles(
   files: readonly ParsedFile[],
   options: FlattenOptions,
@@ -56,27 +64,35 @@ export function plainFiles(
     file.kind === 'anim'
       ? hasLayers(file.take)
       : file.kind === 'bvh' && file.captures.some(({ take }) => hasLayers(take));
-  if (!files.some(isLayered)) return { files, diagnostics: [] };
+  const hasGoals = files.some((file) => file.kind === 'limbs' && file.limbs.goals);
+  if (!hasGoals && !files.some(isLayered)) return { files, diagnostics: [] };
   const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
   const diagnostics: Diagnostic[] = [];
-  const plain = (take: Take, skeleton: Skeleton | undefined, file: string) => {
-    const made = plainTake({ ...(skeleton && { skeleton }) }, take, file, options);
+  const plain = (character: Character, take: Take, file: string) => {
+    const made = plainTake(character, take, file, options);
     diagnostics.push(...made.diagnostics);
     return made.take;
   };
   const made = files.map((file): ParsedFile => {
-    if (!isLayered(file)) return file;
-    if (file.kind === 'bvh') {
+    const { path } = file.source;
+    if (file.kind === 'bvh' && isLayered(file)) {
       const captures = file.captures.map((capture) =>
-        capture.take ? { ...capture, take: plain(capture.take, capture.skeleton, file.source.path) } : capture,
+        capture.take
+          ? { ...capture, take: plain({ ...newCharacter(path, path), skeleton: capture.skeleton }, capture.take, path) }
+          : capture,
       );
       return { ...file, captures };
     }
     if (file.kind !== 'anim') return file;
-    const { skeleton } =
-      characters.find(({ parts }) => parts?.takes.some((mark) => mark.file?.source.path === file.source.path)) ?? {};
+    const at = (character: Character) =>
+      character.parts?.takes.findIndex((mark) => mark.file?.source.path === path) ?? -1;
+    const character = characters.find((one) => at(one) >= 0);
+    const { goals } = character?.takes[at(character)] ?? {};
+    if (!goals && !isLayered(file)) return file;
+    const { skeleton, ...rest } = character ?? newCharacter(path, path);
     // Of motion capture the DOFs have another order in such files.
-    return { ...file, take: plain(file.take, skeleton && skelSkeleton(skeleton), file.source.path) };
+    const own = { ...rest, ...(skeleton && { skeleton: skelSkeleton(skeleton) }) };
+    return { ...file, take: plain(own, { ...file.take, ...(goals && { goals }) }, path) };
   });
   return { files: made, diagnostics };
 }
@@ -91,14 +107,12 @@ function plainName(character: Character, { name }: Take): string | undefined {
 
 function filesOf(character: Character, take: Take): readonly Copy[] {
   const { skeleton, pose } = character;
-  const { layers } = take;
-  if (!layers) return [];
+  const { layers, goals } = take;
+  if (!layers && !goals) return [];
   const plain = plainName(character, take);
   // The base of a capture is its own file.
-  const base =
-    plain === undefined ? (layers.baseFile ?? `${take.name}.bvh`) : (layers.baseFile ?? `${take.name}.base.anim`);
-  const json = `${take.name}.${LAYERS_EXTENSION}`;
-  const wanted = layers.list.map(({ name, file }) => file ?? `${take.name}.${fileWord(name)}.anim`);
+  const base = layers?.baseFile ?? goals?.baseFile ?? `${take.name}${plain === undefined ? '.bvh' : '.base.anim'}`;
+  const wanted = (layers?.list ?? []).map(({ name, file }) => file ?? `${take.name}.${fileWord(name)}.anim`);
   const names = distinctNames(wanted, [base, ...(plain === undefined ? [] : [plain])]);
   const anim = (name: string, layer: number): Copy => ({
     name,
@@ -108,25 +122,57 @@ function filesOf(character: Character, take: Take): readonly Copy[] {
     },
   });
   const made = plainCopy(character, take, plain);
-  const { ofFlattened, others } = layers;
-  const content = (): FileContent => {
-    const rows = layers.list.map(({ motion: _motion, file: _file, ...row }, i) => ({ ...row, file: names[i] }));
-    const file: LayersFile = {
-      base,
-      ...(made && {
-        flattened: { file: made.name, sha256: made.sha256(), ...(ofFlattened && { others: ofFlattened }) },
-      }),
-      layers: rows,
-      ...(others && { others }),
+  const saved = (others: OtherFields | undefined) => ({
+    base,
+    ...(made && { flattened: { file: made.name, sha256: made.sha256(), ...(others && { others }) } }),
+  });
+  const jsons: Copy[] = [];
+  if (layers) {
+    const content = (): FileContent => {
+      const rows = layers.list.map(({ motion: _motion, file: _file, ...row }, i) => ({ ...row, file: names[i] }));
+      const { ofFlattened, others } = layers;
+      return { kind: 'layers', layers: { ...saved(ofFlattened), layers: rows, ...(others && { others }) } };
     };
-    return { kind: 'layers', layers: file };
-  };
+    jsons.push({ name: `${take.name}.${LAYERS_EXTENSION}`, content });
+  }
+  if (goals) {
+    const name = `${take.name}.${LIMBS_EXTENSION}`;
+    const content = (): FileContent => {
+      const { list, ofFlattened, others } = goals;
+      const limbs = limbsIn(character, name);
+      return { kind: 'limbs', limbs: { ...(others && { others }), ...limbs, ...saved(ofFlattened), goals: list } };
+    };
+    jsons.push({ name, content });
+  }
   return [
     ...(plain === undefined ? [] : [anim(base, -1)]),
     ...names.map((name, i) => anim(name, i)),
     ...(made ? [made] : []),
-    { name: json, content },
+    ...jsons,
   ];
+}
+
+/** The content of the part of limbs. */
+type LimbsOfPart = Extract<Part, { readonly kind: 'limbs' }>['content'];
+
+/** What a character's file of limbs says, if it is called so; one with the goals of a take may have both. */
+function limbsIn(character: Character, name: string): Pick<LimbsFile, 'limbs' | 'others'> {
+  const part = partsOf(character).find(({ kind }) => kind === 'limbs');
+  if (part?.kind !== 'limbs' || fileNameOf(part) !== name) return {};
+  return limbsOfPart(part.content);
+}
+
+/** Limbs as their file has them. */
+export function limbsOfPart({ limbs, skeleton }: LimbsOfPart): Pick<LimbsFile, 'limbs' | 'others'> {
+  const { list, others } = soundLimbs(limbs, skeleton);
+  return { limbs: limbsByName(list, skeleton), ...(others && { others }) };
+}
+
+/** The file of limbs, with the goals of a take that are in it, too. */
+export function limbsFile(character: Character, content: LimbsOfPart, name: string): LimbsFile {
+  const withGoals = character.takes.flatMap((take) => (take.goals ? filesOf(character, take) : []));
+  const both = withGoals.find((copy) => copy.name === name)?.content();
+  return both?.kind === 'limbs' ? both.limbs : limbsOfPart(content);
 }
 
 /** The plain file, whose bytes the JSON names by their hash. */

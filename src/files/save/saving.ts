@@ -10,8 +10,6 @@ import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
-import { soundLimbs } from '../../model/limb-problems.ts';
-import { limbsByName } from '../../model/limbs.ts';
 import { newFileName, type Part, takeOf } from '../../model/part.ts';
 import { setsByName } from '../../model/sets.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
@@ -21,7 +19,7 @@ import { KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
 import { acclaimOf, bvhOf, hasOwnRate, inPose, pointsOf } from './character-files.ts';
 import { amcCopy, bvhCopy } from './copies.ts';
-import { plainTake } from './layers.ts';
+import { limbsFile, plainTake } from './layers.ts';
 import { type Output, outputOf, type SavedFile, savedFileOf } from './output.ts';
 import type { Owned } from './owned.ts';
 import { jointPose, posesByNames } from './saved-poses.ts';
@@ -76,11 +74,15 @@ export function writeParts(name: string, owned: readonly Owned[], options: Savin
   const [{ part }] = owned;
   if (part.kind === 'bvh') return takesOutput(name, owned, options);
   if (part.kind === 'amc') return acclaimOutput(name, owned[0], options);
-  return outputOf({ name, content: () => contentOf(part, owned) });
+  return outputOf({ name, content: () => contentOf(part, owned, name) });
 }
 
 /** The content of a file of parts other than takes. */
-function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned: readonly Owned[]): FileContent {
+function contentOf(
+  part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>,
+  owned: readonly Owned[],
+  name: string,
+): FileContent {
   switch (part.kind) {
     case 'skel': {
       const skeletons = owned.flatMap(({ part: own, pose }) =>
@@ -113,9 +115,8 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' | 'amc' }>, owned:
     case 'sets':
       return { kind: 'sets', sets: setsByName(part.content.sets, part.content.skeleton) };
     case 'limbs': {
-      const { limbs, skeleton } = part.content;
-      const { list, others } = soundLimbs(limbs, skeleton);
-      return { kind: 'limbs', limbs: { limbs: limbsByName(list, skeleton), ...(others && { others }) } };
+      const [{ character }] = owned;
+      return { kind: 'limbs', limbs: limbsFile(character, part.content, name) };
     }
   }
 }
