@@ -54,7 +54,7 @@ function movedDofs({ limbs, skeleton }: Character, { goals, channels }: Take): r
 function wholeFrames([start, end]: Take['range'], framesPerSecond: number): Float64Array {
   const frames = (end - start) * framesPerSecond;
   const last = Math.floor(frames + SAME_FRAME);
-  // The motion goes on to the end of a range that ends within a frame.
+  // A range may end within a frame, and its motion is kept to the end.
   const isWithin = frames - last > SAME_FRAME;
   const times = Float64Array.from({ length: last + 1 + (isWithin ? 1 : 0) }, (_, k) => start + k / framesPerSecond);
   if (isWithin) times[last + 1] = end;

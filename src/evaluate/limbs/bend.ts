@@ -61,7 +61,7 @@ export function closedChain(limb: Limb, skeleton: Skeleton, compiled: CompiledSk
   };
 }
 
-/** What a bend is computed from; see the top of the file. Vectors are in the first joint's frame. */
+/** The numbers that a bend is computed from; see the top of the file. Vectors are in the first joint's frame. */
 export interface BendNumbers {
   /** |b₁|² + |b₂|² + 2(u·a)(w·a), and h. */
   rest: number;
@@ -71,7 +71,7 @@ export interface BendNumbers {
   reach: number;
 }
 
-/** Of the last call of `writeBend`. */
+/** The results of the last call of `writeBend`. */
 export const bendNumbers: BendNumbers = { rest: 0, h: 0, angle0: 0, reach: 0 };
 /** b₁ + A·R(a, θ)·B·b₂ of the last call of `writeReach`, and the side of the knee. */
 export const reached = new Float64Array(3);

@@ -219,7 +219,7 @@ const byLimbs = perObject((goals: Goals) =>
   perPair((limbs: Limbs, skeleton: Skeleton) => new TakeLimbs(goals, limbs, skeleton)),
 );
 
-/** What is wrong with goals, which are then not reached. */
+/** The problems of goals, which are then not reached. */
 export function goalProblems(goals: Goals, limbs: Limbs, skeleton: Skeleton): readonly GoalProblem[] {
   return orderedGoals(goals, limbs.list, skeleton).problems;
 }

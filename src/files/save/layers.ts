@@ -163,7 +163,7 @@ function limbsIn(character: Character, name: string): Pick<LimbsFile, 'limbs' | 
 }
 
 /** Limbs as their file has them. */
-export function limbsOfPart({ limbs, skeleton }: LimbsOfPart): Pick<LimbsFile, 'limbs' | 'others'> {
+function limbsOfPart({ limbs, skeleton }: LimbsOfPart): Pick<LimbsFile, 'limbs' | 'others'> {
   const { list, others } = soundLimbs(limbs, skeleton);
   return { limbs: limbsByName(list, skeleton), ...(others && { others }) };
 }

@@ -72,6 +72,7 @@ export function provideLayerCode(code: LayerCode): void {
  * @throws Error if none were
  */
 export function layerCode({ name }: Pick<Take, 'name'>): LayerCode {
-  if (!provided) throw new Error(`${name} has layers or goals of limbs, and their code isn’t loaded: call provideLayers() before.`);
+  if (!provided)
+    throw new Error(`${name} has layers or goals of limbs, and their code isn’t loaded: call provideLayers() before.`);
   return provided;
 }
