@@ -150,11 +150,11 @@ export class Opener {
       const next = reloads === undefined ? result.document : showingTheSame(store.document, result.document);
       const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
       this.put(next, result.opened, label, options);
-      const lost = await lostIn(before, result);
-      const diagnostics = [...output.diagnostics, ...result.diagnostics, ...lost];
       const earlier = this.earlierIn(output.files).filter(({ path }) => !files.some((file) => file.path === path));
       const given = [...files, ...earlier];
+      // In the task of the change: what was opened would else count as unsaved before it was read.
       if (isChange) for (const listener of this.listeners) listener({ given, files: output.files });
+      const diagnostics = [...output.diagnostics, ...result.diagnostics, ...(await lostIn(before, result))];
       // Clears the messages of files that are all right now, and of those that waited for them.
       const taken = before.unused.filter(({ file }) => !result.document.unused.some((unused) => unused.file === file));
       messages.report(

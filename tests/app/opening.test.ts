@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
+import { Unsaved } from '../../src/app/unsaved.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
@@ -66,6 +67,18 @@ it.each([1, 30])('opening %i characters at once is one change and one step', asy
   expect(told).toBe(1);
   store.undo();
   expect(store.document.characters).toEqual([]);
+});
+
+it('what is opened counts as saved in the same task: nothing unsaved is told to be replaced, also when it is opened again', async () => {
+  const store = new Store();
+  const opener = openerOf(store);
+  const unsaved = new Unsaved(store);
+  const replaced: string[] = [];
+  opener.subscribe(({ files }) => replaced.push(...unsaved.opened(files)));
+  await opener.open(sample);
+  await opener.open(sample);
+  expect(replaced).toEqual([]);
+  expect(unsaved.current()).toEqual([]);
 });
 
 it('opening selects a new character, keeps the selection for a part of the selected one, and undo restores it', async () => {

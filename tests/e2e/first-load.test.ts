@@ -76,6 +76,8 @@ it('a first visit loads at most 261 kB before its first picture, the example wit
       // Panels come, and the service worker stores all files.
       await page.locator('.inspector .lil-gui').first().waitFor({ state: 'attached' });
       await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+      // Nothing has to be said of an example that nobody has changed.
+      await expect.poll(() => page.evaluate(() => document.querySelector('.message-line')?.textContent)).toBe('');
       const stored = asked().filter((path) => path.startsWith('manual/'));
       expect(stored.length).toBeGreaterThan(10);
       const twice = () => asked().filter((path, i, all) => all.indexOf(path) < i);

@@ -72,7 +72,6 @@ export function provideLayerCode(code: LayerCode): void {
  * @throws Error if none were
  */
 export function layerCode({ name }: Pick<Take, 'name'>): LayerCode {
-  if (!provided)
-    throw new Error(`${name} has layers or goals of limbs, and their code isn’t loaded: call provideLayers() before.`);
+  if (!provided) throw new Error(`${name}: call provideLayers() first.`);
   return provided;
 }
