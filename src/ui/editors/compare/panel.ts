@@ -30,7 +30,7 @@ import { listenToPaste } from './paste-keys.ts';
 import { startPage } from './start.ts';
 import { ComparedTable } from './table.ts';
 
-type Parts = Uses<'comparing' | 'store' | 'transport' | 'timeline' | 'posing' | 'files' | 'messages'>;
+type Parts = Uses<'actions' | 'comparing' | 'store' | 'transport' | 'timeline' | 'posing' | 'files' | 'messages'>;
 
 export function comparePanel(wb: Parts): TimelineTab {
   return new ComparePanel(wb);

@@ -1,9 +1,11 @@
 /** What the panel shows before there is a dump: what to print, how, and a field for it. */
 
+import { tryById } from '../../state/actions/action.ts';
 import { manualLink } from '../../state/manual-link.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { BLOCKED, copyText } from '../../widgets/clipboard.ts';
 import { button, element, uniqueId } from '../../widgets/dom.ts';
+import { plainButton } from '../../widgets/form/form.ts';
 import { icon } from '../../widgets/icons.ts';
 import { SNIPPETS } from './snippets.ts';
 
@@ -17,7 +19,7 @@ export function compareText({ files }: Uses<'files'>, text: string): void {
   files.paste(data);
 }
 
-export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
+export function startPage(wb: Uses<'files' | 'messages' | 'actions'>): HTMLElement {
   const id = uniqueId('paste');
   const field = element('textarea', {
     id,
@@ -49,10 +51,10 @@ export function startPage(wb: Uses<'files' | 'messages'>): HTMLElement {
       element(
         'label',
         { for: id },
-        'Print your world matrices, one joint per line, and drop the file here or paste the numbers:',
+        'Print your world matrices, one joint per line, and drop or open the file, or paste the numbers:',
       ),
       field,
-      element('div', { class: 'compare-run' }, run),
+      element('div', { class: 'compare-run' }, run, plainButton('Open file…', () => tryById(wb, 'file.open'))),
       element(
         'p',
         {},

@@ -24,6 +24,7 @@ export const ESSENTIALS: readonly Essentials[] = [
       { what: 'Undo, redo', ids: ['edit.undo', 'edit.redo'] },
       { what: 'Find a command', ids: ['help.search'] },
       { what: 'Save changes', ids: ['save.changed'] },
+      { what: 'Next panel', ids: ['page.nextPanel'] },
       { what: 'This page', ids: ['help.shortcuts'] },
       { what: 'Manual for what has the focus', ids: ['help.manual'] },
     ],
