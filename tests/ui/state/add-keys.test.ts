@@ -186,7 +186,7 @@ describe('what is asked', () => {
     expect(plain(cycleText(asked(), [0, 6.4]))).toEqual({
       about: 'hips tx repeats every 0.8 s. A key at 2 s would make it repeat every 3 s.',
       answers: {
-        bake: 'Repeats from −1 to 7 s become keys. Only the motion around 2 s changes.',
+        bake: 'Repeats from −1 to 7 s become keys, and nothing is eased: the motion changes from the key before 2 s to the one after.',
         inside: 'The key is set at −0.4 s instead, and every repeat shows it.',
         lengthen: 'All keys repeat together, the new one included: the motion changes at other times too.',
       },
