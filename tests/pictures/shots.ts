@@ -313,7 +313,7 @@ export const SHOTS: readonly Shot[] = [
       await seek(page, 3.2);
       await select(page, 'foot_l');
       await run(page, 'draw.trail');
-      await run(page, 'view.ghosts');
+      await run(page, 'view.ghosts', { at: 'frames', every: 6, before: 3, after: 3, of: 'skeleton' });
     },
   },
   {
