@@ -54,7 +54,12 @@ export function startPage(wb: Uses<'files' | 'messages' | 'actions'>): HTMLEleme
         'Print your world matrices, one joint per line, and drop or open the file, or paste the numbers:',
       ),
       field,
-      element('div', { class: 'compare-run' }, run, plainButton('Open file…', () => tryById(wb, 'file.open'))),
+      element(
+        'div',
+        { class: 'compare-run' },
+        run,
+        plainButton('Open file…', () => tryById(wb, 'file.open')),
+      ),
       element(
         'p',
         {},
