@@ -8,8 +8,8 @@ it('shortcuts show the essentials first, and are found by name, by pressing a ke
     const dialog = page.getByRole('dialog', { name: 'Shortcuts' });
     const field = dialog.getByRole('searchbox');
     const lines = () => dialog.locator('.shortcut-line > :first-child').allTextContents();
-    await expect.poll(() => dialog.getByRole('tab', { selected: true }).textContent()).toBe('Essentials 22');
-    await expect.poll(async () => (await lines()).length).toBe(22);
+    await expect.poll(() => dialog.getByRole('tab', { selected: true }).textContent()).toBe('Essentials 23');
+    await expect.poll(async () => (await lines()).length).toBe(23);
 
     // The field has the focus: whoever presses ? types on.
     await page.keyboard.press('Control+z');
