@@ -51,7 +51,7 @@ export type Picked =
  */
 export function pickOrRefuse(files: readonly ParsedFile[], format: Format, out: string, options: PickOptions): Picked {
   try {
-    const plain = plainFiles(files, options);
+    const plain = plainFiles(files, options, format.kind === 'anim');
     return saying(pick(plain.files, format, out, options), [...plain.diagnostics, ...unitsNotKept(files, format, out)]);
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;

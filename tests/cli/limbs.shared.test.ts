@@ -19,6 +19,7 @@ interface LimbsCase {
   readonly files: readonly string[];
   readonly take_file: string;
   readonly size: number;
+  readonly range: readonly [number, number];
   readonly flattened: readonly Frame[];
   readonly frames: readonly (Frame & { readonly limbs: readonly LimbRow[] })[];
 }
@@ -96,6 +97,41 @@ describeShared('limbs of the reference files', () => {
         const own = found.frames[f].characters[0].joints.flatMap((joint) => joint.world);
         expectClose(own, world.flat(), 4e-3 * Math.max(1, size), `world at ${time}`);
       });
+    },
+  );
+
+  it.each(craft.limbs.map((one) => ({ ...one, name: one.take_file })))(
+    '$name is written as BVH with the solved limbs of each frame, and as GLB within 0.001 of its size',
+    async ({ files, frames, size, range }) => {
+      // Frames of the file.
+      const times = [0, 0.5, 1, 1.5].filter((time) => time >= range[0] && time <= range[1]).join(',');
+      const placesIn = async (given: readonly string[]) => {
+        const found = await commandJson<{ readonly frames: readonly PoseJson[] }>(
+          ['pose', ...given, '--times', times],
+          shared,
+        );
+        return found.frames.map(({ characters: [{ joints }] }) =>
+          Object.fromEntries(joints.map(({ name, world }) => [name, world.slice(12, 15)])),
+        );
+      };
+      expect(frames.length).toBeGreaterThan(0);
+      const solved = await placesIn(files);
+      for (const [name, tolerance] of [
+        ['solved.bvh', 1e-6],
+        ['solved.glb', 1e-3],
+      ] as const) {
+        const out = join(folder, name);
+        expect(
+          (await command(['convert', ...files, out, ...(name.endsWith('.glb') ? ['--raw'] : [])], shared)).code,
+        ).toBe(0);
+        const written = await placesIn([out]);
+        solved.forEach((places, f) => {
+          // In GLB the root may be two nodes of one name.
+          for (const [joint, place] of Object.entries(places).slice(1)) {
+            expectClose(written[f][joint], place, tolerance * size, `${joint} in ${name}`);
+          }
+        });
+      }
     },
   );
 

@@ -91,7 +91,7 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
   const gone = new Set<ParsedFile>();
   const drop = ({ layers, limbs }: Controls) => {
     if (layers) gone.add(layers);
-    const left = limbs && withoutGoals(limbs);
+    const left = limbs && limbsAlone(limbs);
     if (left) replaced.set(limbs, left);
     else if (limbs) gone.add(limbs);
   };
@@ -132,7 +132,7 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
 }
 
 /** What is left of a file without its goals: the limbs; undefined if there are none. */
-function withoutGoals(file: LimbsParsed): LimbsParsed | undefined {
+export function limbsAlone(file: LimbsParsed): LimbsParsed | undefined {
   const { goals: _goals, base: _base, flattened: _flattened, ...rest } = file.limbs;
   return rest.limbs && { ...file, limbs: rest };
 }

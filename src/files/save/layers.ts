@@ -21,6 +21,7 @@ import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import { LAYERS_EXTENSION } from '../../model/takes/layers-file.ts';
 import { LIMBS_EXTENSION, type LimbsFile } from '../../model/takes/limbs-file.ts';
 import { baseOf, type Motion, restChannel, type Take } from '../../model/takes/take.ts';
+import { limbsAlone } from '../open/layers.ts';
 import { openFiles } from '../open/open-files.ts';
 import type { Copy } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
@@ -54,17 +55,21 @@ export function plainTake(
   };
 }
 
-/** Files with plain takes in place of those with layers or goals, which other formats than their own can't hold. */
+/**
+ * Files with plain takes in place of those with layers, which other formats than their own can't hold.
+ * @param withoutGoals also in place of those with goals of limbs, for `.anim`: other writers evaluate goals themselves
+ */
 export function plainFiles(
   files: readonly ParsedFile[],
   options: FlattenOptions,
+  withoutGoals: boolean,
 ): { readonly files: readonly ParsedFile[]; readonly diagnostics: readonly Diagnostic[] } {
   const hasLayers = (take: Take | undefined) => take?.layers !== undefined;
   const isLayered = (file: ParsedFile) =>
     file.kind === 'anim'
       ? hasLayers(file.take)
       : file.kind === 'bvh' && file.captures.some(({ take }) => hasLayers(take));
-  const hasGoals = files.some((file) => file.kind === 'limbs' && file.limbs.goals);
+  const hasGoals = withoutGoals && files.some((file) => file.kind === 'limbs' && file.limbs.goals);
   if (!hasGoals && !files.some(isLayered)) return { files, diagnostics: [] };
   const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
   const diagnostics: Diagnostic[] = [];
@@ -73,7 +78,7 @@ export function plainFiles(
     diagnostics.push(...made.diagnostics);
     return made.take;
   };
-  const made = files.map((file): ParsedFile => {
+  const made = files.flatMap((file): readonly ParsedFile[] | ParsedFile => {
     const { path } = file.source;
     if (file.kind === 'bvh' && isLayered(file)) {
       const captures = file.captures.map((capture) =>
@@ -83,11 +88,13 @@ export function plainFiles(
       );
       return { ...file, captures };
     }
+    // They would be reached a second time.
+    if (hasGoals && file.kind === 'limbs') return limbsAlone(file) ?? [];
     if (file.kind !== 'anim') return file;
     const at = (character: Character) =>
       character.parts?.takes.findIndex((mark) => mark.file?.source.path === path) ?? -1;
     const character = characters.find((one) => at(one) >= 0);
-    const { goals } = character?.takes[at(character)] ?? {};
+    const { goals } = (hasGoals && character?.takes[at(character)]) || {};
     if (!goals && !isLayered(file)) return file;
     const { skeleton, ...rest } = character ?? newCharacter(path, path);
     // Of motion capture the DOFs have another order in such files.
