@@ -10,5 +10,3 @@ export interface FlattenOptions {
 
 /** Default of `FlattenOptions.tolerance`. */
 export const FLATTEN_TOLERANCE = 1e-3;
-/** Default of `FlattenOptions.framesPerSecond`, for takes without a rate of their own. */
-export const DEFAULT_FRAMES_PER_SECOND = 30;

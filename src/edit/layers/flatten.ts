@@ -16,9 +16,16 @@ import { restExtent } from '../../model/skeleton/rest-extent.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
-import { baseOf, type Channel, type KeyedChannel, type Motion, type Take } from '../../model/takes/take.ts';
+import {
+  baseOf,
+  type Channel,
+  type KeyedChannel,
+  type Motion,
+  type Take,
+  USUAL_FRAMES_PER_SECOND,
+} from '../../model/takes/take.ts';
 import { fittedSum, type WeightedCurve } from './fit-sum.ts';
-import { DEFAULT_FRAMES_PER_SECOND, FLATTEN_TOLERANCE, type FlattenOptions } from './flatten-options.ts';
+import { FLATTEN_TOLERANCE, type FlattenOptions } from './flatten-options.ts';
 import { sumOfCurves, type Term } from './sum-curves.ts';
 
 /** A take whose layers are part of its channels. */
@@ -78,7 +85,7 @@ class LayerSum {
     const size = (skeleton && restExtent(skeleton)) || 1;
     const dofs = characterDofs(skeleton, []);
     this.tolerances = base.channels.map((_, dof) => tolerance * (dofs[dof]?.unit === 'length' ? Math.min(1, size) : 1));
-    this.framesPerSecond = framesPerSecond ?? frameRateOf(unlayered(take, base)) ?? DEFAULT_FRAMES_PER_SECOND;
+    this.framesPerSecond = framesPerSecond ?? frameRateOf(unlayered(take, base)) ?? USUAL_FRAMES_PER_SECOND;
     this.isFitted = base.channels.map(() => false);
   }
 

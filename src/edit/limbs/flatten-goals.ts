@@ -8,8 +8,8 @@ import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/skeleton/dofs.ts';
 import { restExtent } from '../../model/skeleton/rest-extent.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
-import type { Channel, Take } from '../../model/takes/take.ts';
-import { DEFAULT_FRAMES_PER_SECOND, FLATTEN_TOLERANCE, type FlattenOptions } from '../layers/flatten-options.ts';
+import { type Channel, type Take, USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
+import { FLATTEN_TOLERANCE, type FlattenOptions } from '../layers/flatten-options.ts';
 import { fittingFrames } from '../samples/fit-frames.ts';
 import { jointRotations, unroll, unrollTriples } from '../samples/rotations.ts';
 
@@ -23,7 +23,7 @@ export function withoutGoals(character: Character, take: Take, options: FlattenO
   if (!goals || !skeleton) return take;
   const dofs = movedDofs(character, take);
   if (dofs.length === 0) return rest;
-  const rate = options.framesPerSecond ?? frameRateOf(take) ?? DEFAULT_FRAMES_PER_SECOND;
+  const rate = options.framesPerSecond ?? frameRateOf(take) ?? USUAL_FRAMES_PER_SECOND;
   const times = wholeFrames(take.range, rate);
   const columns = solvedAt(character, take, times, dofs);
   continueAngles(columns, character);

@@ -1,12 +1,12 @@
 /** What of a motion path can be dragged: the DOFs that move its joint, and the times at which they have keys or samples. */
+
 import { type Character, shownTake } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import { compileSkeleton } from '../kinematics.ts';
 import { framesOfTake } from '../samples/key-frames.ts';
 import { bendsWith, limbOf } from './limb.ts';
 
-/** Frames per second of takes without any of their own. */
-const USUAL_RATE = 30;
 /** As a fraction of a frame; relative for keys. */
 const SLACK = 1e-6;
 
@@ -58,7 +58,7 @@ export function timesOnPath(
       if (time >= start - slack && time <= end + slack) keys.add(time);
     }
   }
-  const { startSeconds, frameSeconds, frameCount } = framesOfTake(take, USUAL_RATE);
+  const { startSeconds, frameSeconds, frameCount } = framesOfTake(take, USUAL_FRAMES_PER_SECOND);
   const from = startSeconds - timeOffsetSeconds;
   const first = Math.max(0, Math.ceil((start - from) / frameSeconds - SLACK));
   const last = Math.min(frameCount - 1, Math.floor((end - from) / frameSeconds + SLACK));

@@ -18,10 +18,7 @@ import type { Capture } from '../../model/files.ts';
 import { filePose } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import type { Take } from '../../model/takes/take.ts';
-
-/** For takes without a frame rate of their own. */
-const DEFAULT_FRAMES_PER_SECOND = 30;
+import { type Take, USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 
 /** The character's skeleton as `.skel` can hold it, in its current pose as set. Undefined without a skeleton. */
 export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>): Skeleton | undefined {
@@ -111,7 +108,7 @@ function namedTake(
   const take = playedTake(character);
   const frames =
     framesPerSecond === undefined
-      ? framesFor(character, DEFAULT_FRAMES_PER_SECOND)
+      ? framesFor(character, USUAL_FRAMES_PER_SECOND)
       : framesOf(take?.range ?? [0, 0], framesPerSecond);
   if (frames.frameCount > Math.max(MAX_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
     const count = frames.frameCount.toLocaleString('en');
@@ -135,7 +132,7 @@ export function hasOwnRate(take: Take): boolean {
 
 function rateAssumed(take: Take, file: string): Diagnostic {
   const message = `Expected keys at an even rate or a frame rate for ${take.name}, found keys at uneven times.`;
-  return withoutPlace('info', 'rate-assumed', message, file, `used ${DEFAULT_FRAMES_PER_SECOND} frames per second`);
+  return withoutPlace('info', 'rate-assumed', message, file, `used ${USUAL_FRAMES_PER_SECOND} frames per second`);
 }
 
 /**

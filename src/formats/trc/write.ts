@@ -2,11 +2,13 @@
  * Writes points as OpenSim's `.trc`: a head of five lines, then a row for each frame, between tabs. Where a point is
  * missing, its three cells are empty. In pieces, as `.bvh` is.
  */
+
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { PointsFile } from '../../model/files.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import type { LengthUnit } from '../../model/space.ts';
 import { columnOf } from '../../model/takes/samples.ts';
+import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { WrittenPieces } from '../reader.ts';
 import { Text } from '../write-text.ts';
 
@@ -14,7 +16,6 @@ import { Text } from '../write-text.ts';
 const ROWS = 64;
 /** Digits of a frame rate, of which takes have the inverse. */
 const RATE_DIGITS = 12;
-const USUAL_RATE = 30;
 /** Numbers of a point: x y z, and whether it is there. */
 const WIDTH = 4;
 
@@ -36,7 +37,7 @@ export function writeTrc({ capture, space }: PointsFile, fileName = ''): Written
   const { skeleton, take } = capture;
   const { samples } = take ?? {};
   const { joints } = skeleton;
-  const frameSeconds = samples?.frameSeconds ?? 1 / USUAL_RATE;
+  const frameSeconds = samples?.frameSeconds ?? 1 / USUAL_FRAMES_PER_SECOND;
   const frameCount = samples?.frameCount ?? 1;
   const rate = text.number(Number((1 / frameSeconds).toPrecision(RATE_DIGITS)));
   const unit = (space && UNITS[space.space.unit]) ?? '';

@@ -1,5 +1,7 @@
 /** What readers of arrays share: checks of shapes and rates, and rotations as quaternions x y z w. */
+
 import { LONGEST_FRAME, SHORTEST_FRAME } from '../../model/takes/samples.ts';
+import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { Remarks } from '../imported.ts';
 import { fail, type Numbers, type NumpyArray, shapeText } from './npy.ts';
 import type { Arrays } from './npz.ts';
@@ -34,10 +36,9 @@ export function framesOf(
 
 /** Names of arrays with a frame rate. */
 const RATES = ['mocap_framerate', 'mocap_frame_rate', 'fps'];
-const USUAL_RATE = 30;
 
 /** The frames per second that a file states, else a usual rate, and says so. */
-export function rateOf(arrays: Arrays, remarks: Remarks, otherwise = USUAL_RATE): number {
+export function rateOf(arrays: Arrays, remarks: Remarks, otherwise = USUAL_FRAMES_PER_SECOND): number {
   for (const name of RATES) {
     const header = arrays.header(name);
     if (!header || 'USO'.includes(header.type)) continue;
@@ -47,7 +48,8 @@ export function rateOf(arrays: Arrays, remarks: Remarks, otherwise = USUAL_RATE)
     return otherwise;
   }
   const message = 'The file states no frame rate (fps).';
-  if (otherwise === USUAL_RATE) remarks.tell('rate-assumed', message, `used ${otherwise} frames per second`);
+  if (otherwise === USUAL_FRAMES_PER_SECOND)
+    remarks.tell('rate-assumed', message, `used ${otherwise} frames per second`);
   return otherwise;
 }
 

@@ -2,6 +2,7 @@
  * Points of a C3D (c3d.org, "The C3D File Format User Guide", 2021): a head, parameters, and frames of points and analog
  * samples, which are passed over. A point is x y z and a word that is negative where the point is missing.
  */
+import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import type { Remarks } from '../imported.ts';
 import { BLOCK, type Numbers, Parameters } from './c3d-parameters.ts';
@@ -16,7 +17,6 @@ import {
   POINT_WIDTH,
   type PointTable,
   roomFor,
-  USUAL_RATE,
 } from './table.ts';
 
 /** Bytes of the numbers in the head. */
@@ -113,8 +113,8 @@ function rateIn(parameters: Parameters, remarks: Remarks): number {
   const rate = parameters.number('POINT', 'RATE') ?? parameters.numbers.float(HEAD.rate);
   if (isRate(rate)) return rate;
   const message = `Expected frames per second in POINT:RATE, found ${rate}.`;
-  remarks.warn('rate-expected', message, `used ${USUAL_RATE}`);
-  return USUAL_RATE;
+  remarks.warn('rate-expected', message, `used ${USUAL_FRAMES_PER_SECOND}`);
+  return USUAL_FRAMES_PER_SECOND;
 }
 
 function metresIn(parameters: Parameters, remarks: Remarks): number | undefined {

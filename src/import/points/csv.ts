@@ -6,19 +6,11 @@
  *
  * Any case; further columns of a long table are passed over.
  */
+import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import type { Remarks } from '../imported.ts';
 import { lineCount, Rows, TAB, writePoint } from './rows.ts';
-import {
-  fail,
-  holdMissing,
-  labelsFor,
-  MAX_POINTS,
-  POINT_WIDTH,
-  type PointTable,
-  roomFor,
-  USUAL_RATE,
-} from './table.ts';
+import { fail, holdMissing, labelsFor, MAX_POINTS, POINT_WIDTH, type PointTable, roomFor } from './table.ts';
 import { rateOfTimes } from './times.ts';
 
 const FRAME = /^frame(s|#|_?(number|index|id|no))?$/i;
@@ -61,9 +53,9 @@ export function readPointRows(bytes: Uint8Array, budget: Budget, remarks: Remark
   const rate = times && rateOfTimes(times, steps);
   if (rate === undefined) {
     const message = times ? 'Its times don’t rise.' : 'The table states no times.';
-    remarks.tell('rate-assumed', message, `used ${USUAL_RATE} frames per second`);
+    remarks.tell('rate-assumed', message, `used ${USUAL_FRAMES_PER_SECOND} frames per second`);
   }
-  return { ...table, framesPerSecond: rate ?? USUAL_RATE };
+  return { ...table, framesPerSecond: rate ?? USUAL_FRAMES_PER_SECOND };
 }
 
 /** The one of which the first line has most. */

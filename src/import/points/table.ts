@@ -10,8 +10,6 @@ export const POINT_WIDTH = 4;
 const THERE = 3;
 /** Most points of a file, as many as a C3D can count. */
 export const MAX_POINTS = 65_535;
-/** Frames per second of files that state none. */
-export const USUAL_RATE = 30;
 /** Larger than any unit makes a place, and small enough to be multiplied a few times. */
 export const FARTHEST = 1e30;
 

@@ -8,6 +8,7 @@
  *     5   X1  Y1  Z1 …
  *     then rows: number of the frame, time, x y z of each point
  */
+import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import { counted, type Remarks } from '../imported.ts';
 import { lineCount, Rows, TAB, writePoint } from './rows.ts';
@@ -21,7 +22,6 @@ import {
   POINT_WIDTH,
   type PointTable,
   roomFor,
-  USUAL_RATE,
 } from './table.ts';
 import { rateOfTimes } from './times.ts';
 
@@ -101,9 +101,9 @@ function rateIn(head: ReadonlyMap<string, string>, times: Float64Array, remarks:
   if (isRate(stated)) return stated;
   const rate = rateOfTimes(times);
   const message = `Expected frames per second in DataRate, found ${head.get('datarate') || 'none'}.`;
-  const used = rate === undefined ? `used ${USUAL_RATE}` : `used ${rate}, from the times of the rows`;
+  const used = rate === undefined ? `used ${USUAL_FRAMES_PER_SECOND}` : `used ${rate}, from the times of the rows`;
   remarks.warn('rate-expected', message, used);
-  return rate ?? USUAL_RATE;
+  return rate ?? USUAL_FRAMES_PER_SECOND;
 }
 
 /** What is stated and isn't so. */

@@ -26,6 +26,9 @@ export interface Take {
   readonly goals?: Goals;
 }
 
+/** Where neither a file nor a take states a frame rate. */
+export const USUAL_FRAMES_PER_SECOND = 30;
+
 /** How a layer's values meet those beneath: added to them, or in their place. */
 export type LayerMode = 'additive' | 'override';
 
