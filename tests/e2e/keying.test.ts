@@ -337,6 +337,20 @@ it('a joint is found, turned and keyed by keys alone, as the first steps tell wh
       await page.keyboard.press('k');
       await expect.poll(() => steps.isVisible()).toBe(false);
 
+      // A DOF's field and the time are typed into from there, too.
+      for (const [typed, field] of [
+        ['rz', 'rz of upper_arm_l, degrees'],
+        ['go to time', 'Time in seconds'],
+      ] as const) {
+        await page.keyboard.press('Control+k');
+        await page.keyboard.type(typed);
+        await page.keyboard.press('Enter');
+        await expect.poll(hasFocus).toBe(field);
+      }
+      await page.keyboard.type('0.5');
+      await page.keyboard.press('Enter');
+      await expect.poll(() => page.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toBe('0.5');
+
       // Enter leads from the outliner into the viewport, and the camera stays where it is.
       const seen = () => page.evaluate(() => window.marrow.pointOnPage([0, 0, 0]));
       const eye = await seen();

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ACTIONS } from '../../../src/ui/shell/actions.ts';
-import { findActions, searchActions, searchJoints } from '../../../src/ui/shell/help/command-search.ts';
+import { findActions, searchActions, searchDofs, searchJoints } from '../../../src/ui/shell/help/command-search.ts';
 import { actionsOf, findAction, isEnabled, reasonNot, runAction } from '../../../src/ui/state/actions/action.ts';
 import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
 import { capture, channel, character, documentOf, skeleton, take, workbench } from '../builders.ts';
@@ -238,6 +238,17 @@ describe('searchJoints', () => {
     expect(labels('wing')).toEqual([]);
     expect(labels(' ')).toEqual([]);
   });
+});
+
+it('the search finds the DOFs of the selected joint by their names, and a command that goes to a time', () => {
+  const { wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['arm', 0]) })));
+  expect(searchDofs(wb, 'rz')).toEqual([]);
+  wb.store.select({ characterId: wb.store.document.characters[0].id, joint: 1 });
+  expect(searchDofs(wb, ' RZ ').map(({ label }) => label)).toEqual(['Type rz of arm']);
+  expect(searchDofs(wb, 'r')).toEqual([]);
+  expect(searchActions(wb, 'time').map(({ id }) => id)).toContain('play.toTime');
+  const labels = searchActions(wb, 'time').map((action) => action.id);
+  expect(labels.indexOf('play.toTime')).toBeLessThan(labels.findIndex((id) => id.includes('delete')) >>> 0);
 });
 
 describe('findActions', () => {

@@ -22,13 +22,22 @@ export function cycleDialog(wb: Parts, close: () => void): DialogContent {
   const question = wb.timeline.cycleQuestion.get();
   const kind = 'tool-dialog is-aside cycle-dialog';
   if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
+  const isAlone = question.changed.length === 0;
+  const parts = isAlone ? momentParts(wb, question) : outsideParts(wb, question);
   const body = element(
     'div',
     { class: 'tool-form' },
-    ...(question.changed.length > 0 ? outsideParts(wb, question) : momentParts(wb, question)),
-    element('div', { class: 'tool-buttons' }, plainButton('Cancel', close)),
+    ...parts,
+    element('div', { class: 'tool-buttons' }, plainButton('Cancel', close), ...(isAlone ? [acceptButton(parts)] : [])),
   );
-  return { title: question.changed.length > 0 ? TITLE : MOMENT_TITLE, kind, body, stays: true };
+  return { title: isAlone ? MOMENT_TITLE : TITLE, kind, body, stays: true };
+}
+
+/** Where there is no other choice, a button that takes it. */
+function acceptButton([choice]: readonly HTMLElement[]): HTMLElement {
+  const made = element('button', { type: 'button', class: 'plain primary' }, 'Key it');
+  made.addEventListener('click', () => choice?.click());
+  return made;
 }
 
 /** A choice and what it does, which is previewed while it is pointed at. */

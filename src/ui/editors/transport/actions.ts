@@ -6,8 +6,10 @@ import { playingCharacters, shownTake } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { needs } from '../../state/actions/needs.ts';
 import { onDemand } from '../../state/on-demand.ts';
+import { isBarShown, openPanel } from '../../state/panels/panels.ts';
 import { stopsOnFrame } from '../../state/pause-playback.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
+import { focusField } from '../../widgets/focus/focus-regions.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { nextKinematics, switchKinematics } from '../posing/actions.ts';
 import { shownMarkers } from '../timeline/shown-markers.ts';
@@ -84,6 +86,19 @@ export const PLAY_ACTIONS: readonly Action[] = [
   },
   at('play.toStart', 'Go to range start', ['Home'], 1, 'start', (p) => ({ ...p, timeSeconds: p.range[0] })),
   at('play.toEnd', 'Go to range end', ['End'], 1, 'end', (p) => ({ ...p, timeSeconds: p.range[1], playing: false })),
+  {
+    id: 'play.toTime',
+    label: 'Go to time…',
+    group: 'Play',
+    menu: 'Play',
+    section: 1,
+    also: 'seconds scrub seek type',
+    quiet: true,
+    run(wb) {
+      if (!isBarShown(wb)) openPanel(wb, 'timeline', true);
+      focusField('input.time-field');
+    },
+  },
   rangeEnd('play.setIn', 'Set range start', 'I', ({ timeSeconds, range }) => [
     timeSeconds,
     Math.max(timeSeconds, range[1]),

@@ -1,6 +1,11 @@
-/** The command search: a list box under a text field, built from the list of actions, and the joints by their names. */
+/**
+ * The command search: a list box under a text field, built from the list of actions, the joints by their names, and the
+ * DOFs of the selected joint.
+ */
 
+import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
+import { namedChannel, spokenName } from '../../editors/timeline/channels.ts';
 import {
   actionLabel,
   actionsOf,
@@ -9,14 +14,17 @@ import {
   reasonNot,
   tryAction,
 } from '../../state/actions/action.ts';
+import { selectedJoint } from '../../state/joints/selected-joint.ts';
+import { openPanel } from '../../state/panels/panels.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element, setAttribute, uniqueId } from '../../widgets/dom.ts';
+import { focusField } from '../../widgets/focus/focus-regions.ts';
 import { isMac } from '../../widgets/focus/keyboard.ts';
 
 const MAX_SHOWN = 12;
-/** Of these at most. */
+/** Of these at most, and as many DOFs. */
 const MAX_JOINTS = 4;
 
 export function commandSearch(wb: Uses<'actions' | 'settings' | 'store'>, close: () => void): DialogContent {
@@ -52,8 +60,10 @@ export function commandSearch(wb: Uses<'actions' | 'settings' | 'store'>, close:
     tryAction(wb, action);
   };
   const show = () => {
+    const dofs = searchDofs(wb, input.value);
     const joints = searchJoints(wb, input.value);
-    found = [...searchActions(wb, input.value).slice(0, MAX_SHOWN - joints.length), ...joints];
+    const rest = MAX_SHOWN - dofs.length - joints.length;
+    found = [...dofs, ...searchActions(wb, input.value).slice(0, rest), ...joints];
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
     if (!found.length) list.append(element('li', { class: 'empty' }, 'No matching command'));
     choose(0);
@@ -81,7 +91,7 @@ export function searchActions(wb: Uses<'actions'>, typed: string): readonly Acti
       actions,
       typed,
       (a) => longLabel(wb, a),
-      (a) => TRAVELS.includes(a.id),
+      (a) => TRAVELS.includes(a.id) || /^Delete\b/.test(actionLabel(wb, a)),
       ({ also = '' }) => also,
     );
   const found = find(all.filter((a) => isEnabled(wb, a)));
@@ -105,6 +115,24 @@ export function searchJoints(wb: Uses<'store'>, typed: string): readonly Action[
     run({ store, viewport }) {
       store.select({ characterId: character.id, joint });
       viewport.canvas.focus({ preventScroll: true });
+    },
+  }));
+}
+
+/** Goes to the field of a DOF of the selected joint that is called so, where a value is typed. */
+export function searchDofs(wb: Uses<'store'>, typed: string): readonly Action[] {
+  const selected = selectedJoint(wb);
+  const [name = ''] = typed.trim().toLowerCase().split(/\s/);
+  if (!selected || name === '') return [];
+  const { character, skeleton, joint } = selected;
+  const dofs = [...characterDofs(skeleton, []).entries()].filter(([, dof]) => dof.joint === joint && dof.name === name);
+  return dofs.slice(0, MAX_JOINTS).map(([index]) => ({
+    id: `type.dof.${index}`,
+    label: `Type ${spokenName(namedChannel(character, index))}`,
+    group: 'Pose',
+    run(at) {
+      openPanel(at, 'inspector', true);
+      focusField(`.inspector [data-dof="${index}"] input[type="text"]`);
     },
   }));
 }

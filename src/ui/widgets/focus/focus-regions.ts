@@ -123,6 +123,15 @@ export function focusSection(name: string): void {
   (cell ?? (section && firstStop(section)))?.focus({ preventScroll: true });
 }
 
+/** Focuses a field of the page and selects its text, to be typed over. @param selector of the field */
+export function focusField(selector: string): void {
+  // Tests of actions have no page.
+  if (typeof document === 'undefined') return;
+  const field = document.querySelector<HTMLInputElement>(selector);
+  field?.focus();
+  field?.select();
+}
+
 function firstStop(region: HTMLElement): HTMLElement | undefined {
   if (region.closest('[inert]')) return undefined;
   const stops = [...region.querySelectorAll<HTMLElement>(STOPS)].filter(
