@@ -6,6 +6,7 @@
  *
  * The length is negative of what is locked. A way of 0, or a name without letters, ends the list.
  */
+import { counted } from '../imported.ts';
 import { fail } from './table.ts';
 
 /** How numbers are stored: the processor that wrote them. */
@@ -74,7 +75,7 @@ export class Parameters {
     }
     const start = (bytes[0] - 1) * BLOCK;
     if (start < BLOCK || start + 4 > bytes.length) {
-      fail('c3d-parameters', `Expected parameters at block ${bytes[0]}, found a file of ${blocksOf(bytes)} blocks.`);
+      fail('c3d-parameters', `Expected parameters at block ${bytes[0]}, found a file of ${blocksIn(bytes)}.`);
     }
     this.numbers = new Numbers(bytes, processorOf(bytes[start + 3]));
     this.read(start + 4);
@@ -164,6 +165,7 @@ function textOf(bytes: Uint8Array, at: number, length: number): string {
 
 const UTF8 = new TextDecoder('utf-8');
 
-function blocksOf(bytes: Uint8Array): number {
-  return Math.ceil(bytes.length / BLOCK);
+/** `2 blocks`: how long a file is. */
+export function blocksIn(bytes: Uint8Array): string {
+  return counted(Math.ceil(bytes.length / BLOCK), 'block');
 }

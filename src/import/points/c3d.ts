@@ -5,7 +5,7 @@
 import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import type { Remarks } from '../imported.ts';
-import { BLOCK, type Numbers, Parameters } from './c3d-parameters.ts';
+import { BLOCK, blocksIn, type Numbers, Parameters } from './c3d-parameters.ts';
 import {
   FARTHEST,
   fail,
@@ -69,7 +69,7 @@ function layoutOf(parameters: Parameters, bytes: Uint8Array): Layout {
   const block = parameters.number('POINT', 'DATA_START') || numbers.uint16(HEAD.data);
   const start = (block - 1) * BLOCK;
   if (!(start >= BLOCK) || start >= bytes.length) {
-    fail('c3d-data', `Expected frames at block ${block}, found a file of ${Math.ceil(bytes.length / BLOCK)} blocks.`);
+    fail('c3d-data', `Expected frames at block ${block}, found a file of ${blocksIn(bytes)}.`);
   }
   const size = scale < 0 ? 4 : 2;
   const width = 4 * pointCount + numbers.uint16(HEAD.analog);

@@ -94,7 +94,11 @@ function fileRow({ source, why }: ListedFile): HTMLElement {
     { class: `file-row ${why ? 'is-unused' : ''}`, tooltip: source.path },
     icon(why ? 'unused' : 'file'),
     cutLabel(source.name),
-    element('span', { class: 'detail' }, bytes(source.bytes)),
+    element(
+      'span',
+      { class: 'detail' }, // A take with layers or goals has a plain file, which may not be there yet.
+      source.bytes > 0 ? bytes(source.bytes) : 'made on save',
+    ),
     why && element('span', { class: 'why' }, `Unused: ${why}`),
   );
 }

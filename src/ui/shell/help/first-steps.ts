@@ -1,6 +1,7 @@
 /** Three steps for those who see the page for the first time. They go for good once followed or closed. */
 import { type Document, findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
+import { arePoints } from '../../../model/skeleton/joint-types.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { button, element, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -87,7 +88,10 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>, 
 /** Only in Pose and FK: in the other modes a click or a drag does something else. */
 export function areShown(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>): boolean {
   if (wb.guide.get()) return false;
-  return wb.settings.get().firstSteps && wb.store.document.characters.length > 0 && stepsMode(wb) !== undefined;
+  const { characters } = wb.store.document;
+  // Points have nothing to be posed.
+  const canPose = characters.some(({ skeleton }) => !arePoints(skeleton));
+  return wb.settings.get().firstSteps && canPose && stepsMode(wb) !== undefined;
 }
 
 function stepsMode({ posing }: Uses<'posing'>): StepsMode | undefined {

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { areShown, stepsDone as done } from '../../../../src/ui/shell/help/first-steps.ts';
-import { character, documentOf, take, workbench } from '../../builders.ts';
+import { character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const stepsDone = (...[before, now, was]: [number, Parameters<typeof done>[1], Parameters<typeof done>[2]]) =>
   done(before, now, was, 'fk');
@@ -54,4 +54,12 @@ it('first steps are shown only where a click selects a joint and a drag turns it
     wb.posing.mode.set(mode);
     expect(areShown(wb)).toBe(isShown);
   }
+});
+
+it('first steps are of no use to points', () => {
+  const points = skeleton(['LASI', -1], ['RASI', -1]);
+  const joints = points.joints.map((joint) => ({ ...joint, motion: { kind: 'point' as const } }));
+  const { wb } = workbench(documentOf({ ...start, skeleton: { ...points, joints } }));
+  wb.settings.update((s) => ({ ...s, firstSteps: true }));
+  expect(areShown(wb)).toBe(false);
 });
