@@ -131,7 +131,7 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
   return { files: joined, diagnostics };
 }
 
-/** What is left of a file without its goals: the limbs; undefined if there are none. */
+/** A file of limbs and goals without its goals; undefined where it holds no limbs. */
 export function limbsAlone(file: LimbsParsed): LimbsParsed | undefined {
   const { goals: _goals, base: _base, flattened: _flattened, ...rest } = file.limbs;
   return rest.limbs && { ...file, limbs: rest };
