@@ -182,7 +182,7 @@ describeShared('a moment of a capture', () => {
       await page.getByRole('button', { name: 'Convert to keys and key' }).waitFor();
       await page.getByRole('button', { name: 'Ease in and out…' }).click();
       const dialog = page.getByRole('dialog', { name: 'Key for a moment' });
-      await dialog.getByRole('button', { name: 'For a moment' }).press('Enter');
+      await dialog.getByRole('button', { name: 'Key it' }).press('Enter');
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       expectSame((await shown(page)).dofs, posed);
