@@ -7,6 +7,7 @@ import type { Keep } from '../files/open/layers.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { ParseOutput } from '../worker/protocol.ts';
 
+export { provideLeaders } from '../edit/follow/leaders.ts';
 export { provideLayers } from '../evaluate/layers.ts';
 
 /**

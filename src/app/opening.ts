@@ -137,6 +137,7 @@ export class Opener {
       // Nothing of them can be shown before.
       const layers = output.layers && (await import('./opened-layers.ts'));
       layers?.provideLayers();
+      layers?.provideLeaders();
       const { store } = this.parts;
       // The user has opened something meanwhile, which takes precedence over the example.
       const isLate = () => options.asOpeningSample && store.document.characters.length > 0;

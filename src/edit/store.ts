@@ -15,7 +15,7 @@ import { type Channel, keysOf, type Take } from '../model/takes/take.ts';
 import { type Change, documentIn, type Edit, isChange, type SelectedJoint } from './change.ts';
 import type { Command } from './command.ts';
 import { sameValue } from './delta.ts';
-import { followSources } from './drivers.ts';
+import { followed } from './follow/code.ts';
 import { History, type State } from './history.ts';
 import { withoutNumbers, withParts } from './parts.ts';
 
@@ -238,9 +238,9 @@ export class Store {
     return after !== undefined;
   }
 
-  /** Consequences of a change: drivers follow their sources, and parts are numbered. */
+  /** Consequences of a change: characters follow what they contain of others, and parts are numbered. */
   private followed(before: Document, after: Document): Document {
-    return withParts(before, followSources(before, after), this.count);
+    return withParts(before, followed(before, after), this.count);
   }
 
   private stateAfter(before: State, change: Document | Change): State {

@@ -25,6 +25,7 @@ import {
   type Motion,
   type Take,
 } from '../model/takes/take.ts';
+import { overPose } from './attached.ts';
 import { type CompiledTake, compileChannels } from './compiled-take.ts';
 import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';
@@ -48,9 +49,21 @@ export interface CompiledLayer {
   readonly values: Float64Array;
 }
 
-/** Passes this code on to what moves and edits takes; called before there is a take with layers or goals. */
+/** Passes this code on to what moves and edits takes; called before there is a take with layers, goals or attachments. */
 export function provideLayers(): void {
-  provideLayerCode({ goalProblems, haveSameFiles, infos, overBase, remapGoals, takeLimbs, unknownJoints, withMotions });
+  provideLayerCode({
+    ...{
+      overPose,
+      goalProblems,
+      haveSameFiles,
+      infos,
+      overBase,
+      remapGoals,
+      takeLimbs,
+      unknownJoints,
+      withMotions,
+    },
+  });
 }
 
 /** A take's layers that count, from the lowest up; cached. */

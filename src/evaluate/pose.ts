@@ -8,19 +8,20 @@
  *     4. unkeyed changes       over the take, at the time when they were made only
  *     5. limits                of the joints, unless the character does not enforce them
  *     6. linked DOFs           override all the above
- *     7. limbs                 go to the goals of the take shown, if it moves the joints (`limbs/`)
+ *     7. attachments           put the root where a joint of another character takes it (`attached.ts`), as limbs
+ *     8. limbs                 go to the goals of the take shown, if it moves the joints (`limbs/`)
  */
 
 import type { Character } from '../model/document.ts';
 import { shownTake } from '../model/document.ts';
 import { rootDofCount } from '../model/skeleton/dofs.ts';
-import type { LimbsOverPose } from '../model/takes/layer-code.ts';
+import type { OverPose } from '../model/takes/layer-code.ts';
 import type { Channel } from '../model/takes/take.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import type { PoseRotations } from './rotations/pose-rotations.ts';
-import { evaluateMotion, limbsOf, type TakeMotion, takeMotion } from './take-motion.ts';
+import { evaluateMotion, overPoseOf, type TakeMotion, takeMotion } from './take-motion.ts';
 
 /** Times closer than this are the same; seconds. */
 const SAME_MOMENT = 1e-9;
@@ -41,8 +42,8 @@ export interface PoseSource {
   readonly skeleton: CompiledSkeleton | undefined;
   /** The shown take, with its layers. */
   readonly motion: TakeMotion | undefined;
-  /** Absent without goals. */
-  readonly limbs: LimbsOverPose | undefined;
+  /** Absent without attachments and goals. */
+  readonly over: OverPose | undefined;
 }
 
 /** Everything that a character's pose is evaluated from, compiled once for all times. */
@@ -56,7 +57,7 @@ export function poseSource(character: Character): PoseSource {
     driven: take ? Math.min(take.channels.length, count) : 0,
     skeleton: skeleton && compileSkeleton(skeleton),
     motion: take && takeMotion(take, skeleton),
-    limbs: character.driver ? undefined : limbsOf(take, character),
+    over: character.driver ? undefined : overPoseOf(take, character),
   };
 }
 
@@ -73,7 +74,7 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
  * @param rotations receives the rotations that samples give to joints; previous ones are cleared
  */
 export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, rotations?: PoseRotations): void {
-  const { character, count, driven, skeleton, motion, limbs } = source;
+  const { character, count, driven, skeleton, motion, over } = source;
   const { pose, unkeyed, driver } = character;
   if (rotations) rotations.areGiven = false;
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
@@ -85,7 +86,7 @@ export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Ar
     }
   }
   if (skeleton) applyConstraints(skeleton, out, character.clampsToLimits);
-  limbs?.solve(timeSeconds + character.timeOffsetSeconds, out, character.clampsToLimits);
+  over?.solve(timeSeconds + character.timeOffsetSeconds, out, character.clampsToLimits);
 }
 
 /** The channel that drives a DOF, whatever its kind; undefined if something else overrides it. */

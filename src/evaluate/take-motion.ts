@@ -2,9 +2,10 @@
  * The one place where what controls a take becomes values of DOFs: its base, then its layers. The code for layers
  * (`layers.ts`) is passed on once there are any: see `model/takes/layer-code.ts`. The goals of limbs come after limits.
  */
+import type { Character } from '../model/document.ts';
 import type { Limbs } from '../model/limbs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import { type LayersOverBase, type LimbsOverPose, layerCode } from '../model/takes/layer-code.ts';
+import { type LayersOverBase, layerCode, type OverPose } from '../model/takes/layer-code.ts';
 import type { Take } from '../model/takes/take.ts';
 import { type CompiledTake, compileTake } from './compiled-take.ts';
 import { evaluateTake } from './curves.ts';
@@ -43,8 +44,17 @@ export function takeMotion(take: Take, skeleton: Skeleton | undefined): TakeMoti
 export function limbsOf(
   take: Take | undefined,
   { limbs, skeleton }: { readonly limbs?: Limbs; readonly skeleton?: Skeleton },
-): LimbsOverPose | undefined {
+): OverPose | undefined {
   return take?.goals && limbs && skeleton && layerCode(take).takeLimbs(take.goals, limbs, skeleton);
+}
+
+/**
+ * The last part of posing by a take, once poses are within the limits: the root goes where it is attached, then limbs
+ * go to their goals. Undefined if that is nothing.
+ * @throws Error for a take with either whose code was not provided
+ */
+export function overPoseOf(take: Take | undefined, character: Character): OverPose | undefined {
+  return take?.attached ? layerCode(take).overPose(take, take.attached, character) : limbsOf(take, character);
 }
 
 /**

@@ -18,6 +18,7 @@ import { withPositions } from '../model/skeleton/position-channels.ts';
 import { ownChannels } from '../model/skeleton/skel-motion.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, textureNames, vertexCount } from '../model/skin.ts';
+import { ATTACH_EXTENSION } from '../model/takes/attach-file.ts';
 import { LAYERS_EXTENSION } from '../model/takes/layers-file.ts';
 import { LIMBS_EXTENSION } from '../model/takes/limbs-file.ts';
 import { MARKERS_EXTENSION } from '../model/takes/markers.ts';
@@ -297,6 +298,19 @@ export const KINDS = {
       isOwn: isAnyones,
     },
   },
+  attach: {
+    extensions: [ATTACH_EXTENSION],
+    label: 'attachments',
+    content: 'attach',
+    isRare: true,
+    beside: 'take',
+    save: {
+      label: 'Attachments (.attach.json)',
+      has: (character) => shownTake(character)?.attached !== undefined,
+      // They are kept with their takes.
+      isOwn: () => false,
+    },
+  },
   // Told by content; other texts with these extensions are read as dumps without numbers.
   dump: {
     extensions: DUMP_EXTENSIONS,
@@ -472,6 +486,7 @@ const OPENINGS: { readonly [K in FileKind]: Opening<ContentOf<K>> } = {
   markers: { as: 'beside' },
   sets: { as: 'beside' },
   limbs: { as: 'beside' },
+  attach: { as: 'beside' },
   // Joined with the files that it names before anything is opened (`open/layers.ts`).
   layers: { as: 'layers' },
 };
@@ -578,6 +593,10 @@ const FACTS: { readonly [K in FileKind]: (content: ContentOf<K>) => Facts } = {
     ...(limbs && { limbs: limbs.map(({ name, joints }) => ({ name, joints })) }),
     ...(base !== undefined && { base }),
     ...(goals && { goals: goals.map(({ limb, space }) => ({ limb, space })) }),
+  }),
+  attach: ({ attach: { base, attached } }) => ({
+    base,
+    attached: attached.map(({ character, joint, span }) => ({ character, joint, span })),
   }),
   dump: ({ dump: { blocks, time: stated } }) => ({
     blocks: blocks.map(({ holds, time = stated, values, lines }) => ({

@@ -1,6 +1,7 @@
 /** The reader of each kind of file. Only the worker and the command need them; writers are in `writers.ts`. */
 
 import { animReader } from '../formats/anim/read.ts';
+import { attachReader } from '../formats/attach/read.ts';
 import { bvhReader } from '../formats/bvh/read.ts';
 import { diagnose } from '../formats/diagnose/diagnose.ts';
 import { TEXT_LAYOUTS, type TextLayout } from '../formats/diagnose/layouts.ts';
@@ -63,6 +64,7 @@ const READERS = {
   sets: (name) => mapped(setsReader(name), (sets) => ({ kind: 'sets', sets })),
   layers: (name) => mapped(layersReader(name), (layers) => ({ kind: 'layers', layers })),
   limbs: (name) => mapped(limbsReader(name), (limbs) => ({ kind: 'limbs', limbs })),
+  attach: (name) => mapped(attachReader(name), (attach) => ({ kind: 'attach', attach })),
   dump,
 } satisfies { readonly [K in FormatKind]: MakeReader<HeldBy<K>> | Fetched<HeldBy<K> | ContentOf<'character'>> };
 

@@ -2,6 +2,7 @@
 import { writeAmc } from '../formats/acclaim/write-amc.ts';
 import { writeAsf } from '../formats/acclaim/write-asf.ts';
 import { writeAnim } from '../formats/anim/write.ts';
+import { writeAttach } from '../formats/attach/write.ts';
 import { writeBvh } from '../formats/bvh/write.ts';
 import { writeLayers } from '../formats/layers/write.ts';
 import { writeLimbs } from '../formats/limbs/write.ts';
@@ -163,6 +164,11 @@ export const WRITERS: { readonly [K in SavedKind]: Writer<HeldBy<K>> } = {
   limbs: {
     write: ({ limbs }, name) => writeLimbs(limbs, name),
     detail: ({ limbs }) => [{ count: limbs?.list.length ?? 0, one: 'limb' }],
+  },
+  attach: {
+    write: ({ attach }, name) => writeAttach(attach, name),
+    detail: (character) => [{ count: shownTake(character)?.attached?.list.length ?? 0, one: 'attachment' }],
+    copies: layersCopies,
   },
 };
 

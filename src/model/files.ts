@@ -11,6 +11,7 @@ import type { Positions } from './skeleton/position-channels.ts';
 import type { Skeleton } from './skeleton/skeleton.ts';
 import type { Skin } from './skin.ts';
 import type { FileSpace } from './space.ts';
+import type { AttachFile } from './takes/attach-file.ts';
 import type { LayersFile } from './takes/layers-file.ts';
 import type { LimbsFile } from './takes/limbs-file.ts';
 import type { Marker } from './takes/markers.ts';
@@ -72,6 +73,8 @@ interface Contents {
   readonly limbs: { readonly file: { readonly limbs: LimbsFile }; readonly part: LimbsOf };
   /** Layers of a take, which it is called after. */
   readonly layers: { readonly file: { readonly layers: LayersFile } };
+  /** What the root follows in a take, which it is called after; see `AttachParsed`. */
+  readonly attach: { readonly file: AttachParsed };
   /** Numbers of another program, to be compared with a character. */
   readonly dump: { readonly file: { readonly dump: Dump } };
 }
@@ -100,6 +103,15 @@ export interface SetsOf {
 export interface LimbsOf {
   readonly skeleton: Skeleton;
   readonly limbs: Limbs;
+}
+
+/** Attachments of a take, with what holds while a character that it follows is not open: all of one file. */
+export interface AttachParsed {
+  readonly attach: AttachFile;
+  /** The plain file beside it. */
+  readonly plain?: Take;
+  /** The take that is attached, while a plain one is in its place. */
+  readonly waiting?: { readonly whole: Take; readonly plain: Take };
 }
 
 /** An Acclaim skeleton with the unit that it states, or that was guessed. */

@@ -51,8 +51,8 @@ async function read(given: readonly GivenBlob[]): Promise<OpenOutput> {
   const files = given.map(({ path, blob }) => ({ path, blob }));
   const output = (await inWorker(files)) ?? (await inPage(files));
   for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
-  // Takes with layers or goals can't be played before.
-  if (output.characters.some(({ takes }) => takes.some(({ layers, goals }) => layers ?? goals))) {
+  // Takes with layers, goals or attachments can't be played before.
+  if (output.characters.some(({ takes }) => takes.some(({ layers, goals, attached }) => layers ?? goals ?? attached))) {
     const { provideLayers } = await import('../evaluate/layers.ts');
     provideLayers();
   }

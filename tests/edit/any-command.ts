@@ -87,6 +87,11 @@ function ofLayer({ dice, character, take }: Situation, rest: object): object | u
   return take.layers && { characterId: character.id, layer: dice.below(take.layers.list.length), ...rest };
 }
 
+/** One of the attachments of the take, if it has any. */
+function ofAttachment({ dice, character, take }: Situation, rest: object): object | undefined {
+  return take.attached && { characterId: character.id, index: dice.below(take.attached.list.length), ...rest };
+}
+
 /** How auto-key asks for keys, or not at all. */
 function autoKey(dice: Dice): { readonly key?: KeyOptions } {
   if (dice.is(0.6)) return {};
@@ -263,6 +268,15 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     atSeconds: dice.is(0.5) ? seconds(dice) : undefined,
   }),
   'takes.setTimeOffsets': ({ dice, character }) => ({ characterIds: [character.id], seconds: seconds(dice) }),
+  'attach.add': ({ dice, character, others }) => {
+    if (others.length === 0) return undefined;
+    const leader = dice.pick(others);
+    const joint = dice.below(leader.skeleton?.joints.length ?? 0);
+    return { characterId: character.id, leaderId: leader.id, joint, span: range(dice) };
+  },
+  'attach.change': (s) => ofAttachment(s, { span: range(s.dice) }),
+  'attach.remove': (s) => ofAttachment(s, {}),
+  'attach.putDown': (s) => ofAttachment(s, { timeSeconds: time(s.dice) }),
   'layers.add': ({ dice, character }) => ({
     characterId: character.id,
     mode: dice.pick(['additive', 'override', undefined] as const),

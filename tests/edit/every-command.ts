@@ -2,6 +2,8 @@
  * For every command a document and arguments with which it changes that, and others with which there is nothing to do:
  * it says so by a `CommandError`, or gives the very same document.
  */
+
+import { addAttachment } from '../../src/edit/commands/beside/attach.ts';
 import type { FollowedDof } from '../../src/edit/commands/couples.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
@@ -126,6 +128,11 @@ function driven({ skeleton, takes: [own], name, pose, clampsToLimits, timeOffset
   return documentOf({ ...HERO, driver }, bee('c2'));
 }
 const DRIVEN = driven(bee('c2'));
+
+const ATTACHED = addAttachment.run(documentOf(HERO, bee('c2')), {
+  ...{ characterId: 'c1', leaderId: 'c2', joint: 0 },
+  span: [0.5, 1],
+});
 
 const UNEQUAL = documentOf(HERO, bee('c2', { placements: [{ ...DEFAULT_PLACEMENT, scale: 5 }] }));
 
@@ -445,6 +452,18 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   ),
   'rig.setLimit': alone({ ...WHO, dof: 4, min: -1, max: 2 }, { ...WHO, dof: 6, min: -1, max: 1 }),
   'rig.clearLimit': alone({ ...WHO, dof: 6 }, { ...WHO, dof: 4 }),
+  'attach.add': {
+    document: documentOf(HERO, bee('c2')),
+    args: { ...WHO, leaderId: 'c2', joint: 1, span: [0, 1] },
+    idle: { ...WHO, leaderId: 'c1', joint: 1, span: [0, 1] },
+  },
+  'attach.change': {
+    document: ATTACHED,
+    args: { ...WHO, index: 0, span: [0, 2] },
+    idle: { ...WHO, index: 0, span: [0.5, 1] },
+  },
+  'attach.remove': { document: ATTACHED, args: { ...WHO, index: 0 }, idle: { ...WHO, index: 1 } },
+  'attach.putDown': { document: ATTACHED, args: NOW, idle: { ...WHO, timeSeconds: 0.25 } },
   'layers.add': alone({ ...WHO, name: 'arm', joints: [1] }, { ...WHO, joints: [9] }),
   'layers.remove': layered({ ...WHO, layer: 0 }, { ...WHO, layer: 2 }),
   'layers.rename': layered({ ...WHO, layer: 0, name: 'face' }, { ...WHO, layer: 0, name: 'arm' }),

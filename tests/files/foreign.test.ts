@@ -60,7 +60,11 @@ const LIST: readonly (readonly [start: string, called: RegExp, own?: readonly st
   ['glTF\x02\0\0\0', /glTF.*\.glb/, ['gltf']],
   ['Kaydara FBX Binary  \0', /FBX.*\.fbx/, ['fbx']],
   ['; FBX 7.5.0 project file\n', /FBX.*\.fbx/, ['fbx']],
-  ['{ "asset": { "version": "2.0" } }', /JSON/, ['gltf', 'markers', 'sets', 'layers', 'limbs', 'dump', 'table']],
+  [
+    '{ "asset": { "version": "2.0" } }',
+    /JSON/,
+    ['gltf', 'markers', 'sets', 'layers', 'limbs', 'attach', 'dump', 'table'],
+  ],
   ['\xff\xfeH\0I\0E\0R\0', /UTF-16/, ['dump', 'table']],
   ['H\0I\0E\0R\0A\0', /UTF-16/, ['dump', 'table']],
   ['balljoint\0\x01\x02\0\0\0\0\x03\0\0\0\x04', /binary/, ['gltf', 'fbx', 'texture', 'c3d', 'dump', 'table']],

@@ -90,6 +90,19 @@ const EXAMPLES: Readonly<Record<Exclude<FormatKind, FetchedKind>, FileContent | 
       ],
     },
   },
+  attach: {
+    kind: 'attach',
+    attach: {
+      base: 'sword.base.anim',
+      flattened: { file: 'sword.anim', sha256: '0f'.repeat(32) },
+      attached: [
+        {
+          ...{ character: 'walker', joint: '#7', span: [0.5, 2] },
+          offset: { position: [0, -0.1, 0.2], rotation: [1, 0, 0.5] },
+        },
+      ],
+    },
+  },
   dump: {
     bytes: 'world\n0 1 2\n',
     content: {

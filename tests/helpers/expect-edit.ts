@@ -103,7 +103,7 @@ function freeze(value: unknown): void {
 const HOLDS_PARTS: readonly string[] = [
   ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'takes', 'channels', 'samples'],
   ...['layers', 'list', 'motion', 'base'],
-  ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sets', 'limbs', 'goals', 'sources'],
+  ...['unkeyed', 'placements', 'space', 'ik', 'poses', 'sets', 'limbs', 'goals', 'attached', 'leaders', 'sources'],
 ];
 
 /** The view compares by identity: an unchanged part must be the same object. Lists may be new. */
@@ -157,7 +157,7 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   for (const morph of morphs.filter((part) => isNew(part, before?.morphs))) {
     expectRoundTrip({ kind: 'morph', morph: { ...morph, name: 'x' } });
   }
-  for (const { markers: _besideIt, layers: _too, goals: _goals, ...take } of takes.filter((part) =>
+  for (const { markers: _besideIt, layers: _too, goals: _goals, attached: _attached, ...take } of takes.filter((part) =>
     isNew(part, before?.takes),
   )) {
     // A `.bvh` has no keys; an `.anim` has no samples, and no resting channel without a key.
@@ -178,6 +178,15 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   for (const { goals } of takes.filter((part) => isNew(part, before?.takes))) {
     if (goals)
       expectRoundTrip({ kind: 'limbs', limbs: { goals: goals.list, base: 'x.base.anim' } }, true, 'x.limbs.json');
+  }
+  for (const { attached } of takes.filter((part) => isNew(part, before?.takes))) {
+    const rows = attached?.list.map(({ leaderId: _id, joint, ...row }) => ({
+      character: 'x',
+      joint: `#${joint}`,
+      ...row,
+    }));
+    if (rows)
+      expectRoundTrip({ kind: 'attach', attach: { base: 'x.base.anim', attached: rows } }, true, 'x.attach.json');
   }
   if (poses && poses !== before?.poses) {
     expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });

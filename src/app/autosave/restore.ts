@@ -57,10 +57,12 @@ export async function readSession(
   options.signal.throwIfAborted();
   // The history may have layers where the document has none.
   (await import('../../evaluate/layers.ts')).provideLayers();
+  (await import('../../edit/follow/leaders.ts')).provideLeaders();
   // `Keeper` wrote it.
   const { knownSkins, ...state } = decode(head.tree, { files, arrays, chunks }) as KeptState;
   if (state.document.characters.some(({ driver }) => driver)) {
     provideDrivenPose((await import('../../evaluate/retarget/driving.ts')).retargetedPose);
+    (await import('../../edit/follow/sources.ts')).provideSources();
   }
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
   return {

@@ -27,6 +27,7 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, AnyCommand> = commandsIn([
 
 /** How the ids of the other commands begin; ids of actions may begin so, too. */
 const FETCHED: ReadonlySet<string> = new Set([
+  'attach',
   'channels',
   'characters',
   'dofs',

@@ -24,7 +24,8 @@ import { command } from '../command.ts';
 import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
-import { driverSource, withoutDriver } from '../drivers.ts';
+import { withoutDriver } from '../drivers.ts';
+import { driverSource, provideSources } from '../follow/sources.ts';
 import { retimed } from '../markers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
@@ -210,6 +211,7 @@ function withoutUnkeyedOverTake(character: Character): Character {
 /** The same object if it has that driver already. */
 function withDriver(character: Character, driver: Driver): Character {
   provideDrivenPose(retargetedPose);
+  provideSources();
   return sameValue(driver, character.driver) ? character : { ...character, driver };
 }
 

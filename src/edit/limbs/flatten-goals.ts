@@ -1,11 +1,14 @@
 /**
- * A take with goals of limbs as a take without, which moves the same: the DOFs of its limbs get keys at whole frames,
+ * A take with goals of limbs or attachments as a take without, which moves the same: the DOFs of its limbs, or of the root, get keys at whole frames,
  * fewer where a smooth curve through them is within the tolerance at every frame; samples get the solved values.
  */
+import { followingRoot } from '../../evaluate/attached.ts';
+import { inTakes } from '../../evaluate/in-takes.ts';
 import { poseFrom, poseSource } from '../../evaluate/pose.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
 import type { Character } from '../../model/document.ts';
-import { characterDofs } from '../../model/skeleton/dofs.ts';
+import { characterDofs, firstDofs } from '../../model/skeleton/dofs.ts';
+import { quaternionDofs } from '../../model/skeleton/joint-types.ts';
 import { restExtent } from '../../model/skeleton/rest-extent.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { type Channel, type Take, USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
@@ -16,11 +19,11 @@ import { jointRotations, unroll, unrollTriples } from '../samples/rotations.ts';
 /** Part of a frame that the end of a range may be beyond the last whole frame and count as it. */
 const SAME_FRAME = 1e-6;
 
-/** The take without goals; the same object if it has none. */
-export function withoutGoals(character: Character, take: Take, options: FlattenOptions = {}): Take {
-  const { goals, ...rest } = take;
+/** The take without goals and attachments; the same object if it has neither. */
+export function solvedTake(character: Character, take: Take, options: FlattenOptions = {}): Take {
+  const { goals, attached, ...rest } = take;
   const { skeleton } = character;
-  if (!goals || !skeleton) return take;
+  if (!(goals ?? attached) || !skeleton) return take;
   const dofs = movedDofs(character, take);
   if (dofs.length === 0) return rest;
   const rate = options.framesPerSecond ?? frameRateOf(take) ?? USUAL_FRAMES_PER_SECOND;
@@ -40,15 +43,14 @@ export function withoutGoals(character: Character, take: Take, options: FlattenO
   return { ...rest, channels, ...(samples && { samples }) };
 }
 
-/** All DOFs of the limbs that have a goal, ascending. */
-function movedDofs({ limbs, skeleton }: Character, { goals, channels }: Take): readonly number[] {
+/** All DOFs of the limbs that have a goal, and of an attached root, ascending. */
+function movedDofs({ limbs, skeleton }: Character, { goals, attached, channels }: Take): readonly number[] {
   const named = new Set(goals?.list.map(({ limb }) => limb));
   const joints = new Set((limbs?.list ?? []).filter(({ name }) => named.has(name)).flatMap((limb) => limb.joints));
   const all = characterDofs(skeleton, []);
-  return [...channels.keys()].filter((dof) => {
-    const joint = all[dof]?.joint;
-    return joint !== undefined && joints.has(joint);
-  });
+  const { travel = [], turned } = (attached && skeleton && followingRoot(skeleton)) ?? {};
+  const ofRoot = new Set([...travel, ...(turned?.dofs ?? [])]);
+  return [...channels.keys()].filter((dof) => ofRoot.has(dof) || joints.has(all[dof]?.joint ?? -1));
 }
 
 function wholeFrames([start, end]: Take['range'], framesPerSecond: number): Float64Array {
@@ -68,7 +70,7 @@ function solvedAt(
   times: ArrayLike<number>,
   dofs: readonly number[],
 ): ReadonlyMap<number, Float64Array> {
-  const { driver: _driver, unkeyed: _unkeyed, ...own } = character;
+  const { driver: _driver, ...own } = inTakes(character);
   const source = poseSource({ ...own, takes: [take], shownTake: 0, timeOffsetSeconds: 0 });
   const pose = new Float64Array(source.count);
   const columns = new Map(dofs.map((dof) => [dof, new Float64Array(times.length)]));
@@ -89,6 +91,10 @@ function continueAngles(columns: ReadonlyMap<number, Float64Array>, { skeleton, 
   const isAllowed = (dof: number, values: Float64Array) =>
     !clampsToLimits || values.every((value) => value >= all[dof].limit.min && value <= all[dof].limit.max);
   const done = new Set<number>();
+  for (const [j, { motion }] of skeleton.joints.entries()) {
+    const columnsOf = quaternionDofs(motion).flatMap((dof) => columns.get(firstDofs(skeleton)[j] + dof) ?? []);
+    if (columnsOf.length === 4) continueQuaternion(columnsOf);
+  }
   for (const { channels } of jointRotations(skeleton)) {
     const given = channels.flatMap((dof) => columns.get(dof) ?? []);
     if (given.length < channels.length) continue;
@@ -103,6 +109,14 @@ function continueAngles(columns: ReadonlyMap<number, Float64Array>, { skeleton, 
     const turned = values.slice();
     unroll(turned);
     if (isAllowed(dof, turned)) values.set(turned);
+  }
+}
+
+/** Of both signs, which are the same rotation, the one nearer to the frame before. */
+function continueQuaternion(columns: readonly Float64Array[]): void {
+  for (let f = 1; f < columns[0].length; f++) {
+    const along = columns.reduce((sum, column) => sum + column[f] * column[f - 1], 0);
+    if (along < 0) for (const column of columns) column[f] = -column[f];
   }
 }
 

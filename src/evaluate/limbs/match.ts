@@ -71,9 +71,11 @@ export function anglesIn(world: Float64Array, space: number, matrix: Float64Arra
     writeRotationPart(world, 16 * space, frame, 0, 3);
     backMultiply3(frame, 0, turn, 0, relative, 0);
   }
-  const [x0, x1, x2, , y1, y2, , z1, z2] = relative;
+  const [x0, x1, x2, y0, y1, y2, z0, z1, z2] = relative;
   const cosY = Math.hypot(y2, z2);
-  const y = Math.atan2(-x2, cosY);
   // In gimbal lock only the sum or the difference of two angles counts: z is none of it.
-  return cosY < 1e-12 ? [Math.atan2(-z1, y1), y, 0] : [Math.atan2(y2, z2), y, Math.atan2(x1, x0)];
+  const z = cosY < 1e-12 ? 0 : Math.atan2(x1, x0);
+  const [sin, cos] = [Math.sin(z), Math.cos(z)];
+  // With what z leaves of the rotation, x is right near gimbal lock, too, where either alone is rounded.
+  return [Math.atan2(sin * z0 - cos * z1, cos * y1 - sin * y0), Math.atan2(-x2, cosY), z];
 }

@@ -68,7 +68,7 @@ function writePoint(values: Float64Array, at: number, world: Float64Array, space
 }
 
 /** Rz·Ry·Rx as 9 numbers, column-major. */
-function writeEuler(x: number, y: number, z: number, out: Float64Array): void {
+export function writeEuler(x: number, y: number, z: number, out: Float64Array): void {
   const [sx, cx, sy, cy, sz, cz] = [Math.sin(x), Math.cos(x), Math.sin(y), Math.cos(y), Math.sin(z), Math.cos(z)];
   out[0] = cz * cy;
   out[1] = sz * cy;

@@ -1,9 +1,9 @@
 /**
  * The pose of a source at a take time: as in `pose.ts`, without what sources lack (morphs, unkeyed changes, a driver of
- * their own).
+ * their own, attachments).
  */
 import type { DriverSource } from '../../model/document.ts';
-import type { LimbsOverPose } from '../../model/takes/layer-code.ts';
+import type { OverPose } from '../../model/takes/layer-code.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 import { evaluateMotion, limbsOf, type TakeMotion, takeMotion } from '../take-motion.ts';
 
@@ -13,7 +13,7 @@ export interface PlayedSource {
   readonly pose: readonly number[];
   readonly clampsToLimits: boolean;
   readonly motion: TakeMotion;
-  readonly limbs: LimbsOverPose | undefined;
+  readonly limbs: OverPose | undefined;
   /** Number of DOFs of root and joints. */
   readonly dofCount: number;
   /** Number of leading DOFs that have a channel. */

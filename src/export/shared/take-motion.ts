@@ -4,6 +4,7 @@
  */
 
 import { playedTake } from '../../evaluate/bake.ts';
+import { inTakes } from '../../evaluate/in-takes.ts';
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../../evaluate/pose.ts';
 import type { Character } from '../../model/document.ts';
@@ -70,19 +71,20 @@ const MAX_BREAKS = 4_000_000;
 export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: number): TakeMotion | undefined {
   const take = playedTake(character);
   if (!take || !character.skeleton) return undefined;
-  const { unkeyed: _, ...plain } = character;
-  const source = poseSource({ ...plain, timeOffsetSeconds: 0 });
+  const source = poseSource({ ...inTakes(character), timeOffsetSeconds: 0 });
   const shift = character.driver?.source.timeOffsetSeconds ?? 0;
   const dofs = new Float64Array(dofCountOf(character));
   const firstWeight = dofs.length - character.morphs.length;
   const [start, end] = take.range;
-  const { times, jumps } = breakTimes(take, start, end);
+  const { times, jumps } = breakTimes(character, take, start, end);
   const drives = character.driver !== undefined;
   const motions = motionsOf(take);
   const { samples } = baseOf(take);
   // A weight over time times a cubic is none.
   const isFaded = take.layers?.list.some(({ weight }) => typeof weight !== 'number') ?? false;
-  const isKeyed = !drives && samples === undefined && !isFaded && !take.goals;
+  // Limbs that are solved, and a root that follows another character, move along no cubics.
+  const isOver = (take.goals ?? take.attached) !== undefined;
+  const isKeyed = !drives && samples === undefined && !isFaded && !isOver;
   const hasKeys = motions.some(({ channels }) => channels.some(({ kind }) => kind === 'keys'));
   return {
     name: take.name,
@@ -91,7 +93,7 @@ export function takeMotion(character: Character, nodes: WriteNodes, weightsAt: n
     breaks: times,
     jumps,
     isStraight:
-      !drives && !hasKeys && samples?.interpolation === 'linear' && !take.goals && turnAsAWhole(character.skeleton),
+      !drives && !hasKeys && samples?.interpolation === 'linear' && !isOver && turnAsAWhole(character.skeleton),
     isKeyed,
     framesPerSecond: samples && 1 / samples.frameSeconds,
     write(seconds, row) {
@@ -116,7 +118,7 @@ interface Breaks {
   readonly jumps: ReadonlySet<number>;
 }
 
-function breakTimes(take: Take, start: number, end: number): Breaks {
+function breakTimes(character: Character, take: Take, start: number, end: number): Breaks {
   const found: number[] = [start, end];
   const jumps = new Set<number>();
   const see = (time: number, mayJump: boolean) => {
@@ -138,6 +140,15 @@ function breakTimes(take: Take, start: number, end: number): Breaks {
   }
   // Goals may jump where their space changes.
   for (const [time] of take.goals?.list.flatMap(spacesOf) ?? []) see(time, true);
+  // What is put down may jump, too, and between moves as its leader does.
+  for (const time of take.attached?.list.flatMap(({ span }) => span) ?? []) see(time, true);
+  for (const leader of take.attached ? (character.leaders ?? []) : []) {
+    const own = playedTake(leader);
+    const shift = leader.timeOffsetSeconds;
+    if (!own) continue;
+    const { times, jumps: jumping } = breakTimes(leader, own, start + shift, end + shift);
+    for (const time of times) see(time - shift, jumping.has(time));
+  }
   const { samples, channels } = baseOf(take);
   if (samples && channels.some(({ kind }) => kind === 'samples')) seeFrames(samples, start, end, see);
   return merged(Float64Array.from(new Set(found)).sort(), jumps);

@@ -31,6 +31,7 @@ import type { Goals } from '../../model/takes/take.ts';
 import { withMarkers } from '../../model/takes/with-markers.ts';
 import { type Beside, besideOf, formatKindOf, KINDS, nameBeside } from '../kinds.ts';
 import { withSource } from './assemble.ts';
+import { openAttached } from './attach.ts';
 import { prefixFit } from './grouping.ts';
 import type { Opening } from './opening.ts';
 
@@ -114,7 +115,11 @@ export function openBeside(opening: Opening, file: ParsedFile): void {
   const format = formatKindOf(file.source.name);
   const beside = format && besideOf(format);
   if (!beside || opening.used.has(file)) return;
-  if (file.kind !== 'markers' && file.kind !== 'sets' && file.kind !== 'limbs') return;
+  if (file.kind === 'attach') {
+    // Everything else moves leaders, or is a part of the take.
+    for (const other of opening.files) if (other.kind !== 'attach') openBeside(opening, other);
+  }
+  if (file.kind !== 'markers' && file.kind !== 'sets' && file.kind !== 'limbs' && file.kind !== 'attach') return;
   const hasGoals = file.kind === 'limbs' && file.limbs.goals !== undefined;
   const of = hasGoals ? 'take' : beside;
   if (hasGoals) {
@@ -129,6 +134,10 @@ export function openBeside(opening: Opening, file: ParsedFile): void {
   const place = besidePlace(of, file.source, [...known, ...fresh, ...characters]);
   if (!place) {
     opening.unused.push({ file, why: `No open ${of} has the name of this ${KINDS[format].label} file.` });
+    return;
+  }
+  if (file.kind === 'attach') {
+    openAttached(opening, file, place.character, place.take);
     return;
   }
   const called = opening.called(file.source);

@@ -1,13 +1,14 @@
 /**
- * Joins the files of takes with layers or goals of limbs, when files have been read and before they are opened: each
- * `.layers.json` and `.limbs.json` with its base and its layers, found by base name among the files given, becomes one
+ * Joins the files of takes with layers, goals of limbs or attachments, when files have been read and before they are opened: each
+ * `.layers.json`, `.limbs.json` and `.attach.json` with its base and its layers, found by base name among the files given, becomes one
  * file of a take with the name of the JSON. Its parts are no takes of their own, nor is the plain file beside it, which
  * holds the flattened result.
  *
  *     walk.base.anim  walk.arm.anim  walk.layers.json  walk.anim   →   walk.anim, of a take with layers
  *     walk.base.anim  walk.limbs.json  walk.anim                   →   walk.anim, of the base, and walk.limbs.json
  *
- * Goals are given to the take once it is open (`beside-files.ts`), since they depend on the limbs of its character.
+ * Goals and attachments are given to the take once it is open (`beside-files.ts`, `attach.ts`), since they depend on the
+ * limbs of its character, and on other characters.
  */
 import { provideLayers } from '../../evaluate/layers.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
@@ -31,12 +32,14 @@ export interface Joined {
 
 type LayersParsed = Extract<ParsedFile, { readonly kind: 'layers' }>;
 type LimbsParsed = Extract<ParsedFile, { readonly kind: 'limbs' }>;
+type AttachParsed = Extract<ParsedFile, { readonly kind: 'attach' }>;
 type AnimParsed = Extract<ParsedFile, { readonly kind: 'anim' }>;
 type BaseParsed = AnimParsed | Extract<ParsedFile, { readonly kind: 'bvh' }>;
 
 /** Undefined for files that hold no controls of a take. */
 function flattenedIn(file: ParsedFile): FlattenedFile | undefined {
   if (file.kind === 'limbs') return file.limbs.goals && file.limbs.flattened;
+  if (file.kind === 'attach') return file.attach.flattened;
   return file.kind === 'layers' ? file.layers.flattened : undefined;
 }
 
@@ -63,8 +66,9 @@ export function editedPlainFiles(files: readonly ParsedFile[]): readonly ParsedF
 interface Controls {
   readonly layers?: LayersParsed;
   readonly limbs?: LimbsParsed;
+  readonly attach?: AttachParsed;
   /** The first of them. */
-  readonly json: LayersParsed | LimbsParsed;
+  readonly json: LayersParsed | LimbsParsed | AttachParsed;
   readonly name: string;
 }
 
@@ -72,11 +76,12 @@ interface Controls {
 function controlsIn(files: readonly ParsedFile[]): readonly Controls[] {
   const all = new Map<string, Controls>();
   for (const file of files) {
-    if (file.kind !== 'layers' && !(file.kind === 'limbs' && file.limbs.goals)) continue;
+    if (file.kind !== 'layers' && file.kind !== 'attach' && !(file.kind === 'limbs' && file.limbs.goals)) continue;
     const name = nameBeside(file.source.name);
     const key = `${folderOf(file.source)}/${name}`.toLowerCase();
     const known = all.get(key) ?? { json: file, name };
-    all.set(key, { ...known, ...(file.kind === 'layers' ? { layers: file } : { limbs: file }) });
+    const own = file.kind === 'layers' ? { layers: file } : file.kind === 'attach' ? { attach: file } : { limbs: file };
+    all.set(key, { ...known, ...own });
   }
   return [...all.values()];
 }
@@ -89,8 +94,8 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
   const diagnostics: Diagnostic[] = [];
   const replaced = new Map<ParsedFile, ParsedFile>();
   const gone = new Set<ParsedFile>();
-  const drop = ({ layers, limbs }: Controls) => {
-    if (layers) gone.add(layers);
+  const drop = ({ layers, limbs, attach }: Controls) => {
+    for (const json of [layers, attach]) if (json) gone.add(json);
     const left = limbs && limbsAlone(limbs);
     if (left) replaced.set(limbs, left);
     else if (limbs) gone.add(limbs);
@@ -104,7 +109,9 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
     }
     const { base, layers } = parts;
     const plain = plainOf(controls, files, base);
-    const other = [controls.layers, controls.limbs].find((one) => one && plain && isEditedBeside(plain, one));
+    const other = [controls.layers, controls.limbs, controls.attach].find(
+      (one) => one && plain && isEditedBeside(plain, one),
+    );
     const isOther = plain !== undefined && other !== undefined;
     if (isOther) diagnostics.push(edited(plain, keep, called(other.source)));
     if (isOther && keep === 'edit') {
@@ -125,6 +132,9 @@ export function joinLayers(files: readonly ParsedFile[], keep: Keep, called: Fil
       continue;
     }
     if (plain) gone.add(plain);
+    const { attach } = controls;
+    // Without what it follows the plain file holds; one that was edited is no longer that.
+    if (attach && plain && !isOther) replaced.set(attach, { ...attach, plain: { ...plain.take, name } });
     replaced.set(base, { kind: 'anim', take, source, beside, ...(isOther && { isJoinedByChoice: true }) });
   }
   const joined = files.flatMap((file) => replaced.get(file) ?? (gone.has(file) ? [] : [file]));
@@ -154,11 +164,11 @@ function plainSource(plain: ParsedFile | undefined, json: SourceFile, name: stri
 
 /** The plain file beside JSON: the one that it names, else the one with its name. */
 function plainOf(
-  { layers, limbs, name, json }: Controls,
+  { layers, limbs, attach, name, json }: Controls,
   files: readonly ParsedFile[],
   base: BaseParsed,
 ): AnimParsed | undefined {
-  const named = layers?.layers.flattened ?? limbs?.limbs.flattened;
+  const named = layers?.layers.flattened ?? limbs?.limbs.flattened ?? attach?.attach.flattened;
   const found = fileNamed(files, named?.file ?? `${name}.anim`, json.source);
   return found?.kind === 'anim' && found !== base ? found : undefined;
 }
@@ -176,7 +186,7 @@ interface Parts {
 
 /** The files that the JSON of a take names; undefined, with an error, if one is missing. */
 function partsOf(
-  { layers, limbs, json: { source } }: Controls,
+  { layers, limbs, attach, json: { source } }: Controls,
   files: readonly ParsedFile[],
   called: FileNaming,
   diagnostics: Diagnostic[],
@@ -186,7 +196,7 @@ function partsOf(
     const problem = withoutPlace('error', 'layer-file-missing', message, called(source));
     diagnostics.push({ ...problem, missing: baseName(name) });
   };
-  const { base: named = '' } = layers?.layers ?? limbs?.limbs ?? {};
+  const { base: named = '' } = layers?.layers ?? limbs?.limbs ?? attach?.attach ?? {};
   const base = fileNamed(files, named, source);
   const isBase = base?.kind === 'anim' || (base?.kind === 'bvh' && base.captures[0]?.take !== undefined);
   if (!isBase) missing('base', named);

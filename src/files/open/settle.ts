@@ -1,6 +1,7 @@
 /** Adding a finished character to an opening, or saying which of its files don't fit. */
+
+import { withSourcePairs } from '../../edit/follow/code.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';
-import { withSourcePairs } from '../../edit/rig/by-joint.ts';
 import type { Character } from '../../model/document.ts';
 import { byPath, type ParsedFile } from '../../model/files.ts';
 import { checkParts, withTextures } from './assemble.ts';

@@ -47,12 +47,12 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
 }
 
 /**
- * The files of a take with layers or goals around its own, the JSON last. All are made before the first is written: if one can't
+ * The files of a take with layers, goals or attachments around its own, the JSON last. All are made before the first is written: if one can't
  * be, none is.
  */
 function withLayers(character: Character, part: Part, own: Job): readonly Job[] {
   const take = takeOf(part);
-  if (!take?.layers && !take?.goals) return [own];
+  if (!(take?.layers ?? take?.goals ?? take?.attached)) return [own];
   const copies = besidePlain(character, take);
   let made: ReadonlyMap<string, Output> | undefined;
   const make = () => {

@@ -1,10 +1,10 @@
 /**
- * The files of a take with layers or goals: its base, its layers, the plain file with the flattened result, and, last,
+ * The files of a take with layers, goals or attachments: its base, its layers, the plain file with the flattened result, and, last,
  * the JSON that says with which bytes of the plain file it was saved.
  */
 import { flattened as flattenedTake } from '../../edit/layers/flatten.ts';
 import type { FlattenOptions } from '../../edit/layers/flatten-options.ts';
-import { withoutGoals } from '../../edit/limbs/flatten-goals.ts';
+import { solvedTake } from '../../edit/limbs/flatten-goals.ts';
 import { writeAnim } from '../../formats/anim/write.ts';
 import { sha256 } from '../../formats/sha256.ts';
 import { partsOf } from '../../model/character-parts.ts';
@@ -16,28 +16,31 @@ import { limbsByName } from '../../model/limbs.ts';
 import { newCharacter } from '../../model/new-character.ts';
 import type { OtherFields } from '../../model/other-fields.ts';
 import { fileNameOf, type Part } from '../../model/part.ts';
+import { jointReferences } from '../../model/skeleton/joint-reference.ts';
 import { skelChannels, skelSkeleton } from '../../model/skeleton/skel-motion.ts';
+import { ATTACH_EXTENSION } from '../../model/takes/attach-file.ts';
 import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import { LAYERS_EXTENSION } from '../../model/takes/layers-file.ts';
 import { LIMBS_EXTENSION, type LimbsFile } from '../../model/takes/limbs-file.ts';
 import { baseOf, type Motion, restChannel, type Take } from '../../model/takes/take.ts';
+import { nameBeside } from '../kinds.ts';
 import { limbsAlone } from '../open/layers.ts';
 import { openFiles } from '../open/open-files.ts';
 import type { Copy } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
 
-/** All files of takes with layers or goals. */
+/** All files of takes with layers, goals or attachments. */
 export function layersCopies(character: Character): readonly Copy[] {
   return character.takes.flatMap((take) => filesOf(character, take));
 }
 
-/** All files of a take with layers or goals but the plain one, in the order in which they are written; none without. */
+/** All files of a take with layers, goals or attachments but the plain one, in the order in which they are written; none without. */
 export function besidePlain(character: Character, take: Take): readonly Copy[] {
   const plain = plainName(character, take);
   return filesOf(character, take).filter(({ name }) => name !== plain);
 }
 
-/** The take as other programs read it: without layers and goals, moving the same; with what was lost on the way. */
+/** The take as other programs read it: without layers, goals and attachments, moving the same; with what was lost on the way. */
 export function plainTake(
   character: Character,
   take: Take,
@@ -45,7 +48,7 @@ export function plainTake(
   options: FlattenOptions = {},
 ): { readonly take: Take; readonly diagnostics: readonly Diagnostic[] } {
   const { take: summed, bakedCount } = flattenedTake(take, character.skeleton, options);
-  const plain = withoutGoals(character, summed, options);
+  const plain = solvedTake(character, summed, options);
   if (bakedCount === 0) return { take: plain, diagnostics: [] };
   const what = bakedCount === 1 ? '1 channel repeats' : `${bakedCount} channels repeat`;
   const message = `${what} in a way that no sum of layers does.`;
@@ -57,20 +60,21 @@ export function plainTake(
 
 /**
  * Files with plain takes in place of those with layers, which other formats than their own can't hold.
- * @param withoutGoals also in place of those with goals of limbs, for `.anim`: other writers evaluate goals themselves
+ * @param solves also in place of those with goals of limbs or attachments, for `.anim`: other writers evaluate them
  */
 export function plainFiles(
   files: readonly ParsedFile[],
   options: FlattenOptions,
-  withoutGoals: boolean,
+  solves: boolean,
 ): { readonly files: readonly ParsedFile[]; readonly diagnostics: readonly Diagnostic[] } {
   const hasLayers = (take: Take | undefined) => take?.layers !== undefined;
   const isLayered = (file: ParsedFile) =>
     file.kind === 'anim'
       ? hasLayers(file.take)
       : file.kind === 'bvh' && file.captures.some(({ take }) => hasLayers(take));
-  const hasGoals = withoutGoals && files.some((file) => file.kind === 'limbs' && file.limbs.goals);
-  if (!hasGoals && !files.some(isLayered)) return { files, diagnostics: [] };
+  const isSolved =
+    solves && files.some((file) => file.kind === 'attach' || (file.kind === 'limbs' && file.limbs.goals));
+  if (!isSolved && !files.some(isLayered)) return { files, diagnostics: [] };
   const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
   const diagnostics: Diagnostic[] = [];
   const plain = (character: Character, take: Take, file: string) => {
@@ -89,19 +93,31 @@ export function plainFiles(
       return { ...file, captures };
     }
     // They would be reached a second time.
-    if (hasGoals && file.kind === 'limbs') return limbsAlone(file) ?? [];
+    if (isSolved && file.kind === 'limbs') return limbsAlone(file) ?? [];
+    if (isSolved && file.kind === 'attach') return [];
     if (file.kind !== 'anim') return file;
     const at = (character: Character) =>
       character.parts?.takes.findIndex((mark) => mark.file?.source.path === path) ?? -1;
     const character = characters.find((one) => at(one) >= 0);
-    const { goals } = (hasGoals && character?.takes[at(character)]) || {};
-    if (!goals && !isLayered(file)) return file;
+    const { goals, attached } = (isSolved && character?.takes[at(character)]) || {};
+    const held = isSolved && !(goals ?? attached) ? plainBeside(files, file.take) : file.take;
+    if (held !== file.take) return { ...file, take: held };
+    if (!(goals ?? attached) && !isLayered(file)) return file;
     const { skeleton, ...rest } = character ?? newCharacter(path, path);
     // Of motion capture the DOFs have another order in such files.
     const own = { ...rest, ...(skeleton && { skeleton: skelSkeleton(skeleton) }) };
-    return { ...file, take: plain(own, { ...file.take, ...(goals && { goals }) }, path) };
+    return {
+      ...file,
+      take: plain(own, { ...file.take, ...(goals && { goals }), ...(attached && { attached }) }, path),
+    };
   });
   return { files: made, diagnostics };
+}
+
+/** The take of the plain file where attachments wait for a character that they name; else the take itself. */
+function plainBeside(files: readonly ParsedFile[], take: Take): Take {
+  const json = files.find((file) => file.kind === 'attach' && nameBeside(file.source.name) === take.name);
+  return (json?.kind === 'attach' && json.plain) || take;
 }
 
 function isCapture(character: Character): boolean {
@@ -114,11 +130,12 @@ function plainName(character: Character, { name }: Take): string | undefined {
 
 function filesOf(character: Character, take: Take): readonly Copy[] {
   const { skeleton, pose } = character;
-  const { layers, goals } = take;
-  if (!layers && !goals) return [];
+  const { layers, goals, attached } = take;
+  if (!(layers ?? goals ?? attached)) return [];
   const plain = plainName(character, take);
   // The base of a capture is its own file.
-  const base = layers?.baseFile ?? goals?.baseFile ?? `${take.name}${plain === undefined ? '.bvh' : '.base.anim'}`;
+  const known = layers?.baseFile ?? goals?.baseFile ?? attached?.baseFile;
+  const base = known ?? `${take.name}${plain === undefined ? '.bvh' : '.base.anim'}`;
   const wanted = (layers?.list ?? []).map(({ name, file }) => file ?? `${take.name}.${fileWord(name)}.anim`);
   const names = distinctNames(wanted, [base, ...(plain === undefined ? [] : [plain])]);
   const anim = (name: string, layer: number): Copy => ({
@@ -151,12 +168,31 @@ function filesOf(character: Character, take: Take): readonly Copy[] {
     };
     jsons.push({ name, content });
   }
+  if (attached) {
+    const content = (): FileContent => {
+      const rows = attached.list.map(({ leaderId, joint, ...row }) => ({
+        ...leaderNamed(character, leaderId, joint),
+        ...row,
+      }));
+      const { ofFlattened, others } = attached;
+      return { kind: 'attach', attach: { ...saved(ofFlattened), attached: rows, ...(others && { others }) } };
+    };
+    jsons.push({ name: `${take.name}.${ATTACH_EXTENSION}`, content });
+  }
   return [
     ...(plain === undefined ? [] : [anim(base, -1)]),
     ...names.map((name, i) => anim(name, i)),
     ...(made ? [made] : []),
     ...jsons,
   ];
+}
+
+function leaderNamed({ leaders = [] }: Character, id: string, joint: number) {
+  const leader = leaders.find((one) => one.id === id);
+  return {
+    character: leader?.name ?? id,
+    joint: jointReferences(leader?.skeleton?.joints ?? [])[joint] ?? `#${joint}`,
+  };
 }
 
 /** The content of the part of limbs. */

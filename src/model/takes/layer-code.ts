@@ -1,6 +1,6 @@
 /**
- * What pages without layers and goals of limbs do with takes of others: nothing, since the code for that (`layers.ts`,
- * `goals.ts`) is a separate script. Takes can't wait for it to load, so code that brings any into a document passes it on
+ * What pages without layers, goals of limbs and attachments do with takes of others: nothing, since the code for that
+ * (`layers.ts`, `goals.ts`) is a separate script. Takes can't wait for it to load, so code that brings any into a document passes it on
  * before:
  *
  *     provideLayers();
@@ -8,12 +8,13 @@
  * of `evaluate/layers.ts`. The opener, the session reader, the commands for layers, the joining of files, and the
  * worker do.
  */
+import type { Character } from '../document.ts';
 import type { Limbs } from '../limbs.ts';
 import type { Skeleton } from '../skeleton/skeleton.ts';
 import type * as TakeGoals from './goals.ts';
 import type * as LayerJoints from './layer-joints.ts';
 import type * as Layers from './layers.ts';
-import type { Goals, LayerSettings, Motion, Take } from './take.ts';
+import type { Attachments, Goals, LayerSettings, Motion, Take } from './take.ts';
 
 /** A layer at a time. */
 export interface LayerInfo extends Omit<LayerSettings, 'weight' | 'ofWeight' | 'others'> {
@@ -38,9 +39,9 @@ export interface GoalProblem {
   readonly message: string;
 }
 
-/** The limbs that a take moves to goals, ready for evaluation. */
-export interface LimbsOverPose {
-  /** Moves them, in a pose within the limits. Allocates nothing. */
+/** The last part of posing, over poses within the limits, ready for evaluation: limbs that go to goals, a root that follows a joint. */
+export interface OverPose {
+  /** Changes a pose at a time of the take. Allocates nothing. */
   solve(timeSeconds: number, dofs: Float64Array, clamps: boolean): void;
 }
 
@@ -54,7 +55,9 @@ export interface LayerCode
   /** What is wrong with goals, which are then not reached. */
   goalProblems(goals: Goals, limbs: Limbs, skeleton: Skeleton): readonly GoalProblem[];
   /** Cached. */
-  takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): LimbsOverPose;
+  takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): OverPose;
+  /** Puts the root where the take attaches it, and then its limbs to its goals. */
+  overPose(take: Take, attached: Attachments, character: Character): OverPose;
   /** All layers of a take at a time of it, from the lowest up. */
   infos(take: Take, timeSeconds: number): LayerInfo[];
 }

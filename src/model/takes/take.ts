@@ -1,3 +1,4 @@
+import type { Vec3 } from '../../math/vec3.ts';
 import type { OtherFields } from '../other-fields.ts';
 import type { Marker } from './markers.ts';
 import { columnOf, rangeOfSamples, type Samples } from './samples.ts';
@@ -24,6 +25,8 @@ export interface Take {
   readonly layers?: LayerStack;
   /** Goals of the character's limbs, above all channels; absent rather than empty. */
   readonly goals?: Goals;
+  /** Spans in which the root follows a joint of another character; absent rather than empty. */
+  readonly attached?: Attachments;
 }
 
 /** Where neither a file nor a take states a frame rate. */
@@ -113,6 +116,37 @@ export interface Goal {
 export interface Goals {
   /** At most one for each limb. */
   readonly list: readonly Goal[];
+  /** The name of the base's file; absent: not saved yet. */
+  readonly baseFile?: string;
+  /** Fields that are not known, as the file has them: of its plain file, and its own. */
+  readonly ofFlattened?: OtherFields;
+  readonly others?: OtherFields;
+}
+
+/** Where the root is in the space of a joint that it follows. */
+export interface AttachmentOffset {
+  readonly position: Vec3;
+  /** Radians about x, y and z: Rz·Ry·Rx. */
+  readonly rotation: Vec3;
+  readonly others?: OtherFields;
+}
+
+/** A span of a take in which the root follows a joint of another character (`evaluate/attached.ts`). */
+export interface Attachment {
+  /** The id of the one that is followed, among `Character.leaders`. */
+  readonly leaderId: string;
+  /** Index among the leader's joints. */
+  readonly joint: number;
+  /** From the first second of the take up to (excluding) the second one. */
+  readonly span: readonly [number, number];
+  readonly offset: AttachmentOffset;
+  readonly others?: OtherFields;
+}
+
+/** The joints of other characters that the root follows in a take. */
+export interface Attachments {
+  /** By their starts; at a time the last one that has begun counts, if it has not ended. */
+  readonly list: readonly Attachment[];
   /** The name of the base's file; absent: not saved yet. */
   readonly baseFile?: string;
   /** Fields that are not known, as the file has them: of its plain file, and its own. */

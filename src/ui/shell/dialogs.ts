@@ -112,9 +112,7 @@ function showDialog(
   root.append(dialog);
   dialog.showModal();
   // The browser would focus Close.
-  const first = ['[autofocus]', 'button:not(:disabled), input:not([hidden] *)']
-    .map((wanted) => body.querySelector<HTMLElement>(wanted))
-    .find(Boolean);
+  const first = body.querySelector<HTMLElement>('[autofocus], button:not(:disabled), input:not([hidden] *)');
   (first ?? body).focus({ preventScroll: true });
   return dialog;
 }

@@ -2,19 +2,20 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { flattened } from '../../../src/edit/layers/flatten.ts';
-import { withoutGoals } from '../../../src/edit/limbs/flatten-goals.ts';
+import { solvedTake } from '../../../src/edit/limbs/flatten-goals.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { joinLayers } from '../../../src/files/open/layers.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
+import { formatOf } from '../../../src/files/readers.ts';
 import { layersCopies } from '../../../src/files/save/layers.ts';
 import { outputOf, savedFileOf } from '../../../src/files/save/output.ts';
 import { saveCharacter } from '../../../src/files/save/saving.ts';
+import { sha256 } from '../../../src/formats/sha256.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
-import { byFileName } from '../../../src/model/files.ts';
+import { byFileName, type ParsedFile } from '../../../src/model/files.ts';
 import { CRAB, crabWith, goalOf, LIMBS, poses, SIZE } from '../../evaluate/limbs/crab.ts';
 import { expectClose } from '../../helpers/close.ts';
-import { parsed } from '../../helpers/parsed.ts';
 import { channelOf } from '../keys/channels.ts';
 
 const TOLERANCE = 1e-3;
@@ -54,7 +55,7 @@ it('keys at whole frames move the limbs as the goals do, whatever the pose benea
     fc.property(poses, (values) => {
       const crab = crabWith(values, GOALS);
       const [take] = crab.takes;
-      const plain = withoutGoals(crab, take, { tolerance: TOLERANCE });
+      const plain = solvedTake(crab, take, { tolerance: TOLERANCE });
       expect(plain).not.toHaveProperty('goals');
       expectSamePoses({ ...crab, takes: [plain] }, crab, FRAMES);
       const joints = new Set(
@@ -79,11 +80,20 @@ it('keys at whole frames move the limbs as the goals do, whatever the pose benea
 
 it('a take without goals stays the same object, and goals of no limb leave the channels', () => {
   const [bare] = crabWith(REST, []).takes;
-  expect(withoutGoals(crabWith(REST, []), bare)).toBe(bare);
+  expect(solvedTake(crabWith(REST, []), bare)).toBe(bare);
   const lost = crabWith(REST, [goalOf('nobody', { tx: 1 })]);
-  expect(withoutGoals(lost, lost.takes[0]).channels).toEqual(lost.takes[0].channels);
+  expect(solvedTake(lost, lost.takes[0]).channels).toEqual(lost.takes[0].channels);
   expect(flattened(bare, CRAB).take).toBe(bare);
 });
+
+function parsed(name: string, text: string): ParsedFile {
+  const bytes = new TextEncoder().encode(text);
+  const reader = formatOf(name)?.reader(name, bytes.length);
+  reader?.feed(bytes);
+  const content = reader?.end().value;
+  if (!content) throw new Error(`${name} can't be read.`);
+  return { ...content, source: { name, path: name, bytes: bytes.length }, sha256: sha256(bytes) };
+}
 
 it('the files of a take with goals are its base, the plain file and the JSON, and are read as the same take', () => {
   const crab = crabWith(REST, GOALS);

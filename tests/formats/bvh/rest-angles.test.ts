@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { keyedTake } from '../../../src/edit/convert/keys-of-samples.ts';
 import { skelForm } from '../../../src/edit/convert/skel-form.ts';
-import { driverSource } from '../../../src/edit/drivers.ts';
+import { driverSource } from '../../../src/edit/follow/sources.ts';
 import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { framesFor, toBvhCapture } from '../../../src/evaluate/bvh-capture.ts';
 import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';

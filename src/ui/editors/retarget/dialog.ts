@@ -5,7 +5,7 @@
 
 import { CommandError } from '../../../edit/command-error.ts';
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
-import { driverSource, possibleSources } from '../../../edit/drivers.ts';
+import { driverSource, possibleSources } from '../../../edit/follow/sources.ts';
 import { intoRange, pause, play } from '../../../edit/playback.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
 import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';

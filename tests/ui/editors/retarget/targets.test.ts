@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { driverSource, possibleSources } from '../../../../src/edit/drivers.ts';
+import { driverSource, possibleSources } from '../../../../src/edit/follow/sources.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { possibleTargets } from '../../../../src/ui/editors/retarget/targets.ts';
 import { character, documentOf, takeOfValues } from '../../../helpers/builders.ts';
