@@ -1,7 +1,6 @@
 /** Characters of other programs: fetched when a file needs them, since few do. */
 
-import { readWhole } from '../formats/reader.ts';
-import { fbxReader } from '../import/fbx/read.ts';
+import { readFbx } from '../import/fbx/read.ts';
 import { readGltf } from '../import/gltf/read.ts';
 import { type Import, ImportError, type Imported } from '../import/imported.ts';
 import { toCharacter } from '../import/to-character.ts';
@@ -27,7 +26,7 @@ export interface ImportedFile<C = FileContent> {
 const SCENES: { readonly [K in ImportedKind]: (given: Import) => Promise<Imported> } = {
   gltf: readGltf,
   fbx: async ({ fileName, bytes }) => {
-    const { value, diagnostics } = readWhole(fbxReader(fileName), bytes);
+    const { value, diagnostics } = readFbx(fileName, bytes);
     return value ? { scene: value, diagnostics } : { diagnostics };
   },
 };

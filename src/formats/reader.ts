@@ -91,18 +91,25 @@ export function bytesReader<T>(
   const chunks: Uint8Array<ArrayBuffer>[] = [];
   return {
     feed: (chunk) => void chunks.push(chunk.slice()),
-    end() {
-      const report = new Report(fileName);
-      let value: T | undefined;
-      try {
-        value = decode(joined(chunks), report);
-      } catch (error) {
-        if (!(error instanceof ParseError)) throw error;
-      }
-      const diagnostics = report.finish();
-      return report.hasErrors || value === undefined ? { diagnostics } : { value, diagnostics };
-    },
+    end: () => readBytes(fileName, joined(chunks), decode),
   };
+}
+
+/** Reads the bytes of a whole file, without a copy of them. @param decode as of `bytesReader` */
+export function readBytes<T>(
+  fileName: string,
+  bytes: Uint8Array<ArrayBuffer>,
+  decode: (bytes: Uint8Array<ArrayBuffer>, report: Report) => T | undefined,
+): ReadResult<T> {
+  const report = new Report(fileName);
+  let value: T | undefined;
+  try {
+    value = decode(bytes, report);
+  } catch (error) {
+    if (!(error instanceof ParseError)) throw error;
+  }
+  const diagnostics = report.finish();
+  return report.hasErrors || value === undefined ? { diagnostics } : { value, diagnostics };
 }
 
 /**

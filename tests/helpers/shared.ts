@@ -20,7 +20,7 @@ export function sharedPath(path: string): string {
   return `${ROOT}${path}`;
 }
 
-export function sharedBytes(path: string): Uint8Array {
+export function sharedBytes(path: string): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(sharedPath(path)));
 }
 

@@ -43,7 +43,8 @@ export function fitKeys(
     // What the function is from here on, if it jumps.
     write(stops[i], last, value);
     if (i + 1 < stops.length) span.writeOnwards(stops[i], stops[i + 1], last, value);
-    const jumps = tolerances.some((tolerance, k) => Math.abs(value[k] - last[k]) > tolerance);
+    let jumps = false;
+    for (let k = 0; k < width; k++) jumps ||= Math.abs(value[k] - last[k]) > tolerances[k];
     if (jumps) for (let k = 0; k < width; k++) lists[k].add(stops[i], value[k], 0, 0);
     last.set(value);
   }
@@ -82,7 +83,8 @@ class Span {
     this.write(start + step, last, a);
     this.write(start + 2 * step, a, b);
     this.write(start + 3 * step, b, c);
-    const jumps = tolerances.some((tolerance, k) => Math.abs(3 * a[k] - 3 * b[k] + c[k] - values[k]) > tolerance);
+    let jumps = false;
+    for (let k = 0; k < width; k++) jumps ||= Math.abs(3 * a[k] - 3 * b[k] + c[k] - values[k]) > tolerances[k];
     if (jumps) for (let k = 0; k < width; k++) values[k] = 3 * a[k] - 3 * b[k] + c[k];
   }
 
@@ -118,13 +120,15 @@ class Span {
   private holds(start: number, duration: number, last: Float64Array): boolean {
     const { end, from, to, a, cubics, expected, width, tolerances } = this;
     for (let k = 0; k < width; k++) hermiteCubic(last[k], from[k], end[k], to[k], duration, cubics, 4 * k);
-    return CHECKED.every((part) => {
-      const since = part * duration;
-      for (let o = 0; o < 4 * width; o += 4) {
-        expected[o / 4] = ((cubics[o + 3] * since + cubics[o + 2]) * since + cubics[o + 1]) * since + cubics[o];
+    for (let i = 0; i < CHECKED.length; i++) {
+      const since = CHECKED[i] * duration;
+      for (let k = 0; k < width; k++) {
+        const o = 4 * k;
+        expected[k] = ((cubics[o + 3] * since + cubics[o + 2]) * since + cubics[o + 1]) * since + cubics[o];
       }
       this.write(start + since, expected, a);
-      return tolerances.every((tolerance, k) => Math.abs(a[k] - expected[k]) <= tolerance);
-    });
+      for (let k = 0; k < width; k++) if (!(Math.abs(a[k] - expected[k]) <= tolerances[k])) return false;
+    }
+    return true;
   }
 }

@@ -30,19 +30,14 @@ export interface FbxLayer {
   /** How rotations and scales of this layer are combined with those below: as such, or angle by angle. */
   readonly composesRotation: boolean;
   readonly composesScale: boolean;
-  /** By object and property. */
-  readonly driven: ReadonlyMap<string, Driven>;
+  /** By object, then by property. */
+  readonly driven: ReadonlyMap<string, ReadonlyMap<string, Driven>>;
 }
 
 /** A property's value in a layer: its curves, and the values of axes without one. */
 export interface Driven {
   readonly curves: readonly (FbxCurve | undefined)[];
   readonly values: readonly number[];
-}
-
-/** The key of a property in `FbxLayer.driven`. */
-export function drivenKey(objectId: string, property: string): string {
-  return `${objectId} ${property}`;
 }
 
 const AXES: Readonly<Record<string, number>> = { 'd|X': 0, 'd|Y': 1, 'd|Z': 2 };
@@ -63,12 +58,14 @@ export function takesOf(document: FbxDocument, report: FbxReport): FbxTake[] {
 }
 
 function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): FbxLayer {
-  const driven = new Map<string, Driven>();
+  const driven = new Map<string, Map<string, Driven>>();
   for (const node of partsOfKind(document, object, 'AnimationCurveNode')) {
     const value = drivenBy(document, node, report);
     for (const { object: owner, property } of document.ownersOf(node.id)) {
       if (property === undefined) continue;
-      driven.set(drivenKey(owner.id, property), property === 'Lcl Scaling' ? withoutNoise(value) : value);
+      const own = driven.get(owner.id) ?? new Map<string, Driven>();
+      driven.set(owner.id, own);
+      own.set(property, property === 'Lcl Scaling' ? withoutNoise(value) : value);
     }
   }
   const { properties } = object;
@@ -77,7 +74,7 @@ function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): F
     object,
     mode: mode === 0 ? 'add' : mode === 2 ? 'pass through' : 'override',
     weight: asWeight(properties.number('Weight') ?? 100),
-    weightCurve: driven.get(drivenKey(object.id, 'Weight'))?.curves[0],
+    weightCurve: driven.get(object.id)?.get('Weight')?.curves[0],
     composesRotation: (properties.number('RotationAccumulationMode') ?? 0) === 0,
     composesScale: (properties.number('ScaleAccumulationMode') ?? 0) === 0,
     driven,
@@ -132,8 +129,13 @@ function firstNumber({ record, properties }: FbxObject): number {
 }
 
 function timesOf(layers: readonly FbxLayer[]): readonly Float64Array[] {
-  const driven = layers.flatMap((layer) => [...layer.driven.values()]);
-  return driven.flatMap(({ curves }) => curves.flatMap((curve) => (curve ? [curve.times] : [])));
+  const all: Float64Array[] = [];
+  for (const { driven } of layers) {
+    for (const own of driven.values()) {
+      for (const { curves } of own.values()) for (const curve of curves) if (curve) all.push(curve.times);
+    }
+  }
+  return all;
 }
 
 /** As the stack says; without that, from the first to the last key. */
@@ -143,14 +145,9 @@ function rangeOf(stack: FbxObject, layers: readonly FbxLayer[], ticks: number): 
   if (stop > start) return [start / ticks, stop / ticks];
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
-  for (const { driven } of layers) {
-    for (const { curves } of driven.values()) {
-      for (const curve of curves) {
-        if (!curve) continue;
-        first = Math.min(first, curve.times[0]);
-        last = Math.max(last, curve.times[curve.times.length - 1]);
-      }
-    }
+  for (const times of timesOf(layers)) {
+    first = Math.min(first, times[0]);
+    last = Math.max(last, times[times.length - 1]);
   }
   return first <= last ? [first, last] : [0, 0];
 }

@@ -13,6 +13,9 @@ const SAME_WEIGHT = 2e-4;
 /** Keys that repetitions are written as at most. */
 const MAX_REPEATED = 10000;
 
+/** Scratch. */
+const list = new KeyList();
+
 /**
  * An FBX curve as a keyed channel.
  * @param tolerance of its values, for weighted handles
@@ -20,15 +23,14 @@ const MAX_REPEATED = 10000;
  * @param offset what is then added to values
  */
 export function channelOf(curve: FbxCurve, tolerance: number, factor = 1, offset = 0): KeyedChannel {
-  const list = new KeyList();
+  list.clear();
   const before = repetitionsOf(curve, curve.before);
   const after = repetitionsOf(curve, curve.after);
   if (before === 0 && after === 0) {
-    addKeys(list, curve, tolerance);
-    const [extrapolateIn, extrapolateOut] = [curve.before, curve.after].map(({ mode }) => extrapolation(mode));
-    return list.channel(factor, offset, extrapolateIn, extrapolateOut);
+    addKeys(curve, tolerance);
+    return list.channel(factor, offset, extrapolation(curve.before.mode), extrapolation(curve.after.mode));
   }
-  addRepeated(list, curve, before, after);
+  addRepeated(curve, before, after);
   const mode = (repeats: number, beyond: Beyond) => (repeats > 0 ? 'constant' : extrapolation(beyond.mode));
   return list.channel(factor, offset, mode(before, curve.before), mode(after, curve.after));
 }
@@ -56,13 +58,14 @@ function repetitionsOf({ times }: FbxCurve, { mode, count }: Beyond): number {
   return Math.min(count, Math.floor(MAX_REPEATED / times.length));
 }
 
-function addKeys(list: KeyList, curve: FbxCurve, tolerance: number): void {
+function addKeys(curve: FbxCurve, tolerance: number): void {
   const { times, values, spans, slopesIn, slopesOut } = curve;
   const count = times.length;
   list.add(times[0], values[0], count > 1 ? slopesOut[0] : 0, 0);
   for (let key = 0; key + 1 < count; key++) {
     const next = key + 1;
-    const [t1, v1] = [times[next], values[next]];
+    const t1 = times[next];
+    const v1 = values[next];
     const isSpan = t1 > times[key];
     if (!isSpan) {
       list.add(t1, v1, 0, 0);
@@ -70,7 +73,7 @@ function addKeys(list: KeyList, curve: FbxCurve, tolerance: number): void {
       list.leave(LINE_SLOPE);
       list.add(t1, v1, LINE_SLOPE, 0);
     } else if (spans[key] === CUBIC && isWeighted(curve, key)) {
-      addWeighted(list, curve, key, tolerance);
+      addWeighted(curve, key, tolerance);
     } else if (spans[key] === CUBIC) {
       list.leave(slopesOut[key]);
       list.add(t1, v1, slopesIn[next], 0);
@@ -91,7 +94,7 @@ function isWeighted({ weightsIn, weightsOut }: FbxCurve, key: number): boolean {
 }
 
 /** A span whose handles bend time: fitted. */
-function addWeighted(list: KeyList, curve: FbxCurve, key: number, tolerance: number): void {
+function addWeighted(curve: FbxCurve, key: number, tolerance: number): void {
   const { times, values } = curve;
   const [from, to] = [times[key], times[key + 1]];
   // The last value itself, though a step may follow at its time.
@@ -103,7 +106,7 @@ function addWeighted(list: KeyList, curve: FbxCurve, key: number, tolerance: num
 }
 
 /** The keys of a curve and of its repetitions, as many as it says. */
-function addRepeated(list: KeyList, curve: FbxCurve, before: number, after: number): void {
+function addRepeated(curve: FbxCurve, before: number, after: number): void {
   const { times } = curve;
   const duration = times[times.length - 1] - times[0];
   const stops: number[] = [];

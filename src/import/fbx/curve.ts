@@ -10,7 +10,6 @@
  * The tangents of automatic keys are not in the file: they are computed as ufbx found the FBX SDK to compute them.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import { perObject } from '../../model/per-object.ts';
 import type { FbxReport } from './failure.ts';
 import type { NumberPool } from './records/number-pool.ts';
 import { childOf, type FbxFile, type FbxNumbers, type FbxRecord, numberAt, numbersOf } from './records/record.ts';
@@ -30,16 +29,17 @@ export interface FbxCurve {
   readonly weightsOut: Float64Array;
   readonly before: Beyond;
   readonly after: Beyond;
+  /** Whether it has the same value at all times, and no keys beyond its own. */
+  readonly isConstant: boolean;
 }
 
-/** Whether a curve has the same value at all times, and no keys beyond its own. Cached. */
-export const isConstantCurve = perObject(({ values, slopesIn, slopesOut, before, after }: FbxCurve): boolean => {
+function isConstant({ values, slopesIn, slopesOut, before, after }: FbxCurve): boolean {
   if (before.mode !== 'constant' || after.mode !== 'constant') return false;
   for (let i = 0; i < values.length; i++) {
     if (values[i] !== values[0] || slopesIn[i] !== 0 || slopesOut[i] !== 0) return false;
   }
   return true;
-});
+}
 
 /** Behaviour of a curve beyond its keys. */
 export interface Beyond {
@@ -94,7 +94,9 @@ export function curveOf(
     return undefined;
   }
   const [times, values] = sorted(ownTimes, ownValues, ticks, pool);
-  const isWeighted = flags.some((flag) => (flag & (WEIGHTED_FLAG | NEXT_WEIGHTED_FLAG)) !== 0);
+  let allFlags = 0;
+  for (let i = 0; i < flags.length; i++) allFlags |= flags[i];
+  const isWeighted = (allFlags & (WEIGHTED_FLAG | NEXT_WEIGHTED_FLAG)) !== 0;
   const curve = {
     times,
     values,
@@ -105,6 +107,7 @@ export function curveOf(
     weightsOut: isWeighted ? new Float64Array(count).fill(THIRD) : thirds(count),
     before: beyondOf(childOf(record, 'Pre-Extrapolation')),
     after: beyondOf(childOf(record, 'Post-Extrapolation')),
+    isConstant: false,
   };
   let run = 0;
   let left = runs[0];
@@ -112,6 +115,7 @@ export function curveOf(
     writeKey(curve, key, flags[run], data, 4 * run);
     if (--left <= 0 && run + 1 < runs.length) left = runs[++run];
   }
+  curve.isConstant = isConstant(curve);
   return curve;
 }
 
@@ -150,7 +154,11 @@ function floatsOf(data: FbxNumbers, areBits: boolean): Float32Array {
   return data instanceof Float32Array ? data : Float32Array.from(data);
 }
 
+/** What nearly all curves have. */
+const STAYS: Beyond = { mode: 'constant', count: Number.POSITIVE_INFINITY };
+
 function beyondOf(record: FbxRecord | undefined): Beyond {
+  if (!record) return STAYS;
   const type = childOf(record, 'Type')?.values[0];
   const letter = typeof type === 'number' ? String.fromCharCode(type) : type;
   const repetitions = numberAt(childOf(record, 'Repetition')) ?? -1;
@@ -182,20 +190,21 @@ function writeKey(curve: FbxCurve, key: number, flags: number, data: Float32Arra
   if ((flags & WEIGHTED_FLAG) !== 0) weightsOut[key] = weightAt(data, at + 2, 0);
   if ((flags & NEXT_WEIGHTED_FLAG) !== 0 && hasNext) weightsIn[next] = weightAt(data, at + 2, 16);
   if ((flags & TCB_FLAG) !== 0) {
-    writeTcb(curve, key, sidesOf(curve, key), data[at], data[at + 1], data[at + 2]);
+    findSides(curve, key);
+    writeTcb(curve, key, data[at], data[at + 1], data[at + 2]);
     if (hasNext) slopesIn[next] = 0;
     return;
   }
   if ((flags & USER_FLAG) !== 0) {
     slopesOut[key] = finite(data[at]);
   } else {
-    const sides = sidesOf(curve, key);
+    findSides(curve, key);
     // What the file has in place of slopes is a bias: to the right from this key, to the left from the one before.
     const right = finite(data[at]);
     const left = slopesIn[key];
     const isOne = Math.abs(left + right) <= 1e-4;
-    slopesOut[key] = autoSlope(sides, weightsIn[key], weightsOut[key], right, flags);
-    slopesIn[key] = isOne ? slopesOut[key] : autoSlope(sides, weightsIn[key], weightsOut[key], -left, flags);
+    slopesOut[key] = autoSlope(weightsIn[key], weightsOut[key], right, flags);
+    slopesIn[key] = isOne ? slopesOut[key] : autoSlope(weightsIn[key], weightsOut[key], -left, flags);
   }
   if (hasNext) slopesIn[next] = finite(data[at + 1]);
 }
@@ -210,55 +219,56 @@ function weightAt(data: Float32Array, at: number, shift: number): number {
   return Math.min(((word >>> shift) & 0xffff) / 10000, 1);
 }
 
-/** Times and values of a key and its neighbours; undefined where there is none at another time. */
-interface Sides {
-  readonly before: { readonly duration: number; readonly change: number } | undefined;
-  readonly after: { readonly duration: number; readonly change: number } | undefined;
+/** Scratch: seconds of the spans before and after a key, 0 for none, and by how much the value changes in them. */
+const sides = { before: 0, after: 0, changeBefore: 0, changeAfter: 0 };
+
+function findSides({ times, values }: FbxCurve, key: number): void {
+  const [last, next] = [key - 1, key + 1];
+  sides.before = last >= 0 && times[key] > times[last] ? times[key] - times[last] : 0;
+  sides.after = next < times.length && times[next] > times[key] ? times[next] - times[key] : 0;
+  sides.changeBefore = sides.before > 0 ? values[key] - values[last] : 0;
+  sides.changeAfter = sides.after > 0 ? values[next] - values[key] : 0;
 }
 
-function sidesOf(curve: FbxCurve, key: number): Sides {
-  return { before: spanFrom(curve, key - 1), after: spanFrom(curve, key) };
-}
-
-function spanFrom({ times, values }: FbxCurve, key: number): Sides['after'] {
-  if (key < 0 || key + 1 >= times.length || !(times[key + 1] > times[key])) return undefined;
-  return { duration: times[key + 1] - times[key], change: values[key + 1] - values[key] };
-}
-
-/** Tension, continuity and bias. */
-function writeTcb(curve: FbxCurve, key: number, { before, after }: Sides, t: number, c: number, b: number): void {
-  const left = before ? before.change / before.duration : 0;
-  const right = after ? after.change / after.duration : 0;
-  const factor = (1 - t) * (before && after ? 0.5 : 1);
+/** Tension, continuity and bias, with `sides`. */
+function writeTcb(curve: FbxCurve, key: number, t: number, c: number, b: number): void {
+  const { before, after, changeBefore, changeAfter } = sides;
+  const left = before > 0 ? changeBefore / before : 0;
+  const right = after > 0 ? changeAfter / after : 0;
+  const factor = (1 - t) * (before > 0 && after > 0 ? 0.5 : 1);
   curve.slopesIn[key] = finite(factor * ((1 + b) * (1 - c) * left + (1 - b) * (1 + c) * right));
   curve.slopesOut[key] = finite(factor * ((1 + b) * (1 + c) * left + (1 - b) * (1 - c) * right));
 }
 
 /**
- * The slope of an automatic key.
+ * The slope of an automatic key, with `sides`.
  * @param bias to the right if positive; from 500 on it adds to the slope
  */
-function autoSlope({ before, after }: Sides, weightIn: number, weightOut: number, bias: number, flags: number): number {
+function autoSlope(weightIn: number, weightOut: number, bias: number, flags: number): number {
+  const { before, after, changeBefore, changeAfter } = sides;
   const isIndependent = (flags & TIME_INDEPENDENT_FLAG) !== 0;
   const isProgressive = (flags & PROGRESSIVE_FLAG) !== 0;
-  const side = before ?? after;
-  if (!side) return 0;
+  const isBetween = before > 0 && after > 0;
+  if (!isBetween && before === after) return 0;
   // Clamped keys are flat beside a key of the same value.
-  const nearest = Math.min(Math.abs((before ?? side).change), Math.abs((after ?? side).change));
-  if ((flags & CLAMP_FLAG) !== 0 && nearest <= 1e-5 && !(isProgressive && !(before && after))) return 0;
+  const nearest = Math.min(
+    Math.abs(before > 0 ? changeBefore : changeAfter),
+    Math.abs(after > 0 ? changeAfter : changeBefore),
+  );
+  if ((flags & CLAMP_FLAG) !== 0 && nearest <= 1e-5 && !(isProgressive && !isBetween)) return 0;
   const strength = Math.abs(bias) / 100;
   const excess = Math.max(0, strength - 5);
-  if (!before || !after) {
+  if (!isBetween) {
     if (isProgressive) return 0;
-    const own = side.change / side.duration;
+    const own = before > 0 ? changeBefore / before : changeAfter / after;
     return isIndependent ? own : own + excess * excess * (bias > 0 ? 1 : -1) * 40;
   }
-  const left = before.change / before.duration;
-  const right = after.change / after.duration;
-  const total = before.duration + after.duration;
-  let slope = (before.change + after.change) / total;
+  const left = changeBefore / before;
+  const right = changeAfter / after;
+  const total = before + after;
+  let slope = (changeBefore + changeAfter) / total;
   if (!isIndependent) {
-    const part = before.duration / total;
+    const part = before / total;
     slope = (slope + left * (1 - part) + right * part) / 2;
     if (strength > 1e-4) {
       const target = bias > 0 ? right : left;
@@ -271,10 +281,7 @@ function autoSlope({ before, after }: Sides, weightIn: number, weightOut: number
   // No handle reaches beyond the value of its neighbour.
   const sign = slope >= 0 ? 1 : -1;
   const limitOf = (change: number, reach: number) => (reach > 0 ? Math.max(0, (sign * change) / reach) : 0);
-  const most = Math.min(
-    limitOf(before.change, weightIn * before.duration),
-    limitOf(after.change, weightOut * after.duration),
-  );
+  const most = Math.min(limitOf(changeBefore, weightIn * before), limitOf(changeAfter, weightOut * after));
   return sign * Math.min(Math.abs(slope), most);
 }
 

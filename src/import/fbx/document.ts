@@ -11,6 +11,7 @@ import {
   type FbxRecord,
   type FbxValue,
   idAt,
+  NO_RECORDS,
   numberAt,
   textAt,
 } from './records/record.ts';
@@ -51,6 +52,10 @@ export interface FbxDocument {
 /** The id of the scene's own node, which has no object. */
 export const SCENE_ID = '0';
 
+function isScene(id: FbxValue): boolean {
+  return id === 0 || id === SCENE_ID;
+}
+
 /** Units of time that newer files may choose. */
 const NEW_TICKS = 141120000;
 const OLD_TIME_DEFINITION = 127;
@@ -59,6 +64,7 @@ const OLD_TIME_DEFINITION = 127;
 export class Properties {
   /** The values of each from the fifth on are its own, after name, type, label and flags. Made when first asked. */
   private byName: Map<string, readonly FbxValue[]> | undefined;
+  private list: readonly FbxRecord[] | undefined;
 
   constructor(
     private readonly record: FbxRecord | undefined,
@@ -67,9 +73,21 @@ export class Properties {
 
   /** One of the values of a property, or else of the template of its kind; undefined if neither has it. */
   private at(name: string, index: number): FbxValue | undefined {
-    this.byName ??= namedIn(this.record);
-    const values = this.byName.get(name);
+    const values = this.own(name);
     return values ? values[4 + index] : this.template?.at(name, index);
+  }
+
+  private own(name: string): readonly FbxValue[] | undefined {
+    this.list ??= childOf(this.record, 'Properties70')?.children ?? NO_RECORDS;
+    if (this.list.length <= MAX_SEARCHED) {
+      // Of several with a name the last counts.
+      for (let i = this.list.length - 1; i >= 0; i--) {
+        if (this.list[i].values[0] === name && this.list[i].name === 'P') return this.list[i].values;
+      }
+      return undefined;
+    }
+    this.byName ??= namedIn(this.list);
+    return this.byName.get(name);
   }
 
   /** A property's first value as a number; undefined if there is none, or it is not finite. */
@@ -96,13 +114,12 @@ function isNumber(value: FbxValue | undefined): value is number {
   return typeof value === 'number' && Number.isFinite(value);
 }
 
-const NO_VALUES: Map<string, readonly FbxValue[]> = new Map();
+/** Properties that are looked through for each name: a map takes as long to make as to look through them often. */
+const MAX_SEARCHED = 8;
 
-function namedIn(record: FbxRecord | undefined): Map<string, readonly FbxValue[]> {
-  const own = childOf(record, 'Properties70');
-  if (!own) return NO_VALUES;
+function namedIn(records: readonly FbxRecord[]): Map<string, readonly FbxValue[]> {
   const byName = new Map<string, readonly FbxValue[]>();
-  for (const { name, values } of own.children) {
+  for (const { name, values } of records) {
     const key = values[0];
     if (name === 'P' && typeof key === 'string') byName.set(key, values);
   }
@@ -114,12 +131,12 @@ export function documentOf(file: FbxFile): FbxDocument {
   const section = (name: string) => file.records.find((record) => record.name === name);
   const templates = templatesOf(section('Definitions'));
   const objects: FbxObject[] = [];
-  const byId = new Map<string, FbxObject>();
+  const byId = new Map<FbxValue, FbxObject>();
   for (const record of section('Objects')?.children ?? []) {
     const id = idAt(record);
     // Of two objects with one id the first counts: connections can't tell them apart.
-    if (id === undefined || id === SCENE_ID || byId.has(id)) continue;
-    const object = objectOf(record, id, templates);
+    if (id === undefined || isScene(id) || byId.has(id)) continue;
+    const object = objectOf(record, String(id), templates);
     objects.push(object);
     byId.set(id, object);
   }
@@ -130,9 +147,10 @@ export function documentOf(file: FbxFile): FbxDocument {
     const type = textAt(record);
     if (part === undefined || owner === undefined || (type !== 'OO' && type !== 'OP')) continue;
     const property = type === 'OP' ? textAt(record, 3) : undefined;
-    const [object, whole] = [byId.get(part), byId.get(owner)];
-    if (object && (whole || owner === SCENE_ID)) listed(parts, owner).push({ object, property });
-    if (object && whole) listed(owners, part).push({ object: whole, property });
+    const object = byId.get(part);
+    const whole = byId.get(owner);
+    if (object && (whole || isScene(owner))) listed(parts, whole?.id ?? SCENE_ID).push({ object, property });
+    if (object && whole) listed(owners, object.id).push({ object: whole, property });
   }
   const header = section('FBXHeaderExtension');
   const definition = numberAt(childOf(childOf(header, 'OtherFlags'), 'TCDefinition')) ?? OLD_TIME_DEFINITION;
@@ -142,11 +160,13 @@ export function documentOf(file: FbxFile): FbxDocument {
     settings: new Properties(section('GlobalSettings'), templates('GlobalSettings', 'GlobalSettings')),
     isOfBlender: /^blender\b/i.test(textAt(childOf(header, 'Creator')) ?? ''),
     objects,
-    partsOf: (id) => parts.get(id) ?? [],
-    ownersOf: (id) => owners.get(id) ?? [],
+    partsOf: (id) => parts.get(id) ?? NO_LINKS,
+    ownersOf: (id) => owners.get(id) ?? NO_LINKS,
     ticks: isNew ? NEW_TICKS : TICKS_PER_SECOND,
   };
 }
+
+const NO_LINKS: readonly Link[] = [];
 
 /** The template for objects of a kind and a type. */
 type Templates = (kind: string, type: string) => Properties | undefined;
@@ -188,15 +208,19 @@ function objectOf(record: FbxRecord, id: string, templates: Templates): FbxObjec
 }
 
 function listed(map: Map<string, Link[]>, key: string): Link[] {
-  const list = map.get(key) ?? [];
-  map.set(key, list);
+  let list = map.get(key);
+  if (!list) {
+    list = [];
+    map.set(key, list);
+  }
   return list;
 }
 
 /** The parts of an object that are of a kind. */
 export function partsOfKind(document: FbxDocument, { id }: FbxObject, kind: string, type?: string): FbxObject[] {
-  return document
-    .partsOf(id)
-    .filter(({ object }) => object.kind === kind && (type === undefined || object.type === type))
-    .map(({ object }) => object);
+  const found: FbxObject[] = [];
+  for (const { object } of document.partsOf(id)) {
+    if (object.kind === kind && (type === undefined || object.type === type)) found.push(object);
+  }
+  return found;
 }

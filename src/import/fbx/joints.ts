@@ -8,9 +8,7 @@
  * The second form is two nodes, of which the upper one is called `NAME_unscale`.
  */
 
-import type { Vec3 } from '../../math/vec3.ts';
-import { drivenKey, type FbxTake } from './animation.ts';
-import { isConstantCurve } from './curve.ts';
+import type { FbxTake } from './animation.ts';
 import { type KeptAngles, keptAngles } from './kept-angles.ts';
 import { NodeMotion, stretchSource } from './motion.ts';
 import type { FbxNode } from './nodes.ts';
@@ -63,19 +61,15 @@ function unevenStretches(nodes: readonly FbxNode[], takes: readonly FbxTake[]): 
   // Most files have none that depends on it.
   const asked = nodes.flatMap(({ inherits, parent }) => (inherits === 'normal' || parent < 0 ? [] : [parent]));
   if (asked.length === 0) return uneven;
-  const sources = nodes.map((_, i) => stretchSource(nodes, i));
-  const stretches = new Float64Array(3 * nodes.length);
   for (const take of [undefined, ...takes]) {
-    const motions = nodes.map((node) => new NodeMotion(node, take));
+    const stretches = new Stretches(nodes, take);
     for (const time of scaleTimes(take, nodes)) {
-      for (let i = 0; i < nodes.length; i++) {
-        const motion = motions[i];
-        const from = 3 * sources[i];
-        motion.scaleAt(time);
-        for (let k = 0; k < 3; k++) stretches[3 * i + k] = motion.scale[k] * (from < 0 ? 1 : stretches[from + k]);
-        const x = stretches[3 * i];
-        const y = stretches[3 * i + 1];
-        const z = stretches[3 * i + 2];
+      for (const i of asked) {
+        if (uneven[i]) continue;
+        const stretch = stretches.of(i, time);
+        const x = stretch[0];
+        const y = stretch[1];
+        const z = stretch[2];
         const size = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
         if (Math.abs(x - y) + Math.abs(x - z) > 1e-5 * size || x === 0) uneven[i] = true;
       }
@@ -91,9 +85,9 @@ function scaleTimes(take: FbxTake | undefined, nodes: readonly FbxNode[]): reado
   const { layers = [] } = take ?? {};
   for (const { driven } of layers) {
     for (const { object } of nodes) {
-      for (const curve of driven.get(drivenKey(object.id, 'Lcl Scaling'))?.curves ?? []) {
+      for (const curve of driven.get(object.id)?.get('Lcl Scaling')?.curves ?? []) {
         // Weights of layers may change what constant curves make.
-        if (layers.length === 1 && curve && isConstantCurve(curve)) continue;
+        if (layers.length === 1 && curve?.isConstant) continue;
         curve?.times.forEach((time, i) => {
           times.add(time);
           if (i === 0) return;
@@ -107,28 +101,31 @@ function scaleTimes(take: FbxTake | undefined, nodes: readonly FbxNode[]): reado
   return [...times].filter((_, i) => i % every === 0);
 }
 
-const ONE: Vec3 = [1, 1, 1];
+const ONE = Float64Array.of(1, 1, 1);
 
 /** How much nodes are stretched along their axes at a time of a take, by what they inherit and by their own scale. */
 export class Stretches {
   private readonly motions: (NodeMotion | undefined)[] = [];
+  private readonly stretches: Float64Array[] = [];
 
   constructor(
     private readonly nodes: readonly FbxNode[],
     private readonly take: FbxTake | undefined,
   ) {}
 
-  /** The factors of node `i` with those that it inherits, at a time in seconds; 1 for −1. */
-  of(i: number, time: number): Vec3 {
+  /** The factors of node `i` with those that it inherits, at a time in seconds; 1 for −1. Scratch of this node. */
+  of(i: number, time: number): Float64Array {
     if (i < 0) return ONE;
     // Of few nodes anything is asked.
     const motion = this.motions[i] ?? new NodeMotion(this.nodes[i], this.take);
     this.motions[i] = motion;
     motion.scaleAt(time);
-    const [x, y, z] = motion.scale;
     const source = stretchSource(this.nodes, i);
-    if (source < 0) return [x, y, z];
-    const [a, b, c] = this.of(source, time);
-    return [x * a, y * b, z * c];
+    if (source < 0) return motion.scale;
+    const inherited = this.of(source, time);
+    const stretch = this.stretches[i] ?? new Float64Array(3);
+    this.stretches[i] = stretch;
+    for (let k = 0; k < 3; k++) stretch[k] = motion.scale[k] * inherited[k];
+    return stretch;
   }
 }

@@ -128,12 +128,14 @@ function geometricMatrix({ properties }: FbxObject): Float64Array {
 
 function moved(points: Float64Array, vertices: Uint32Array, m: Float64Array): Float64Array {
   const out = new Float64Array(3 * vertices.length);
-  for (const [v, point] of vertices.entries()) writeMoved(points, 3 * point, m, out, 3 * v);
+  for (let v = 0; v < vertices.length; v++) writeMoved(points, 3 * vertices[v], m, out, 3 * v);
   return out;
 }
 
 function writeMoved(from: ArrayLike<number>, at: number, m: Float64Array, out: Float64Array, o: number): void {
-  const [x, y, z] = [from[at], from[at + 1], from[at + 2]];
+  const x = from[at];
+  const y = from[at + 1];
+  const z = from[at + 2];
   for (let k = 0; k < 3; k++) out[o + k] = m[k] * x + m[4 + k] * y + m[8 + k] * z + m[12 + k];
 }
 
@@ -143,7 +145,9 @@ function turned(normals: Float64Array, m: Float64Array): Float64Array {
   inverseTranspose3(m, 0, turn, 0);
   const out = new Float64Array(normals.length);
   for (let o = 0; o < normals.length; o += 3) {
-    const [x, y, z] = [normals[o], normals[o + 1], normals[o + 2]];
+    const x = normals[o];
+    const y = normals[o + 1];
+    const z = normals[o + 2];
     for (let k = 0; k < 3; k++) out[o + k] = turn[k] * x + turn[3 + k] * y + turn[6 + k] * z;
     const length = Math.hypot(out[o], out[o + 1], out[o + 2]);
     if (length > 0) for (let k = 0; k < 3; k++) out[o + k] /= length;
@@ -176,49 +180,85 @@ function bind(
   });
   const points = attachedPoints(clusters, mesh.points.length / 3);
   // Vertices without weights hang on the mesh's own node.
-  if (points.some((weights) => weights.length === 0)) {
+  if (points.hasOwn) {
     const inverse = new Float64Array(16);
     if (isSingular(place)) setIdentity(inverse);
     else invertAffine(place, 0, inverse, 0);
-    for (const weights of points) if (weights.length === 0) weights.push([binds.length, 1]);
     binds.push({ node: joints[index].at, inverse });
   }
   const { skin, at } = skins.add(binds);
   return { skinned: { skin, attachments: attachmentsOf(mesh.vertexPoints, points, at) }, place };
 }
 
-/** Pairs of cluster and weight per point; weights sum to 1, and points without any have none. */
-function attachedPoints(clusters: FbxSkin['clusters'], count: number): [number, number][][] {
-  const points: [number, number][][] = Array.from({ length: count }, () => []);
-  for (const [c, { points: own, weights }] of clusters.entries()) {
-    for (let i = 0; i < Math.min(own.length, weights.length); i++) {
-      if (own[i] >= 0 && own[i] < count && weights[i] > 0 && Number.isFinite(weights[i])) {
-        points[own[i]].push([c, weights[i]]);
-      }
+/** Clusters and weights of points: those of point i from `start[i]` to `start[i + 1]`. Weights sum to 1. */
+interface AttachedPoints {
+  readonly start: Uint32Array;
+  readonly clusters: Uint32Array;
+  readonly weights: Float64Array;
+  /** Whether points without weights have one of a cluster after the last. */
+  readonly hasOwn: boolean;
+}
+
+function attachedPoints(clusters: FbxSkin['clusters'], count: number): AttachedPoints {
+  const start = new Uint32Array(count + 1);
+  eachWeight(clusters, count, (point) => start[point + 1]++);
+  let hasOwn = false;
+  for (let point = 0; point < count; point++) {
+    if (start[point + 1] === 0) {
+      start[point + 1] = 1;
+      hasOwn = true;
+    }
+    start[point + 1] += start[point];
+  }
+  const own = new Uint32Array(start[count]).fill(clusters.length);
+  const weights = new Float64Array(start[count]);
+  const next = start.slice();
+  eachWeight(clusters, count, (point, cluster, weight) => {
+    own[next[point]] = cluster;
+    weights[next[point]++] = weight;
+  });
+  for (let point = 0; point < count; point++) {
+    const [from, to] = [start[point], start[point + 1]];
+    if (own[from] === clusters.length) {
+      weights[from] = 1;
+      continue;
+    }
+    let sum = 0;
+    for (let i = from; i < to; i++) sum += weights[i];
+    for (let i = from; i < to; i++) weights[i] /= sum;
+  }
+  return { start, clusters: own, weights, hasOwn };
+}
+
+/** Calls a function with each weight of a point, in the order of the clusters. */
+function eachWeight(
+  clusters: FbxSkin['clusters'],
+  count: number,
+  use: (point: number, cluster: number, weight: number) => void,
+): void {
+  for (let c = 0; c < clusters.length; c++) {
+    const { points, weights } = clusters[c];
+    const length = Math.min(points.length, weights.length);
+    for (let i = 0; i < length; i++) {
+      const [point, weight] = [points[i], weights[i]];
+      if (point >= 0 && point < count && weight > 0 && Number.isFinite(weight)) use(point, c, weight);
     }
   }
-  for (const weights of points) {
-    const sum = weights.reduce((total, [, weight]) => total + weight, 0);
-    for (const pair of weights) pair[1] /= sum;
-  }
-  return points;
 }
 
 /** @param at the joint of the skin for each cluster */
-function attachmentsOf(
-  vertices: Uint32Array,
-  points: readonly [number, number][][],
-  at: readonly number[],
-): Attachments {
+function attachmentsOf(vertices: Uint32Array, points: AttachedPoints, at: readonly number[]): Attachments {
   const start = new Uint32Array(vertices.length + 1);
-  for (const [v, point] of vertices.entries()) start[v + 1] = start[v] + points[point].length;
+  for (let v = 0; v < vertices.length; v++) {
+    start[v + 1] = start[v] + points.start[vertices[v] + 1] - points.start[vertices[v]];
+  }
   const joints = new Uint32Array(start[vertices.length]);
   const weights = new Float64Array(joints.length);
   let o = 0;
   for (const point of vertices) {
-    for (const [cluster, weight] of points[point]) {
-      joints[o] = at[cluster];
-      weights[o++] = weight;
+    for (let i = points.start[point]; i < points.start[point + 1]; i++) {
+      joints[o] = at[points.clusters[i]];
+      weights[o++] = points.weights[i];
     }
   }
   return { start, joints, weights };

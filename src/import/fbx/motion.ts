@@ -7,7 +7,7 @@ import { multiplyQuaternions, writeAnglesNear, writeQuaternion } from '../../eva
 import { RADIANS_PER_DEGREE } from '../../math/degrees.ts';
 import { writeRotation } from '../../math/quaternion.ts';
 import { slerp } from '../../math/slerp.ts';
-import { type Driven, drivenKey, type FbxLayer, type FbxTake, layerWeight } from './animation.ts';
+import { type Driven, type FbxLayer, type FbxTake, layerWeight } from './animation.ts';
 import { evaluateCurve } from './curve.ts';
 import { type FbxNode, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
 
@@ -15,11 +15,14 @@ import { type FbxNode, writeNodeRotation, writeNodeTranslation } from './nodes.t
 export type MovedProperty = 'Lcl Translation' | 'Lcl Rotation' | 'Lcl Scaling';
 
 const IDENTITY = Float64Array.of(0, 0, 0, 1);
+/** Scratch: the values of a layer, and rotations. */
+const layerValue = new Float64Array(3);
+const a = new Float64Array(4);
+const b = new Float64Array(4);
 
 /** Curves of each layer of a take for one property of one object; the lowest layer first. */
 export function driversOf(take: FbxTake | undefined, objectId: string, property: string): (Driven | undefined)[] {
-  const key = drivenKey(objectId, property);
-  return take?.layers.map(({ driven }) => driven.get(key)) ?? [];
+  return take?.layers.map(({ driven }) => driven.get(objectId)?.get(property)) ?? [];
 }
 
 /** The own values of a node at a time, before pivots. Angles are in radians. */
@@ -32,9 +35,6 @@ export class NodeMotion {
   private readonly rotating: (Driven | undefined)[];
   private readonly scaling: (Driven | undefined)[];
   private readonly isScaled: boolean;
-  private readonly value = new Float64Array(3);
-  private readonly a = new Float64Array(4);
-  private readonly b = new Float64Array(4);
 
   constructor(
     private readonly node: FbxNode,
@@ -60,12 +60,12 @@ export class NodeMotion {
       const translating = this.translating[l];
       const rotating = this.rotating[l];
       const mode = l === 0 ? 'override' : layer.mode;
-      if (translating) this.blend(this.translation, this.read(translating, time), mode, weight);
+      if (translating) this.blend(this.translation, this.read(translating, time, layerValue), mode, weight);
       if (rotating) {
-        this.read(rotating, time);
-        for (let k = 0; k < 3; k++) this.value[k] *= RADIANS_PER_DEGREE;
+        this.read(rotating, time, layerValue);
+        for (let k = 0; k < 3; k++) layerValue[k] *= RADIANS_PER_DEGREE;
         if (mode !== 'override' && layer.composesRotation) this.turn(mode, weight);
-        else this.blend(this.angles, this.value, mode, weight);
+        else this.blend(this.angles, layerValue, mode, weight);
       }
     }
   }
@@ -78,20 +78,23 @@ export class NodeMotion {
       const layer = this.layers[l];
       const scaling = this.scaling[l];
       if (!scaling) continue;
-      const weight = l === 0 ? 1 : layerWeight(layer, time);
-      const mode = l === 0 ? 'override' : layer.mode;
-      this.read(scaling, time);
-      if (mode !== 'override' && layer.composesScale) this.stretch(mode, weight);
-      else this.blend(this.scale, this.value, mode, weight);
+      if (l === 0 || layer.mode === 'override') {
+        this.read(scaling, time, this.scale);
+        continue;
+      }
+      const weight = layerWeight(layer, time);
+      this.read(scaling, time, layerValue);
+      if (layer.composesScale) this.stretch(layer.mode, weight);
+      else this.blend(this.scale, layerValue, layer.mode, weight);
     }
   }
 
-  private read({ curves, values }: Driven, time: number): Float64Array {
+  private read({ curves, values }: Driven, time: number, out: Float64Array): Float64Array {
     for (let k = 0; k < 3; k++) {
       const curve = curves[k];
-      this.value[k] = curve ? evaluateCurve(curve, time) : values[k];
+      out[k] = curve ? evaluateCurve(curve, time) : values[k];
     }
-    return this.value;
+    return out;
   }
 
   private blend(out: Float64Array, value: Float64Array, mode: string, weight: number): void {
@@ -100,9 +103,8 @@ export class NodeMotion {
 
   private turn(mode: string, weight: number): void {
     const { order } = this.node;
-    const { a, b } = this;
     writeQuaternion(order, this.angles, a);
-    writeQuaternion(order, this.value, b);
+    writeQuaternion(order, layerValue, b);
     if (mode === 'add') {
       slerp(IDENTITY, b, weight, b);
       multiplyQuaternions(a, b, a);
@@ -115,7 +117,7 @@ export class NodeMotion {
   private stretch(mode: string, weight: number): void {
     for (let k = 0; k < 3; k++) {
       const own = mode === 'add' ? this.scale[k] : power(this.scale[k], 1 - weight);
-      this.scale[k] = own * power(this.value[k], weight);
+      this.scale[k] = own * power(layerValue[k], weight);
     }
   }
 }

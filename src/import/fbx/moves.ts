@@ -16,7 +16,7 @@ import { NOISE } from '../noise.ts';
 import type { AxisCurves, SceneMove } from '../scene.ts';
 import type { Driven, FbxTake } from './animation.ts';
 import { ascending, channelKeys, channelOf } from './channels.ts';
-import { type Beyond, type FbxCurve, isConstantCurve } from './curve.ts';
+import type { Beyond, FbxCurve } from './curve.ts';
 import { type FbxJoint, Stretches } from './joints.ts';
 import { driversOf, NodeMotion } from './motion.ts';
 import { hasPivots, writeNodeRotation, writeNodeTranslation } from './nodes.ts';
@@ -58,10 +58,13 @@ function onlyDriver(drivers: Drivers): Driven | undefined {
 }
 
 function curvesOf(drivers: Drivers, take: FbxTake): FbxCurve[] {
-  const own = drivers.flatMap((driver) => driver?.curves ?? []);
+  const all: FbxCurve[] = [];
+  for (const driver of drivers) for (const curve of driver?.curves ?? []) if (curve) all.push(curve);
   // Weights of layers move everything that these drive.
-  const weights = take.layers.flatMap(({ weightCurve }, l) => (drivers[l] ? [weightCurve] : []));
-  return [...own, ...weights].filter((curve) => curve !== undefined);
+  take.layers.forEach(({ weightCurve }, l) => {
+    if (weightCurve && drivers[l]) all.push(weightCurve);
+  });
+  return all;
 }
 
 /** The order that a joint's angles are in: its own, or for angles that are fitted the one furthest from gimbal lock. */
@@ -120,9 +123,9 @@ export class Mover {
       rotation: driversOf(this.take, id, 'Lcl Rotation'),
       scale: driversOf(this.take, id, 'Lcl Scaling'),
     };
-    for (const curve of Object.values(drivers).flatMap((own) => curvesOf(own, this.take))) {
-      this.budget.spend(PER_KEY * channelKeys(curve), `The curves of ${node.object.name}`);
-    }
+    let keys = 0;
+    for (const own of Object.values(drivers)) for (const curve of curvesOf(own, this.take)) keys += channelKeys(curve);
+    this.budget.spend(PER_KEY * keys, `The curves of ${node.object.name}`);
     const translation = this.translation(joint, drivers.translation, drivers.rotation, drivers.scale);
     const angles = this.rotation(joint, drivers.rotation, order);
     const scale = this.scale(joint, drivers.scale);
@@ -258,7 +261,7 @@ export class Mover {
   ): AxisCurves {
     const { fitting } = this;
     const keys = curves.reduce((sum, { times }) => sum + times.length, 0);
-    if (curves.every(isConstantCurve) && isAtRest(write, curves, rest)) {
+    if (curves.every((curve) => curve.isConstant) && isAtRest(write, curves, rest)) {
       fitting.nodes.add(node.object.id);
       fitting.keysBefore += keys;
       return REST;

@@ -1,8 +1,7 @@
 /** Damaged FBX files: always a result or a diagnostic, never an exception, and never more work than the file is worth. */
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { readWhole } from '../../../src/formats/reader.ts';
-import { fbxReader } from '../../../src/import/fbx/read.ts';
+import { readFbx } from '../../../src/import/fbx/read.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { randomFbx } from './random-fbx.ts';
 import { fbxBytes, fbxText } from './write-fbx.ts';
@@ -39,7 +38,7 @@ function damaged(
 }
 
 function expectResult(bytes: Uint8Array): void {
-  const { value, diagnostics } = readWhole(fbxReader('damaged.fbx'), bytes);
+  const { value, diagnostics } = readFbx('damaged.fbx', new Uint8Array(bytes));
   const errors = diagnostics.filter(({ severity }) => severity === 'error');
   expect(value === undefined).toBe(errors.length > 0);
   for (const mesh of value?.meshes ?? []) {

@@ -1,19 +1,18 @@
 /** Random FBX files: whatever lies between curves and nodes, the scene's channels move nodes to where they are. */
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { readWhole } from '../../../src/formats/reader.ts';
 import { Report } from '../../../src/formats/report.ts';
 import { takesOf } from '../../../src/import/fbx/animation.ts';
 import { axesOf } from '../../../src/import/fbx/axes.ts';
 import { documentOf } from '../../../src/import/fbx/document.ts';
 import { SceneMotion } from '../../../src/import/fbx/motion.ts';
 import { nodesOf } from '../../../src/import/fbx/nodes.ts';
-import { fbxReader } from '../../../src/import/fbx/read.ts';
 import { readFbxFile } from '../../../src/import/fbx/records/read-file.ts';
 import { posed } from '../../helpers/posed.ts';
 import { multiply, worldsAt } from '../scene-at.ts';
 import { randomFbx } from './random-fbx.ts';
 import { characterOf } from './read-character.ts';
+import { read } from './small-files.ts';
 import { fbxBytes, fbxText } from './write-fbx.ts';
 
 /** None of a key: there a value that jumps may be either. Some are right after one. */
@@ -23,7 +22,7 @@ it('random FBX files move as pivots, orders, inherited scales and layers say', (
   fc.assert(
     fc.property(randomFbx, (fbx) => {
       const bytes = fbxBytes(fbx);
-      const { value: scene } = readWhole(fbxReader('a.fbx'), bytes);
+      const { value: scene } = read(bytes);
       const { file, report } = readFbxFile(bytes, new Report('a.fbx'));
       const document = documentOf(file);
       const nodes = nodesOf(document);
@@ -49,7 +48,7 @@ it('characters of random FBX files have their joints where the nodes are', () =>
   fc.assert(
     fc.property(randomFbx, (fbx) => {
       const bytes = fbxBytes(fbx);
-      const { value: scene } = readWhole(fbxReader('a.fbx'), bytes);
+      const { value: scene } = read(bytes);
       if (!scene) throw new Error('not read');
       const character = characterOf(bytes);
       for (const time of TIMES) {
@@ -72,9 +71,7 @@ it('random FBX files are the same as texts and as bytes in either order', () => 
   fc.assert(
     fc.property(randomFbx, fc.constantFrom(7400, 7500), (fbx, version) => {
       const own = { ...fbx, version };
-      const [a, b, c] = [fbxText(own), fbxBytes(own), fbxBytes(own, false)].map((file) =>
-        readWhole(fbxReader('a.fbx'), file),
-      );
+      const [a, b, c] = [fbxText(own), fbxBytes(own), fbxBytes(own, false)].map(read);
       expect(a.value).toBeDefined();
       expect(b.value).toEqual(a.value);
       expect(c.value).toEqual(a.value);

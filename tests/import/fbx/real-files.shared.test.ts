@@ -1,14 +1,13 @@
 /** The public FBX files, held to the numbers of ufbx at ten times of each take. */
 import { expect, it } from 'vitest';
-import { readWhole } from '../../../src/formats/reader.ts';
-import { fbxReader } from '../../../src/import/fbx/read.ts';
+import { readFbx } from '../../../src/import/fbx/read.ts';
 import type { Scene } from '../../../src/import/scene.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { verticesAt, worldsAt } from '../scene-at.ts';
 import { distance, expectedOf, FBX_FILES, takeSize } from './expected.ts';
 
 function sceneOf(name: string): Scene {
-  const { value, diagnostics } = readWhole(fbxReader(`${name}.fbx`), sharedBytes(`data/fbx/${name}.fbx`));
+  const { value, diagnostics } = readFbx(`${name}.fbx`, sharedBytes(`data/fbx/${name}.fbx`));
   expect(diagnostics.filter(({ severity }) => severity !== 'info')).toEqual([]);
   if (!value) throw new Error('not read');
   return value;

@@ -1,7 +1,6 @@
 /** FBX files that are damaged, hostile, or none. */
 import { zlibSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { fbxReader } from '../../../src/import/fbx/read.ts';
 import { bone, CUBIC_USER, errorOf, meshFile, read, sceneOf, turning, zCurve } from './small-files.ts';
 import { walkingBones } from './walking-bones.ts';
 import { type Connection, curve, type Fbx, fbxBytes, fbxText, type Obj, prop, rec, recordBytes } from './write-fbx.ts';
@@ -118,9 +117,7 @@ describe('files that are no FBX 7', () => {
 });
 
 it('what is told of a binary file as a whole, or of a byte of it, has no line', () => {
-  const reader = fbxReader('a.fbx');
-  reader.feed(fbxBytes(walkingBones));
-  const { diagnostics } = reader.end();
+  const { diagnostics } = read(fbxBytes(walkingBones));
   expect(diagnostics.map(({ code, line }) => [code, line])).toContainEqual(['fbx-space', 0]);
   expect(diagnostics.filter(({ line }) => line > 0)).toEqual([]);
 });

@@ -1,13 +1,12 @@
 /** Small FBX files, what is read of them, and why they are refused. */
 import { expect } from 'vitest';
-import { readWhole } from '../../../src/formats/reader.ts';
-import { fbxReader } from '../../../src/import/fbx/read.ts';
+import { readFbx } from '../../../src/import/fbx/read.ts';
 import type { Scene } from '../../../src/import/scene.ts';
 import { type Connection, curve, type Fbx, fbxBytes, type Obj, prop, type Rec, rec, ticks } from './write-fbx.ts';
 
 /** A file as it is read, with what is told of it. */
 export function read(bytes: Uint8Array | string) {
-  return readWhole(fbxReader('file.fbx'), bytes);
+  return readFbx('file.fbx', typeof bytes === 'string' ? new TextEncoder().encode(bytes) : new Uint8Array(bytes));
 }
 
 /** @throws Error with what is told, if it is refused */

@@ -12,7 +12,7 @@ import type { FbxReport } from '../failure.ts';
 import { integer } from './binary.ts';
 import { NumberPool } from './number-pool.ts';
 import { type FbxFile, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
-import { Texts } from './texts.ts';
+import { textOf } from './texts.ts';
 
 const MAX_DEPTH = 64;
 
@@ -47,14 +47,12 @@ const UTF8 = new TextDecoder();
 
 class AsciiReader {
   private at = 0;
-  private readonly texts: Texts;
 
   constructor(
     private readonly bytes: Uint8Array,
     private readonly pool: NumberPool,
     private readonly report: FbxReport,
   ) {
-    this.texts = new Texts(bytes);
     if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
   }
 
@@ -84,7 +82,7 @@ class AsciiReader {
     if (bytes[this.at] !== COLON || this.at === offset) {
       report.fail('name-expected', `Expected a name and a colon, found ${this.found(offset)}.`, offset);
     }
-    const name = this.texts.of(offset, this.at);
+    const name = textOf(this.bytes, offset, this.at);
     this.at++;
     const values = this.values();
     this.skip();
@@ -138,17 +136,17 @@ class AsciiReader {
       this.at = start;
       return undefined;
     }
-    return this.numberOr(start, this.at) ?? this.texts.of(start, this.at);
+    return this.numberOr(start, this.at) ?? textOf(this.bytes, start, this.at);
   }
 
   /** The number of a word. Integers of more than 53 bits stay exact. */
   private numberOr(start: number, end: number): number | bigint | undefined {
-    const { bytes, texts } = this;
-    if (end - start >= MIN_LONG_DIGITS && isDigits(bytes, start, end)) return longOf(texts.of(start, end));
+    const { bytes } = this;
+    if (end - start >= MIN_LONG_DIGITS && isDigits(bytes, start, end)) return longOf(textOf(bytes, start, end));
     const number = parseDecimal(bytes, start, end);
     if (!Number.isNaN(number)) return number;
     // How Windows printed infinities and what is not a number.
-    return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(texts.of(start, end)) ? 0 : undefined;
+    return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(textOf(bytes, start, end)) ? 0 : undefined;
   }
 
   private text(): string {
@@ -157,7 +155,7 @@ class AsciiReader {
     const end = bytes.indexOf(QUOTE, start);
     if (end < 0) this.report.fail('quote-missing', 'Expected a closing ", found the end of the file.', this.at);
     this.at = end + 1;
-    return this.texts.of(start, end).replaceAll('&quot;', '"');
+    return textOf(this.bytes, start, end).replaceAll('&quot;', '"');
   }
 
   /** `*count { a: numbers }` */

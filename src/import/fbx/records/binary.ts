@@ -13,7 +13,7 @@ import type { FbxReport } from '../failure.ts';
 import { canUnpackTo, inflateExactly } from './inflate.ts';
 import { NumberPool } from './number-pool.ts';
 import { type FbxFile, type FbxNumbers, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
-import { Texts } from './texts.ts';
+import { textOf } from './texts.ts';
 
 const MAGIC = 'Kaydara FBX Binary  \0';
 const HEADER = 27;
@@ -48,10 +48,6 @@ export function readBinary(bytes: Uint8Array<ArrayBuffer>, report: FbxReport): F
 /** Values of a record that a list is made for at once. */
 const MAX_USUAL = 64;
 
-interface Cursor {
-  at: number;
-}
-
 /** Types of values that are one number, and of arrays; each is the code of its letter. */
 const BOOLS = [67, 90, 66];
 const INT16 = 89;
@@ -68,11 +64,19 @@ const INTS = 105;
 const BYTES = 98;
 const CHARS = 99;
 
+/** By type: bytes of one number, or of the beginning of others; 0 for what is no type. */
+const VALUE_BYTES = new Uint8Array(256);
+for (const type of BOOLS) VALUE_BYTES[type] = 1;
+VALUE_BYTES[INT16] = 2;
+for (const type of [INT32, FLOAT32, TEXT, RAW]) VALUE_BYTES[type] = 4;
+for (const type of [FLOAT64, INT64]) VALUE_BYTES[type] = 8;
+for (const type of [FLOATS, DOUBLES, LONGS, INTS, BYTES, CHARS]) VALUE_BYTES[type] = 12;
+
 class BinaryReader {
   private readonly view: DataView<ArrayBuffer>;
-  private readonly texts: Texts;
   private readonly headerBytes: number;
   private readonly isLittle: boolean;
+  private at = HEADER;
 
   constructor(
     private readonly bytes: Uint8Array<ArrayBuffer>,
@@ -83,28 +87,26 @@ class BinaryReader {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     this.headerBytes = isWide ? 25 : 13;
     this.isLittle = isLittleEndian(bytes);
-    this.texts = new Texts(bytes);
   }
 
   file(): FbxRecord[] {
     const records: FbxRecord[] = [];
-    const cursor = { at: HEADER };
     // Some exporters leave out the empty record at the end, with the footer.
-    while (cursor.at + this.headerBytes <= this.bytes.length) {
-      const record = this.record(cursor, this.bytes.length, 0);
+    while (this.at + this.headerBytes <= this.bytes.length) {
+      const record = this.record(this.bytes.length, 0);
       if (!record) return records;
       records.push(record);
     }
-    if (cursor.at < this.bytes.length || records.length === 0) {
-      this.report.fail('file-cut', 'Expected another record, found the end of the file: it was cut off.', cursor.at);
+    if (this.at < this.bytes.length || records.length === 0) {
+      this.report.fail('file-cut', 'Expected another record, found the end of the file: it was cut off.', this.at);
     }
     return records;
   }
 
-  /** The record at the cursor, which moves behind it; undefined if it is the empty one. */
-  private record(cursor: Cursor, limit: number, depth: number): FbxRecord | undefined {
+  /** The record that begins here, behind which it moves; undefined if it is the empty one. */
+  private record(limit: number, depth: number): FbxRecord | undefined {
     const { view, report, isWide } = this;
-    const offset = cursor.at;
+    const offset = this.at;
     if (offset + this.headerBytes > limit) {
       report.fail('file-cut', 'Expected another record, found the end of the one around it.', offset);
     }
@@ -112,9 +114,9 @@ class BinaryReader {
     const count = this.size(offset + (isWide ? 8 : 4));
     const valueBytes = this.size(offset + (isWide ? 16 : 8));
     const nameLength = view.getUint8(offset + this.headerBytes - 1);
-    cursor.at = offset + this.headerBytes;
+    this.at = offset + this.headerBytes;
     if (end === 0) return undefined;
-    const values = cursor.at + nameLength;
+    const values = this.at + nameLength;
     const rest = values + valueBytes;
     if (end > limit) {
       const what = end > this.bytes.length ? 'the file: it was cut off' : 'the record around it';
@@ -122,25 +124,25 @@ class BinaryReader {
     }
     if (rest > end) report.fail('bad-record', 'A record is shorter than its name and values.', offset);
     if (depth > MAX_DEPTH) report.fail('too-deep', `Records are nested more than ${MAX_DEPTH} deep.`, offset);
-    const name = this.texts.of(cursor.at, values);
-    cursor.at = values;
+    const name = textOf(this.bytes, this.at, values);
+    this.at = values;
     // Each value has a byte for its type.
     if (count > valueBytes) report.fail('bad-record', `${name} claims ${count} values in ${valueBytes} bytes.`, offset);
     // A list that grows has room for sixteen more, which is several times what most records have.
     const read = count <= MAX_USUAL ? new Array<FbxValue>(count) : [];
-    for (let i = 0; i < count; i++) read[i] = this.value(cursor, rest);
-    cursor.at = rest;
+    for (let i = 0; i < count; i++) read[i] = this.value(rest);
+    this.at = rest;
     let children = NO_RECORDS;
     if (rest < end) {
       const inside: FbxRecord[] = [];
-      while (cursor.at < end) {
-        const child = this.record(cursor, end, depth + 1);
+      while (this.at < end) {
+        const child = this.record(end, depth + 1);
         if (!child) break;
         inside.push(child);
       }
       children = inside;
     }
-    cursor.at = end;
+    this.at = end;
     return { name, values: read, children, offset };
   }
 
@@ -148,23 +150,30 @@ class BinaryReader {
   private size(at: number): number {
     const { view, isLittle } = this;
     if (!this.isWide) return view.getUint32(at, isLittle);
-    const [low, high] = isLittle ? [at, at + 4] : [at + 4, at];
-    return view.getUint32(high, isLittle) * 2 ** 32 + view.getUint32(low, isLittle);
+    const high = view.getUint32(isLittle ? at + 4 : at, isLittle);
+    return high * 2 ** 32 + view.getUint32(isLittle ? at : at + 4, isLittle);
   }
 
-  private value(cursor: Cursor, limit: number): FbxValue {
+  private value(limit: number): FbxValue {
     const { view, bytes, isLittle } = this;
-    const start = cursor.at;
+    const start = this.at;
     if (start >= limit) this.report.fail('bad-value', 'Expected a value, found the end of its record.', start);
     const type = bytes[start];
     const at = start + 1;
-    const size = bytesOf(type);
+    const size = VALUE_BYTES[type];
     if (size === 0) {
       const found = `found the byte ${type}: the file is damaged.`;
       this.report.fail('bad-value', `Expected a type of value, ${found}`, start);
     }
-    this.move(cursor, at + size, limit, start);
+    this.move(at + size, limit, start);
     switch (type) {
+      // Most values are texts.
+      case TEXT:
+      case RAW: {
+        const from = at + 4;
+        this.move(from + view.getUint32(at, isLittle), limit, start);
+        return type === TEXT ? textOf(this.bytes, from, this.at) : bytes.subarray(from, this.at);
+      }
       case INT16:
         return view.getInt16(at, isLittle);
       case INT32:
@@ -175,12 +184,6 @@ class BinaryReader {
         return view.getFloat64(at, isLittle);
       case INT64:
         return this.long(at);
-      case TEXT:
-      case RAW: {
-        const from = at + 4;
-        this.move(cursor, from + view.getUint32(at, isLittle), limit, start);
-        return type === TEXT ? this.texts.of(from, cursor.at) : bytes.subarray(from, cursor.at);
-      }
       case FLOATS:
       case DOUBLES:
       case LONGS:
@@ -192,10 +195,10 @@ class BinaryReader {
         const length = view.getUint32(at + 8, isLittle);
         const unpacked = count * elementBytes(type);
         const from = at + 12;
-        this.move(cursor, from + (encoding === 0 ? unpacked : length), limit, start);
+        this.move(from + (encoding === 0 ? unpacked : length), limit, start);
         // Numbers in a file are hardly ever aligned.
         if (encoding === 0) return this.numbers(view, from, type, count);
-        const data = this.unpacked(bytes.subarray(from, cursor.at), encoding, unpacked, start);
+        const data = this.unpacked(bytes.subarray(from, this.at), encoding, unpacked, start);
         return this.numbers(new DataView(data.buffer), 0, type, count);
       }
       default:
@@ -203,17 +206,17 @@ class BinaryReader {
     }
   }
 
-  /** Moves the cursor to the end of a value or of its beginning. */
-  private move(cursor: Cursor, end: number, limit: number, start: number): void {
+  /** Moves to the end of a value or of its beginning. */
+  private move(end: number, limit: number, start: number): void {
     if (end > limit) this.report.fail('bad-value', 'A value is longer than its record.', start);
-    cursor.at = end;
+    this.at = end;
   }
 
   /** A 64-bit integer. */
   private long(at: number): number | bigint {
     const { view, isLittle } = this;
-    const [low, high] = isLittle ? [at, at + 4] : [at + 4, at];
-    const number = view.getInt32(high, isLittle) * 2 ** 32 + view.getUint32(low, isLittle);
+    const high = view.getInt32(isLittle ? at + 4 : at, isLittle);
+    const number = high * 2 ** 32 + view.getUint32(isLittle ? at : at + 4, isLittle);
     return Number.isSafeInteger(number) ? number : view.getBigInt64(at, isLittle);
   }
 
@@ -269,31 +272,6 @@ class BinaryReader {
       if (found) return found;
     }
     return this.report.fail('bad-array', `A compressed array is damaged: it does not expand to ${size} bytes.`, offset);
-  }
-}
-
-/** Bytes of a value of one number, or of the beginning of others; 0 for what is no type. */
-function bytesOf(type: number): number {
-  switch (type) {
-    case INT16:
-      return 2;
-    case INT32:
-    case FLOAT32:
-    case TEXT:
-    case RAW:
-      return 4;
-    case FLOAT64:
-    case INT64:
-      return 8;
-    case FLOATS:
-    case DOUBLES:
-    case LONGS:
-    case INTS:
-    case BYTES:
-    case CHARS:
-      return 12;
-    default:
-      return BOOLS.includes(type) ? 1 : 0;
   }
 }
 

@@ -1,4 +1,5 @@
-/** Bytes of a buffer: those of a few hundred curves. */
+/** Bytes of the first buffer, and of the others: those of a few hundred curves. */
+const FIRST_BYTES = 1 << 13;
 const BUFFER_BYTES = 1 << 16;
 /** Lists of fewer bytes share one. */
 const MAX_SHARED = 1 << 12;
@@ -33,7 +34,7 @@ export class NumberPool {
   private fits(bytes: number): boolean {
     if (bytes >= MAX_SHARED) return false;
     if (this.at + bytes > this.buffer.byteLength) {
-      this.buffer = new ArrayBuffer(BUFFER_BYTES);
+      this.buffer = new ArrayBuffer(this.buffer.byteLength === 0 ? FIRST_BYTES : BUFFER_BYTES);
       this.at = 0;
     }
     return true;

@@ -36,7 +36,10 @@ export interface FbxFile {
 
 /** The first record of that name inside another, if any. */
 export function childOf(record: FbxRecord | undefined, name: string): FbxRecord | undefined {
-  return record?.children.find((child) => child.name === name);
+  if (!record) return undefined;
+  const { children } = record;
+  for (let i = 0; i < children.length; i++) if (children[i].name === name) return children[i];
+  return undefined;
 }
 
 /** All records of that name inside another. */
@@ -57,18 +60,18 @@ export function textAt(record: FbxRecord | undefined, index = 0): string | undef
   return typeof value === 'string' ? value : undefined;
 }
 
-/** A value that identifies an object, as text: ids are integers of up to 64 bits. */
-export function idAt(record: FbxRecord | undefined, index = 0): string | undefined {
+/** A value that identifies an object: ids are integers of up to 64 bits. */
+export function idAt(record: FbxRecord | undefined, index = 0): number | bigint | string | undefined {
   const value = record?.values[index];
-  return typeof value === 'number' || typeof value === 'bigint' || typeof value === 'string'
-    ? String(value)
-    : undefined;
+  return typeof value === 'object' ? undefined : value;
 }
+
+const NO_NUMBERS = new Float64Array(0);
 
 /** The numbers of a record: its array, or its single values; empty if there are none. */
 export function numbersOf(record: FbxRecord | undefined): FbxNumbers {
   const first = record?.values[0];
   if (first !== undefined && typeof first === 'object') return first;
-  const numbers = record?.values.filter((value) => typeof value === 'number') ?? [];
-  return Float64Array.from(numbers);
+  if (first === undefined) return NO_NUMBERS;
+  return Float64Array.from(record?.values.filter((value) => typeof value === 'number') ?? []);
 }
