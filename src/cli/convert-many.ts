@@ -10,16 +10,22 @@ import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import { setImmediate as nextTurn } from 'node:timers/promises';
 import { CommandError } from '../edit/command-error.ts';
 import { openFiles } from '../files/open/open-files.ts';
-import { outputsOf, refusal, renamedTo, sourceFor, type Target, withOwnNames } from '../files/save/conversion.ts';
+import {
+  outputsOf,
+  refusal,
+  renamedTo,
+  sourceFor,
+  type Target,
+  targetObstacle,
+  withOwnNames,
+} from '../files/save/conversion.ts';
 import type { ConversionOptions } from '../files/save/copies.ts';
 import { unitNotKept } from '../files/save/unit-not-kept.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
 import { DistinctNames } from '../model/names/distinct-names.ts';
-import { bonesObstacle } from '../model/points.ts';
-import { arePoints } from '../model/skeleton/joint-types.ts';
 import { findFiles, loadFound } from './load.ts';
-import { type GivenPath, isFolder } from './paths.ts';
+import { type GivenPath, isFolder, namedPaths } from './paths.ts';
 import { openedTogether } from './together.ts';
 import { writeInFolder } from './write-output.ts';
 import { unpackedPath } from './zips.ts';
@@ -58,7 +64,7 @@ export async function convertMany(
 ): Promise<boolean> {
   const { files, problems } = findFiles(args, folder);
   const many = new Many(args, files, folder, options, progress);
-  const groups = openedTogether(files);
+  const groups = openedTogether(files, namedPaths(args, folder));
   if (problems.length) many.tell(problems);
   many.isOfMany = groups.length > 1;
   for (const group of groups) {
@@ -118,10 +124,12 @@ class Many {
       this.tell([refusal('skeleton-missing', message, source?.path ?? character.name)]);
     }
     for (const character of characters) {
-      const why = bonesObstacle(character);
+      const why = character.skeleton && targetObstacle(character, this.options.target);
       if (why !== undefined) this.tell([refusal('bones-missing', why, character.sources[0]?.path ?? character.name)]);
     }
-    const posed = characters.filter(({ skeleton }) => skeleton && !arePoints(skeleton));
+    const posed = characters.filter(
+      (character) => character.skeleton && targetObstacle(character, this.options.target) === undefined,
+    );
     // Roots of one file stay in one file.
     if (posed.length > 1) this.isOfMany = true;
     const groups = posed.length > 1 && files.length === 1 ? [posed] : posed.map((character) => [character]);

@@ -44,6 +44,11 @@ export function callersFolder(script: string): string {
   return (byNpm && INIT_CWD) || process.cwd();
 }
 
+/** Absolute paths of what arguments name themselves: of a folder not what is in it. */
+export function namedPaths(args: readonly string[], folder: string): ReadonlySet<string> {
+  return new Set(args.map((arg) => resolve(folder, arg)));
+}
+
 /** Resolves each argument to files, without reading them. */
 export function findGiven(args: readonly string[], folder: string): GivenPaths {
   const files = new Map<string, GivenPath>();

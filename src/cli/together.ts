@@ -22,8 +22,13 @@ export function groupsIn(files: readonly GivenPath[]): readonly FileGroup[] {
 /**
  * Files with takes and characters in lists to be opened one after another, so that memory is bounded by the largest.
  * Those that are complete, as motion capture is, come by themselves; skeletons and parts of others together.
+ * @param named from `namedPaths`
  */
-export function openedTogether(files: readonly GivenPath[]): readonly (readonly GivenPath[])[] {
+export function openedTogether(
+  files: readonly GivenPath[],
+  named: ReadonlySet<string>,
+): readonly (readonly GivenPath[])[] {
+  const tables = files.filter((file) => isNamedTable(file, named));
   const opened = files.filter(({ path }) => {
     const format = formatOf(path);
     const as = format && openingOf(format.kind).as;
@@ -43,7 +48,12 @@ export function openedTogether(files: readonly GivenPath[]): readonly (readonly 
   const inSession = new Set(sessions.flat());
   const others = opened.filter((file) => !isAlone(file) && !inSession.has(file));
   const alone = opened.filter((file) => isAlone(file) && !inSession.has(file));
-  return [...alone.map((file) => [file]), ...sessions, ...(others.length > 0 ? [others] : [])];
+  return [...[...alone, ...tables].map((file) => [file]), ...sessions, ...(others.length > 0 ? [others] : [])];
+}
+
+/** Whether a file may have points in its rows: one that was named is a take, then; in folders most are something else. */
+export function isNamedTable({ path, absolute }: GivenPath, named: ReadonlySet<string>): boolean {
+  return named.has(absolute) && formatOf(path)?.format === 'table';
 }
 
 /** Whether files of that name take no parts, as a rule, and are none: a take that comes with its skeleton is whole. */

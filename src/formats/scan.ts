@@ -69,12 +69,14 @@ export type BlockWords = readonly [Uint8Array, Uint8Array, Uint8Array];
 
 /**
  * Words in front of numbers, each with its numbers on a line of its own: the rows of a table that are named. They are
- * compared byte by byte.
+ * compared four bytes at once.
  */
 export interface Labels {
-  /** The bytes of all of them. */
-  readonly text: Uint8Array;
-  /** Of each, [from, to) in `text`, and [from, to) of its numbers in `out`, from `base`. */
+  /** Of the bytes that are read, from their start. */
+  readonly view: DataView;
+  /** Pairs of four bytes of a label as a number, and a mask of those that count. */
+  readonly text: Int32Array;
+  /** Of each, [from, to) in `text`, its length in bytes, and [from, to) of its numbers in `out`, from `base`. */
   readonly rows: Int32Array;
   base: number;
   /** The label to begin with; updated by each call to the first whose line was not read. */
@@ -84,7 +86,36 @@ export interface Labels {
 }
 
 /** For numbers without labels. */
-const NO_LABELS: Labels = { text: new Uint8Array(0), rows: new Int32Array(0), base: 0, next: 0, at: 0 };
+const NO_LABELS: Labels = {
+  view: new DataView(new ArrayBuffer(0)),
+  text: new Int32Array(0),
+  rows: new Int32Array(0),
+  base: 0,
+  next: 0,
+  at: 0,
+};
+/** Numbers of a label in `rows`. */
+const ROW = 5;
+
+/** Labels of rows, none read yet. @param rows the bytes of each, and [from, to) of its numbers in `out` */
+export function labelsOf(
+  bytes: Uint8Array,
+  rows: readonly { readonly label: Uint8Array; readonly from: number; readonly to: number }[],
+): Labels {
+  const text: number[] = [];
+  const listed = rows.flatMap(({ label, from, to }) => {
+    const first = text.length;
+    for (let i = 0; i < label.length; i += 4) {
+      const four = new Uint8Array(4);
+      four.set(label.subarray(i, i + 4));
+      const mask = four.map((_, k) => (i + k < label.length ? 255 : 0));
+      text.push(...[four, mask].map(({ buffer }) => new DataView(buffer).getInt32(0, true)));
+    }
+    return [first, text.length, label.length, from, to];
+  });
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  return { ...NO_LABELS, view, text: Int32Array.from(text), rows: Int32Array.from(listed) };
+}
 
 const WORD_VALUES = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as const;
 
@@ -112,8 +143,10 @@ export function scanNumbers(
   let labelled = 0;
   let linesRead = 0;
   let lineAt = i;
-  const { text, rows, base } = labels ?? NO_LABELS;
-  let row = labels === undefined ? 0 : 4 * labels.next;
+  const hasLabels = labels !== undefined;
+  const { view, text, rows, base } = labels ?? NO_LABELS;
+  const lastWord = view.byteLength - 4;
+  let row = labels === undefined ? 0 : ROW * labels.next;
   while (i < end) {
     let c = bytes[i];
     if (c === 32 || c === 9) {
@@ -136,20 +169,22 @@ export function scanNumbers(
     }
     if (n === capacity) {
       // One line feed a label, right before the next.
-      if (labels !== undefined && lineFeeds === labelled && !sawCr && bytes[i - 1] === 10) {
+      if (hasLabels && lineFeeds === labelled && !sawCr && bytes[i - 1] === 10) {
         lineAt = i;
         linesRead = labelled++;
         if (row < rows.length) {
           const to = rows[row + 1];
           let k = rows[row];
-          while (k < to && c === text[k]) {
-            k++;
-            c = bytes[++i];
+          while (k < to && i <= lastWord && (view.getInt32(i, true) & text[k + 1]) === text[k]) {
+            k += 2;
+            i += 4;
           }
+          i = lineAt + rows[row + 2];
+          c = bytes[i];
           if (k === to && (c === 32 || c === 9 || c === 10 || c === 13)) {
-            n = base + rows[row + 2];
-            capacity = base + rows[row + 3];
-            row += 4;
+            n = base + rows[row + 3];
+            capacity = base + rows[row + 4];
+            row += ROW;
             if (c === 32) i++;
             continue;
           }
@@ -219,6 +254,11 @@ export function scanNumbers(
       if (count > 0 && value <= EXACT && (d === BLANK || d === NEWLINE || d === TAB || d === RETURN)) {
         out[n++] = value / SIGNED_POWERS[sign + decimals];
         if (d === BLANK) i++;
+        else if (hasLabels && d === NEWLINE) {
+          // Of a few numbers a line, most are the last.
+          lineFeeds++;
+          i++;
+        }
         continue;
       }
       if (d === SMALL_E && count > 0 && value <= EXACT) {

@@ -182,37 +182,45 @@ export function turnEuler(
   const sumLength1 = c1 * c1 + s1 * s1;
   const differenceLength0 = e0 * e0 + d0 * d0;
   const differenceLength1 = e1 * e1 + d1 * d1;
-  const beta =
-    (Math.sqrt(sumLength0 * differenceLength1) - Math.sqrt(differenceLength0 * sumLength1)) /
-    (Math.sqrt(sumLength0 * sumLength1) + Math.sqrt(differenceLength0 * differenceLength1));
-  // Written so that NaN counts as far. Beyond β = ±90° a length is negative; close to it there is hardly a direction.
+  // Cosine and sine of β, times the squared length of the quaternion.
+  const cosine0 = 2 * Math.sqrt(sumLength0 * differenceLength0);
+  const sine0 = differenceLength0 - sumLength0;
+  const cosine1 = 2 * Math.sqrt(sumLength1 * differenceLength1);
+  const sine1 = differenceLength1 - sumLength1;
+  const lengths = (sumLength0 + differenceLength0) * (sumLength1 + differenceLength1);
+  const beta = (cosine0 * sine1 - sine0 * cosine1) / (lengths + cosine0 * cosine1 + sine0 * sine1);
+  // Written so that NaN counts as far. Both cosines are negative if the quaternions have opposite signs. Close to
+  // β = ±90° there is hardly a direction.
   const isClose =
-    sumCosine > 0 &&
-    differenceCosine > 0 &&
+    sumCosine * differenceCosine > 0 &&
     sumLength0 > BESIDE_LOCK &&
     differenceLength0 > BESIDE_LOCK &&
     sumLength1 > BESIDE_LOCK &&
     differenceLength1 > BESIDE_LOCK &&
-    Math.abs(sum) < SMALL &&
-    Math.abs(difference) < SMALL &&
-    Math.abs(beta) < SMALL &&
-    Math.abs(angles[o + 1]) < Math.PI / 2;
+    Math.abs(sum) < CLOSE &&
+    Math.abs(difference) < CLOSE &&
+    Math.abs(beta) < CLOSE;
   if (!isClose) return false;
-  const halfSum = smallArcTangent(sum);
-  const halfDifference = smallArcTangent(difference);
+  const halfSum = arcTangent(sum);
+  const halfDifference = arcTangent(difference);
+  const turned = 2 * arcTangent(beta);
   angles[o] += halfSum - halfDifference;
-  angles[o + 1] += 2 * smallArcTangent(beta);
+  // Beyond ±90°, up to ±270°, the cosine of β is negative, and so on.
+  angles[o + 1] += Math.round(angles[o + 1] / Math.PI) & 1 ? -turned : turned;
   angles[o + 2] += halfSum + halfDifference;
   return true;
 }
 
 const SMALL = 0.1;
+/** Tangents of a quarter of a turn of an angle: up to it, no other angles of the same rotation are nearer. */
+const CLOSE = 0.4;
 /** Squared length of a vector one degree from gimbal lock. */
 const BESIDE_LOCK = 1e-4;
 
-/** Exact to 1e-16 up to `SMALL`; takes a fifth of the time of `Math.atan2`. */
-function smallArcTangent(x: number): number {
+/** Exact to 1e-16; up to `SMALL` it takes a fifth of the time of `Math.atan2`. */
+function arcTangent(x: number): number {
   const s = x * x;
+  if (s > SMALL * SMALL) return Math.atan(x);
   return x * (1 - s * (1 / 3 - s * (1 / 5 - s * (1 / 7 - s * (1 / 9 - s * (1 / 11 - s * (1 / 13)))))));
 }
 

@@ -41,7 +41,7 @@ import { writeOutput } from '../write-output.ts';
 const OPTIONS = {
   to: option(
     ending(MOTION_KINDS),
-    'Writes everything in IN as files of this kind: skel with animations, asf with its motions, rig with all parts, glb, fbx and vrma with one character per take.',
+    'Writes everything in IN as files of this kind: skel with animations, asf with its motions, rig with all parts, trc with points alone, glb, fbx and vrma with one character per take.',
   ),
   out: option(text('DIR', 'a folder'), 'Writes into this folder instead of next to each file.', { needs: 'to' }),
   force: flag('Overwrites existing files.', { needs: 'to' }),

@@ -17,6 +17,7 @@ import { ANY_FILE, files } from '../options/inputs.ts';
 import { type Kind, text } from '../options/kinds.ts';
 import { flag, option } from '../options/option.ts';
 import { shellCommand } from '../options/shell-command.ts';
+import { namedPaths } from '../paths.ts';
 import { report } from '../report.ts';
 import { takeListOf } from '../take-list.ts';
 import { openedTogether } from '../together.ts';
@@ -79,7 +80,7 @@ async function takesIn(args: readonly string[], io: CommandIo) {
   };
   if (problems.length > 0) tell(problems);
   const takes: ListedTake[] = [];
-  for (const group of openedTogether(files)) {
+  for (const group of openedTogether(files, namedPaths(args, io.folder))) {
     const opened = openLoaded(await loadFound(group, io.folder, files));
     tell(opened.diagnostics);
     takes.push(...takesOf(opened.document.characters));

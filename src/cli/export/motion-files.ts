@@ -6,7 +6,7 @@ import { writeExchange } from '../../export/exchange.ts';
 import { EXCHANGE_FORMATS, type ExchangeFormat, isExchange } from '../../export/formats.ts';
 import { DEFAULT_GLB } from '../../export/glb/options.ts';
 import { TakeError } from '../../export/shared/take-motion.ts';
-import { outputsOf, TARGETS } from '../../files/save/conversion.ts';
+import { outputsOf, TARGETS, targetObstacle } from '../../files/save/conversion.ts';
 import type { Character } from '../../model/document.ts';
 import type { ExportedFile } from './formats.ts';
 
@@ -29,6 +29,8 @@ export async function motionFiles(
   const edited = withEditedTakes(own, options);
   const asked = { ...(fps !== undefined && { framesPerSecond: fps }), ...(tolerance !== undefined && { tolerance }) };
   if (isExchange(to)) return [{ ending: to, pieces: await exchangePieces(to, edited, { ...DEFAULT_GLB, ...asked }) }];
+  const why = targetObstacle(edited, to);
+  if (why !== undefined) throw new CommandError(why);
   return outputsOf([edited], to, asked).map((output) => ({
     ending: output.name.slice(output.name.lastIndexOf('.') + 1),
     pieces: output.pieces(),

@@ -8,8 +8,8 @@
 import { dirname, extname, relative, resolve, sep } from 'node:path';
 import { isBesideTakes, isBuffer, openingOf } from '../../files/kinds.ts';
 import { formatOf } from '../../files/readers.ts';
-import { findGiven, type GivenPath, isFolder } from '../paths.ts';
-import { groupsIn, isWhole } from '../together.ts';
+import { findGiven, type GivenPath, isFolder, namedPaths } from '../paths.ts';
+import { groupsIn, isNamedTable, isWhole } from '../together.ts';
 import { UsageError } from '../usage-error.ts';
 import { unpackedPath, withZipsUnpacked } from '../zips.ts';
 
@@ -39,8 +39,8 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
   const { files: given, missing } = findGiven(args, folder);
   const { files: found, problems } = withZipsUnpacked(given);
   const files = found.map((file) => (file.bytes ? { ...file, bytes: sharedAmongThreads(file.bytes) } : file));
-  const named = new Set(args.map((arg) => resolve(folder, arg)));
-  const whole = files.filter((file) => isWhole(file.path) || (named.has(file.absolute) && isTable(file.path)));
+  const named = namedPaths(args, folder);
+  const whole = files.filter((file) => isWhole(file.path) || isNamedTable(file, named));
   const animations = animationsIn(
     files.filter(({ path }) => {
       const format = formatOf(path);
@@ -60,11 +60,6 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
   const parts = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || isPartOfOthers(path)));
   return { inputs: withStems(all, folders, folder), parts };
-}
-
-/** Whether a file may have points in its rows: one that was named is a take, then; in folders most are something else. */
-function isTable(path: string): boolean {
-  return formatOf(path)?.format === 'table';
 }
 
 /** Whether other files are read with files of that name: textures, and skeletons of takes. */

@@ -10,13 +10,13 @@
  *
  * At rest all rotations are 0, and the bones of known trees are in a T-pose (`stance.ts`), others as in the first frame.
  */
-import { backMultiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
+import { setIdentity3, swing, turnVector } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import { length3 } from '../../math/vec3.ts';
 import type { FrameJoints } from '../captured-frames.ts';
 import { boneLengths, measuredFrames } from './bones.ts';
 import type { JointTree } from './known-trees.ts';
-import { nearestRotation } from './nearest-rotation.ts';
+import { clearRotation, nearestRotation } from './nearest-rotation.ts';
 import { jointsWriter, type PointPaths } from './point-paths.ts';
 import { addProduct, restShape } from './rest-shape.ts';
 import { toStance } from './stance.ts';
@@ -185,21 +185,44 @@ export class FittedTree {
     const { world, matrices, offsets, children, given, fitted, parents } = this;
     const own = children[j];
     const turned = matrices[j];
+    const a = 3 * j;
     for (let k = 0; k < 9; k++) products[k] = 0;
+    let [squares, wantedSquares] = [0, 0];
     for (let i = 0; i < own.length; i++) {
       const c = 3 * own[i];
-      for (let k = 0; k < 3; k++) wanted[k] = given[c + k] - fitted[3 * j + k];
+      const x = given[c] - fitted[a];
+      const y = given[c + 1] - fitted[a + 1];
+      const z = given[c + 2] - fitted[a + 2];
+      wanted[0] = x;
+      wanted[1] = y;
+      wanted[2] = z;
       addProduct(wanted, 0, offsets, c, products);
+      squares += this.lengths[own[i]] * this.lengths[own[i]];
+      wantedSquares += x * x + y * y + z * z;
     }
     const p = 4 * parents[j];
-    if (p < 0) setIdentity3(near);
-    else writeRotation(world[p], world[p + 1], world[p + 2], world[p + 3], near, 0, 3);
-    // From the frame before.
-    nearestRotation(products, turned, near);
-    backMultiply3(near, 0, turned, 0, rotation, 0);
-    quaternionOfRotation(rotation, 0, quaternion);
-    for (let k = 0; k < 4; k++) rotations[4 * j + k] = quaternion[k];
-    this.carry(j, rotations);
+    if (!clearRotation(products, Math.sqrt(squares * wantedSquares), turned)) {
+      if (p < 0) setIdentity3(near);
+      else writeRotation(world[p], world[p + 1], world[p + 2], world[p + 3], near, 0, 3);
+      // From the frame before.
+      nearestRotation(products, turned, near);
+    }
+    quaternionOfRotation(turned, 0, quaternion);
+    const o = 4 * j;
+    for (let k = 0; k < 4; k++) world[o + k] = quaternion[k];
+    const x = quaternion[0];
+    const y = quaternion[1];
+    const z = quaternion[2];
+    const w = quaternion[3];
+    // Into the parent's space.
+    const px = p < 0 ? 0 : world[p];
+    const py = p < 0 ? 0 : world[p + 1];
+    const pz = p < 0 ? 0 : world[p + 2];
+    const pw = p < 0 ? 1 : world[p + 3];
+    rotations[o] = pw * x - px * w - py * z + pz * y;
+    rotations[o + 1] = pw * y - py * w - pz * x + px * z;
+    rotations[o + 2] = pw * z - pz * w - px * y + py * x;
+    rotations[o + 3] = pw * w + px * x + py * y + pz * z;
     for (let i = 0; i < own.length; i++) this.place(turned, j, own[i]);
   }
 

@@ -51,6 +51,83 @@ export function nearestRotation(products: Float64Array, r: Float64Array, near: F
   copy3(found, 0, r, 0);
 }
 
+/** Part of λ³ that ζ must be for the direct solution: below it, digits are lost, as there is no best rotation at 0. */
+const CLEAR = 1e-3;
+/** Its fourth power is still exact. */
+const SMALLEST_EIGENVALUE = 1e-60;
+const MAX_EIGENVALUE_STEPS = 30;
+/** Relative change of λ after which it is found: the next is its square. */
+const FOUND = 1e-8;
+
+/**
+ * Writes the best rotation for M where one is clearly the best, else returns false: directly, by the largest eigenvalue λ
+ * of Davenport's matrix (Markley, "Attitude Determination Using Vector Observations: A Fast Optimal Matrix Algorithm",
+ * 1993).
+ *
+ *     (λ² − ‖M‖²)² − 8·λ·det M − 4·‖cof M‖² = 0
+ *     R = ((κ + ‖M‖²)·M + λ·cof M − M·Mᵀ·M) / ζ        κ = (λ² − ‖M‖²)/2   ζ = κ·λ − det M
+ *
+ * @param products M, 9 numbers, column-major
+ * @param most what λ can't exceed, such as √(Σ|aₖ|²·Σ|bₖ|²)
+ * @param r 9 numbers, column-major
+ */
+export function clearRotation(products: Float64Array, most: number, r: Float64Array): boolean {
+  const a = products[0];
+  const b = products[1];
+  const c = products[2];
+  const d = products[3];
+  const e = products[4];
+  const f = products[5];
+  const g = products[6];
+  const h = products[7];
+  const i = products[8];
+  const ca = e * i - f * h;
+  const cb = f * g - d * i;
+  const cc = d * h - e * g;
+  const cd = c * h - b * i;
+  const ce = a * i - c * g;
+  const cf = b * g - a * h;
+  const cg = b * f - c * e;
+  const ch = c * d - a * f;
+  const ci = a * e - b * d;
+  const determinant = a * ca + b * cb + c * cc;
+  const squares = a * a + b * b + c * c + d * d + e * e + f * f + g * g + h * h + i * i;
+  const cofactors = ca * ca + cb * cb + cc * cc + cd * cd + ce * ce + cf * cf + cg * cg + ch * ch + ci * ci;
+  let eigenvalue = most;
+  let change = 0;
+  // From above, Newton's method never goes below.
+  for (let step = 0; step < MAX_EIGENVALUE_STEPS; step++) {
+    const over = eigenvalue * eigenvalue - squares;
+    change = (over * over - 8 * eigenvalue * determinant - 4 * cofactors) / (4 * eigenvalue * over - 8 * determinant);
+    eigenvalue -= change;
+    if (!(change > FOUND * eigenvalue)) break;
+  }
+  const kappa = (eigenvalue * eigenvalue - squares) / 2;
+  const zeta = kappa * eigenvalue - determinant;
+  const isFound = eigenvalue > SMALLEST_EIGENVALUE && Math.abs(change) <= FOUND * eigenvalue;
+  if (!(isFound && zeta > CLEAR * eigenvalue * eigenvalue * eigenvalue)) return false;
+  const by = 1 / zeta;
+  const own = (kappa + squares) * by;
+  const other = eigenvalue * by;
+  // Mᵀ·M, by its columns' products.
+  const aa = (a * a + b * b + c * c) * by;
+  const dd = (d * d + e * e + f * f) * by;
+  const gg = (g * g + h * h + i * i) * by;
+  const ad = (a * d + b * e + c * f) * by;
+  const ag = (a * g + b * h + c * i) * by;
+  const dg = (d * g + e * h + f * i) * by;
+  r[0] = own * a + other * ca - (a * aa + d * ad + g * ag);
+  r[1] = own * b + other * cb - (b * aa + e * ad + h * ag);
+  r[2] = own * c + other * cc - (c * aa + f * ad + i * ag);
+  r[3] = own * d + other * cd - (a * ad + d * dd + g * dg);
+  r[4] = own * e + other * ce - (b * ad + e * dd + h * dg);
+  r[5] = own * f + other * cf - (c * ad + f * dd + i * dg);
+  r[6] = own * g + other * cg - (a * ag + d * dg + g * gg);
+  r[7] = own * h + other * ch - (b * ag + e * dg + h * gg);
+  r[8] = own * i + other * ci - (c * ag + f * dg + i * gg);
+  return true;
+}
+
 /** Whether it ends at the best rotation. */
 function climbs(r: Float64Array): boolean {
   for (let step = 0; step < MAX_STEPS; step++) {

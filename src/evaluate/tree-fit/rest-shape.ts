@@ -81,12 +81,18 @@ export function addProduct(b: Float64Array, bo: number, a: Float64Array, ao: num
   const x = b[bo];
   const y = b[bo + 1];
   const z = b[bo + 2];
-  for (let column = 0; column < 3; column++) {
-    const own = a[ao + column];
-    out[3 * column] += x * own;
-    out[3 * column + 1] += y * own;
-    out[3 * column + 2] += z * own;
-  }
+  const u = a[ao];
+  const v = a[ao + 1];
+  const w = a[ao + 2];
+  out[0] += x * u;
+  out[1] += y * u;
+  out[2] += z * u;
+  out[3] += x * v;
+  out[4] += y * v;
+  out[5] += z * v;
+  out[6] += x * w;
+  out[7] += y * w;
+  out[8] += z * w;
 }
 
 /** Scratch; never escapes. */

@@ -10,10 +10,11 @@ import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { type SourceFile, stemOf } from '../../model/files.ts';
 import { nameByInput } from '../../model/names/telling-names.ts';
-import { NO_MARKS } from '../../model/part.ts';
+import { NO_MARKS, newFileName } from '../../model/part.ts';
+import { bonesObstacle } from '../../model/points.ts';
 import { inHierarchyForm } from '../../model/skeleton/axis-angle.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { formatKindOf } from '../kinds.ts';
+import { formatKindOf, KINDS } from '../kinds.ts';
 import { bvhOf } from './character-files.ts';
 import {
   acclaimCopies,
@@ -25,11 +26,18 @@ import {
   skelCopies,
 } from './copies.ts';
 import { type Output, outputOf } from './output.ts';
+import { partsOfKind, writeParts } from './saving.ts';
 
-/** Formats to which any character with a skeleton can be converted. */
-export const TARGETS = ['skel', 'anim', 'bvh', 'asf', 'rig'] as const;
+/** Formats to which any character with a skeleton can be converted, of points `trc` alone. */
+export const TARGETS = ['skel', 'anim', 'bvh', 'asf', 'rig', 'trc'] as const;
 /** A format that characters are converted to; see `TARGETS`. */
 export type Target = (typeof TARGETS)[number];
+
+/** Why a character can't be converted to a format, as a sentence; undefined if it can. */
+export function targetObstacle(character: Character, target: Target): string | undefined {
+  if (target !== 'trc') return bonesObstacle(character);
+  return KINDS.trc.save.has(character) ? undefined : `${character.name} has no points, which alone are saved as .trc.`;
+}
 
 /** The file from which something of this name was read: the skeleton's, or a take's. */
 export function sourceFor({ takes, parts }: Character, name: string): SourceFile | undefined {
@@ -50,6 +58,7 @@ export function outputsOf(
   const characters = given.map((character) => withFlattenedTakes(character, options));
   if (target === 'bvh') return bvhOutputs(characters, options);
   if (target === 'asf') return acclaimOutputs(characters, options);
+  if (target === 'trc') return characters.flatMap((character) => pointOutputs(character, options));
   return characters.flatMap((character) => {
     if (!character.skeleton) return [];
     const takes = animCopies(character, options).map(outputOf);
@@ -60,6 +69,13 @@ export function outputsOf(
     const inForm = readAs === 'axskel' ? inHierarchyForm : (skeleton: Skeleton) => skeleton;
     return [...skelCopies(character, options, inForm).map(outputOf), ...takes];
   });
+}
+
+/** Its takes of points. */
+function pointOutputs(character: Character, options: ConversionOptions): readonly Output[] {
+  return partsOfKind(character, 'trc').map((part) =>
+    writeParts(newFileName(part), [{ character, part, pose: [] }], options),
+  );
 }
 
 /** All that a `.rig` names besides the skeleton and the takes, with textures, and the `.rig` itself. */

@@ -16,7 +16,7 @@ import { LONGEST_FRAME, rangeOfSamples, type Samples, SHORTEST_FRAME } from '../
 import { restChannel, SAMPLED, type Take } from '../../model/takes/take.ts';
 import { NO_PLACE, WHOLE_FILE } from '../places.ts';
 import { ParseError, type Report } from '../report.ts';
-import { type Labels, type Scan, scanNumbers } from '../scan.ts';
+import { type Labels, labelsOf, type Scan, scanNumbers } from '../scan.ts';
 import { shortName } from '../words.ts';
 import { AcclaimLines } from './lines.ts';
 
@@ -56,15 +56,11 @@ export function readAmc(bytes: Uint8Array, report: Report, name: string, skeleto
 const UTF8 = new TextEncoder();
 
 /** Lines of bones as labels of numbers. */
-function labelsOf(bones: readonly Target[]): Labels {
-  const text = new Uint8Array(bones.reduce((sum, { bytes }) => sum + bytes.length, 0));
-  let at = 0;
-  const rows = bones.flatMap(({ bytes, column, width }) => {
-    text.set(bytes, at);
-    at += bytes.length;
-    return [at - bytes.length, at, column, column + width];
-  });
-  return { text, rows: Int32Array.from(rows), base: 0, next: 0, at: 0 };
+function linesOf(bytes: Uint8Array, bones: readonly Target[]): Labels {
+  return labelsOf(
+    bytes,
+    bones.map(({ bytes: label, column: from, width }) => ({ label, from, to: from + width })),
+  );
 }
 
 class Reading {
@@ -79,7 +75,7 @@ class Reading {
   private frames = 0;
   /** The bones of the frame before, in their order, and as labels. */
   private before: readonly Target[] = [];
-  private labels = labelsOf([]);
+  private labels: Labels;
   /** This frame's are as many of those, and then others. */
   private same = 0;
   private others: Target[] = [];
@@ -101,6 +97,7 @@ class Reading {
     private readonly skeleton: Skeleton,
   ) {
     this.lines = new AcclaimLines(bytes, report);
+    this.labels = linesOf(bytes, []);
     this.angle = skeleton.acclaim?.angle ?? 'deg';
     const starts = firstDofs(skeleton);
     const first = rootDofCount(skeleton);
@@ -274,7 +271,7 @@ class Reading {
     const { frames } = this;
     this.others = [];
     this.before = bones;
-    this.labels = labelsOf(bones);
+    this.labels = linesOf(this.bytes, bones);
     for (const bone of bones) bone.seen = frames;
     this.missing = this.moving.filter(({ seen }) => seen !== frames);
     if (this.report.hasErrors) return;

@@ -55,6 +55,8 @@ class Reading {
   private root: Bone = { ...emptyBone(ROOT), dofs: ROOT_ORDER };
   private readonly bones = new Map<string, Bone>();
   private hierarchy: Hierarchy | undefined;
+  /** Whether a bone was lost by an error, so that its name is unknown. */
+  private hasLostBones = false;
 
   constructor(private readonly lines: AcclaimLines) {}
 
@@ -138,7 +140,7 @@ class Reading {
   private rootLine(): void {
     const { lines, root } = this;
     const word = lines.keyword(0);
-    if (word === 'order') root.dofs = this.dofs('the order of the root', ROOT_ORDER);
+    if (word === 'order') root.dofs = this.dofs('order', ROOT_ORDER);
     else if (word === 'axis') root.order = this.order(1) ?? root.order;
     else if (word === 'position') root.position = this.vector('the position');
     else if (word === 'orientation') root.axes = this.vector('the orientation');
@@ -158,10 +160,13 @@ class Reading {
     while (lines.line()) {
       const word = lines.keyword(0);
       if (word === 'end') {
+        if (bone.name !== '' && !this.bones.has(bone.name)) {
+          this.bones.set(bone.name, bone);
+          return;
+        }
+        this.hasLostBones = true;
         if (bone.name === '') lines.report.error('bone-unnamed', 'Expected the name of this bone, found none.', at);
-        else if (this.bones.has(bone.name)) {
-          lines.report.error('bone-repeated', `There are two bones called "${shortName(bone.name)}".`, at);
-        } else this.bones.set(bone.name, bone);
+        else lines.report.error('bone-repeated', `There are two bones called "${shortName(bone.name)}".`, at);
         return;
       }
       if (word === 'begin' || lines.whole().startsWith(':')) break;
@@ -241,7 +246,8 @@ class Reading {
       const dof = known.find((one) => one === lines.keyword(i));
       const text = shortName(lines.text(i));
       if (!dof) lines.error('dof-unknown', `Expected any of ${known.join(' ')} after ${what}, found "${text}".`, i);
-      else if (found.includes(dof)) lines.error('dof-repeated', `${what} has ${text} twice.`, i);
+      else if (found.includes(dof))
+        lines.error('dof-repeated', `Expected each of ${what} once, found ${text} twice.`, i);
       else found.push(dof);
     }
     return found;
@@ -298,6 +304,7 @@ class Reading {
     const name = lines.text(index);
     if (bones.has(name)) return name;
     if (name.toLowerCase() === ROOT) return ROOT;
+    if (bones.size === 0 || this.hasLostBones) return undefined;
     lines.error(
       'bone-unknown',
       `Expected the name of a bone, found "${shortName(name)}", which :bonedata has not.`,

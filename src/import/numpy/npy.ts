@@ -169,7 +169,7 @@ export function readNpy(bytes: Uint8Array, name: string): NumpyArray {
 /** Index of the first number that is not finite, or so large that products of it would not be; -1 if there is none. */
 function firstWrong(values: Numbers): number {
   // Written so that NaN counts.
-  for (let i = 0; i < values.length; i++) if (!(values[i] <= LARGEST && values[i] >= -LARGEST)) return i;
+  for (let i = 0; i < values.length; i++) if (!(Math.abs(values[i]) <= LARGEST)) return i;
   return -1;
 }
 

@@ -9,7 +9,7 @@
 import { USUAL_FRAMES_PER_SECOND } from '../../model/takes/take.ts';
 import type { Budget } from '../budget.ts';
 import type { Remarks } from '../imported.ts';
-import { lineCount, Rows, TAB, writePoint } from './rows.ts';
+import { COMMA, lineCount, Rows, TAB, writePoint } from './rows.ts';
 import { fail, holdMissing, labelsFor, MAX_POINTS, POINT_WIDTH, type PointTable, roomFor } from './table.ts';
 import { rateOfTimes } from './times.ts';
 
@@ -19,7 +19,6 @@ const LABEL = /^(landmark|joint|name|id)$/i;
 const COORDINATE = /^(.*\S)[._]([xyz])$/i;
 /** What programs that find people in videos tell of a point besides its place. */
 const CONFIDENCE = /[._](v|c|visibility|presence|confidence|score|likelihood)$/i;
-const COMMA = 44;
 const SEMICOLON = 59;
 /** Numbers of the joints of MediaPipe: 0 to 32. */
 const NUMBERED = 33;

@@ -6,8 +6,11 @@ import { FARTHEST, fail } from './table.ts';
 
 /** The byte of a tab. */
 export const TAB = 9;
+/** The byte of a comma. */
+export const COMMA = 44;
 const BLANK = 32;
 const QUOTE = 34;
+const POINT = 46;
 const UTF8 = new TextDecoder('utf-8');
 
 /** The rows of a text, one after the other. */
@@ -97,14 +100,27 @@ export class Rows {
 
   /** The number of a cell. @throws PointsError if it is none */
   number(c: number): number {
-    const value = c < this.count ? parseDecimal(this.bytes, this.starts[c], this.ends[c]) : Number.NaN;
+    const value = this.numberOrNone(c);
     if (Math.abs(value) < FARTHEST) return value;
     return fail('number-expected', `Expected a number, found ${this.found(c)}.`, this.place(c));
   }
 
   /** The number of a cell; NaN if it is none. */
   numberOrNone(c: number): number {
-    return c < this.count ? parseDecimal(this.bytes, this.starts[c], this.ends[c]) : Number.NaN;
+    if (c >= this.count) return Number.NaN;
+    const value = parseDecimal(this.bytes, this.starts[c], this.ends[c]);
+    return Number.isNaN(value) && this.separator !== COMMA ? this.numberWithComma(c) : value;
+  }
+
+  /** Where commas don't separate cells, one may be the decimal sign; NaN if it is none. */
+  private numberWithComma(c: number): number {
+    const { bytes, starts, ends } = this;
+    const length = ends[c] - starts[c];
+    const comma = bytes.subarray(starts[c], ends[c]).indexOf(COMMA);
+    if (comma < 0 || length > pointed.length) return Number.NaN;
+    pointed.set(bytes.subarray(starts[c], ends[c]));
+    pointed[comma] = POINT;
+    return parseDecimal(pointed, 0, length);
   }
 
   /** The text of a cell; empty if there is none. */
@@ -149,6 +165,9 @@ export class Rows {
     return c < this.count ? `“${this.text(c)}”` : 'none';
   }
 }
+
+/** Scratch, longer than any number that a program prints. */
+const pointed = new Uint8Array(64);
 
 /** Bytes of a row that are shown under a message, to either side. */
 const SHOWN = 200;

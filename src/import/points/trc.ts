@@ -97,7 +97,7 @@ function labelsIn(rows: Rows, head: ReadonlyMap<string, string>): readonly strin
 }
 
 function rateIn(head: ReadonlyMap<string, string>, times: Float64Array, remarks: Remarks): number {
-  const stated = Number(head.get('datarate') || Number.NaN);
+  const stated = Number(head.get('datarate')?.replace(',', '.') || Number.NaN);
   if (isRate(stated)) return stated;
   const rate = rateOfTimes(times);
   const message = `Expected frames per second in DataRate, found ${head.get('datarate') || 'none'}.`;

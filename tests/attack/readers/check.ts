@@ -66,9 +66,9 @@ async function checkRead(input: Input, tell: Told): Promise<void> {
   if (!format) return await check(input, tell);
   const begun = performance.now();
   const { imports } = format;
-  const readOnce = async () =>
-    imports ? imports({ fileName: `x.${subject}`, bytes, ...BESIDE }) : read(format, `x.${subject}`, bytes, []);
-  checkTold(await readOnce(), bytes, tell);
+  const imported = await imports?.({ fileName: `x.${subject}`, bytes, ...BESIDE });
+  const result = imported && !imported.isOther ? imported : read(format, `x.${subject}`, bytes, []);
+  checkTold(result, bytes, tell);
   // What was slow may have been so by chance, which the whole check finds out.
   if (performance.now() - begun > SLOW_MS) await check(input, tell);
 }

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { FittedTree } from '../../../src/evaluate/tree-fit/fit-tree.ts';
 import { type JointTree, knownCounts, treesOf } from '../../../src/evaluate/tree-fit/known-trees.ts';
-import { nearestRotation } from '../../../src/evaluate/tree-fit/nearest-rotation.ts';
+import { clearRotation, nearestRotation } from '../../../src/evaluate/tree-fit/nearest-rotation.ts';
 import { multiply3, setIdentity3, turnAbout, turnVector } from '../../../src/math/mat3.ts';
 
 const unit = fc.tuple(
@@ -23,6 +23,8 @@ const matrices = fc
   .map((list) => Float64Array.from(list));
 const identity = new Float64Array(9);
 setIdentity3(identity);
+const turnVectorOf = (r: Float64Array, [x, y, z]: readonly number[]) =>
+  [0, 1, 2].map((k) => r[k] * x + r[3 + k] * y + r[6 + k] * z);
 const along = (m: Float64Array, r: Float64Array) => m.reduce((sum, v, k) => sum + v * r[k], 0);
 
 describe('the rotation that fits vectors best', () => {
@@ -41,6 +43,42 @@ describe('the rotation that fits vectors best', () => {
       }),
       { numRuns: 300 },
     );
+  });
+
+  it('is found directly, the same one, where it is clearly the best', () => {
+    let found = 0;
+    const part = fc.integer({ min: -50, max: 50 }).map((n) => n / 50);
+    const vector = fc.tuple(part, part, part);
+    const vectors = fc.array(fc.tuple(vector, vector), { minLength: 1, maxLength: 4 });
+    fc.assert(
+      fc.property(
+        vectors,
+        rotations,
+        fc.constantFrom(1e-9, 1, 1e12),
+        fc.constantFrom(0, 1),
+        (pairs, turn, size, noise) => {
+          const m = new Float64Array(9);
+          let [squares, turnedSquares] = [0, 0];
+          for (const [a, error] of pairs) {
+            const b = turnVectorOf(turn, a).map((v, k) => size * (v + noise * error[k]));
+            squares += a.reduce((sum, v) => sum + v * v, 0);
+            turnedSquares += b.reduce((sum, v) => sum + v * v, 0);
+            for (let k = 0; k < 9; k++) m[k] += b[k % 3] * a[Math.floor(k / 3)];
+          }
+          const direct = turn.slice();
+          if (!clearRotation(m, Math.sqrt(squares * turnedSquares), direct)) {
+            expect(direct).toEqual(turn);
+            return;
+          }
+          found++;
+          const r = direct.slice();
+          nearestRotation(m, r, direct);
+          direct.forEach((v, k) => void expect(Math.abs(v - r[k])).toBeLessThan(1e-8));
+        },
+      ),
+      { numRuns: 500 },
+    );
+    expect(found).toBeGreaterThan(200);
   });
 
   it('of vectors along one line, it is the one nearest to the given', () => {

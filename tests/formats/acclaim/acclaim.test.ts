@@ -49,7 +49,7 @@ describe('an .asf', () => {
 
   it.each([
     ['no hierarchy', (t: string) => t.slice(0, t.indexOf(':hierarchy')), 'error hierarchy-missing 0:0'],
-    ['no bone', (t: string) => t.replace(/:bonedata[^:]*/, ':bonedata\n'), 'error bone-unknown'],
+    ['no bone', (t: string) => t.replace(/:bonedata[^:]*/, ':bonedata\n'), 'error bone-missing'],
     [
       'a bone without its end',
       (t: string) => t.replace('bodymass 3.5\n  end', 'bodymass 3.5'),

@@ -74,6 +74,21 @@ describe('points on the command line', () => {
     expect(readFileSync(join(folder, 'many/person.bvh'), 'utf8')).toContain('ROOT pelvis');
   });
 
+  it('are converted many at once, cropped too; what has bones is left out, which is said', async () => {
+    const { code, err } = await run('convert', 'walk.c3d', 'rows.csv', 'person.c3d', '--to', 'trc', '--out', 'points');
+    expect(code).toBe(1);
+    expect(err).toMatch(/person\.c3d.*has no points/);
+    expect(await run('convert', 'walk.c3d', 'points/one.trc')).toMatchObject({ code: 0 });
+    const rows = (name: string) => readFileSync(join(folder, name), 'utf8').split('\n').slice(1);
+    expect(rows('points/walk.trc')).toEqual(rows('points/one.trc'));
+    expect(rows('points/rows.trc')[1]).toMatch(/^2\t2\t2\t1\t/);
+    const cropped = ['--to', 'trc', '--crop', '0.01,0.02', '--out', 'cropped'];
+    expect(await run('convert', 'walk.c3d', ...cropped)).toMatchObject({ code: 0 });
+    expect(rows('cropped/walk.trc')[5]).toBe('1\t0\t2\t1001\t3\t4\t500\t-6.25');
+    const failed = await run('convert', 'walk.c3d', '--to', 'bvh', '--crop', '0,1', '--out', 'cropped');
+    expect([failed.code, failed.err]).toEqual([1, expect.stringMatching(/points without bones/)]);
+  });
+
   it('of a person are converted as any capture', async () => {
     for (const to of ['bvh', 'glb', 'anim', 'fbx']) {
       expect(await run('convert', 'person.c3d', `person.${to}`)).toMatchObject({ code: 0 });

@@ -36,6 +36,13 @@ describe('a .trc', () => {
     expect(placesIn(character)).toEqual(PLACES);
   });
 
+  it('may have decimal commas, in its rate too', async () => {
+    const text = trc(HEAD, NAMES, ROWS).replace('60\t60', '60,0\t60').replaceAll('.', ',').replace('x,trc', 'x.trc');
+    const { character, diagnostics } = await pointsIn('x.trc', text);
+    expect(placesIn(character)).toEqual(PLACES);
+    expect(diagnostics.map(({ severity }) => severity)).toEqual(['info']);
+  });
+
   it('says what it states and isn’t so', async () => {
     const head = ['DataRate\tNumFrames\tNumMarkers\tUnits', '0\t7\t3\tfathoms'];
     const { take, diagnostics } = await pointsIn('x.trc', trc(head, NAMES, ROWS));
@@ -86,6 +93,16 @@ describe('a table', () => {
     expect(placesIn(character)).toEqual(PLACES);
     expect(take.samples?.frameSeconds).toBe(0.02);
     expect(character.space?.space).toMatchObject({ up: 'y', known: 'guessed' });
+  });
+
+  it.each([
+    'frame;time;a.x;a.y;a.z\n0;0;0,5;-1,25e1;3\n1;0,04;1;2;3\n',
+    'frame\ttime\ta_x\ta_y\ta_z\n0\t0\t0,5\t-12,5\t3\n1\t0,04\t1\t2\t3\n',
+    'frame;time;joint;x;y;z\n0;0;a;0,5;-12,5;3\n1;0,04;a;1;2;3\n',
+  ])('may have decimal commas where commas separate no cells: %j', async (text) => {
+    const { character, take } = await pointsIn('x.csv', text);
+    expect(placesIn(character)).toEqual([[[0.5, -12.5, 3]], [[1, 2, 3]]]);
+    expect(take.samples?.frameSeconds).toBe(1 / 25);
   });
 
   it('with a row for each point has points, with frames that are left out as frames without them', async () => {
