@@ -14,6 +14,7 @@ import type { GlbOptions } from '../export/glb/options.ts';
 import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, shownTake } from '../model/document.ts';
+import type { LimbRow } from '../model/limbs.ts';
 import { type LayerInfo, layerCode } from '../model/takes/layer-code.ts';
 import type { Channel } from '../model/takes/take.ts';
 import { TANGENT_KINDS, type TangentKind } from '../model/takes/tangent-kinds.ts';
@@ -108,6 +109,11 @@ export interface MarrowApi {
   ): { readonly x: number; readonly y: number } | undefined;
   /** The layers of the shown take, from the lowest up; empty without any. */
   layers(character?: CharacterRef): LayerInfo[];
+  /**
+   * The limbs of a character, as its file has them; of those with a goal in the shown take also the share of IK, goal and
+   * space at the current time, how far the tip is from the goal, and the goal that FK's pose reaches.
+   */
+  limbs(character?: CharacterRef): LimbRow[];
   /** Statistics of the last frame drawn. */
   stats(): FrameStats;
   /** Labels of the next undo and redo steps; absent if there is none. */
@@ -200,6 +206,7 @@ export function scriptingApi(
       return { x: place.x, y: place.y };
     },
     layers: (ref) => layersOf(resolveCharacter(store, ref), transport.get().timeSeconds),
+    limbs: (ref) => limbsOf(resolveCharacter(store, ref), transport.get().timeSeconds),
     stats: () => viewport.stats(),
     steps: () => ({ undo: store.undoLabel, redo: store.redoLabel }),
     undo: () => store.undo(),
@@ -243,6 +250,10 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
 function layersOf(character: Character, timeSeconds: number): LayerInfo[] {
   const take = shownTake(character);
   return take?.layers ? layerCode(take).infos(take, timeSeconds + character.timeOffsetSeconds) : [];
+}
+
+function limbsOf(character: Character, timeSeconds: number): LimbRow[] {
+  return character.limbs ? layerCode(character).limbRows(character, timeSeconds) : [];
 }
 
 function keysOf(store: Store, ref: CharacterRef | undefined, index: number | undefined): KeyInfo[] {

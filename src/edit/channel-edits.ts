@@ -3,10 +3,14 @@
  * index, check arguments from the console, keep the identity of all other channels, and return the new positions of the
  * keys.
  */
+
+import { dofCountOf } from '../evaluate/pose.ts';
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { type Document, shownTake } from '../model/document.ts';
+import { type Character, type Document, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { lockedDofs } from '../model/sets.ts';
+import { withChannelsOf } from '../model/takes/channels-with-goals.ts';
+import { withCurvesOfGoals } from '../model/takes/layer-code.ts';
 import { type Channel, type KeyedChannel, keysOf, type Take } from '../model/takes/take.ts';
 import { indexIn } from './arguments.ts';
 import type { Edit } from './change.ts';
@@ -33,9 +37,13 @@ export interface OfKeys {
   readonly keys: readonly ChannelKeys[];
 }
 
-/** The shown take of a character; throws if there is none. */
+/** The shown take of a character, the curves of its goals among its channels; throws if there is none. */
 export function takeOf(document: Document, characterId: string): Take {
-  return requireTake(requireCharacter(document, characterId));
+  return withGoalsOf(requireCharacter(document, characterId));
+}
+
+function withGoalsOf(character: Character): Take {
+  return withCurvesOfGoals(requireTake(character), dofCountOf(character));
 }
 
 /**
@@ -54,7 +62,7 @@ export function editedChannels(
   before: readonly ChannelKeys[] = [],
 ): Edit {
   const character = requireCharacter(document, characterId);
-  const { channels: own } = requireTake(character);
+  const { channels: own } = withGoalsOf(character);
   const stay = new Set([...lockedDofs(character)].filter((dof) => channels[dof] !== own[dof]));
   if (stay.size === 0) return { document: withTakeChannels(document, characterId, channels), keys };
   const open = channels.map((channel, i) => (stay.has(i) ? own[i] : channel));
@@ -71,10 +79,11 @@ export function editedChannels(
 function withTakeChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
   return changeCharacter(document, characterId, (character) => {
     const take = shownTake(character);
-    if (!take || channels.every((channel, i) => channel === take.channels[i])) return character;
+    const own = take && withGoalsOf(character).channels;
+    if (!own || channels.every((channel, i) => channel === own[i])) return character;
     const silent = silentChannels(character);
-    if (channels.some((channel, i) => i < silent && channel !== take.channels[i])) refuseMoved(character);
-    return withTake(character, character.shownTake, { ...take, channels });
+    if (channels.some((channel, i) => i < silent && channel !== own[i])) refuseMoved(character);
+    return withTake(character, character.shownTake, withChannelsOf(take, channels, dofCountOf(character)));
   });
 }
 

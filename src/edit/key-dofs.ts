@@ -2,9 +2,12 @@
  * Keying DOFs, for K, auto-key and scripts. Creates the take or its missing channels as needed; unkeyed changes that
  * are keyed are no longer unkeyed.
  */
+import { dofCountOf } from '../evaluate/pose.ts';
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
+import { withChannelsOf } from '../model/takes/channels-with-goals.ts';
+import { withCurvesOfGoals } from '../model/takes/layer-code.ts';
 import { type NewKeyTangents, TANGENT_KINDS } from '../model/takes/tangent-kinds.ts';
 import { type KeyPlacing, type OutsideCycle, placeOf } from './keys/cycle.ts';
 import { putKeyAt } from './keys/put-key.ts';
@@ -38,7 +41,8 @@ export interface Keyed {
  * Keys DOFs at a time; the same character if all of them had these keys. Sampled channels are skipped: one key would
  * replace all their frames. Refuses joints that a retargeted take drives.
  *
- * @param values by DOF, as they should be displayed; the active layer gets those with which they are
+ * @param values by DOF, as they should be displayed; the active layer gets those with which they are. Goals of limbs are
+ * keyed by the indices of their channels (`withGoalChannels`)
  * @param timeSeconds of the transport
  */
 export function keyDofs(
@@ -54,7 +58,8 @@ export function keyDofs(
   const take = shownTake(taking);
   if (!take) return { character, keys: [] };
 
-  const channels = [...take.channels];
+  const count = dofCountOf(taking);
+  const channels = [...withCurvesOfGoals(take, count).channels];
   const keys: ChannelKeys[] = [];
   let changed = false;
   const placing: KeyPlacing = {
@@ -65,19 +70,22 @@ export function keyDofs(
     ],
   };
   const keyable = [...values.keys()].filter((dof) => channels[dof]?.kind !== 'samples');
-  const wanted = new Map([...values].filter(([dof]) => keyable.includes(dof)));
+  const wanted = new Map([...values].filter(([dof]) => dof < count && keyable.includes(dof)));
   // What a layer adds to a quaternion is none.
   const signed = take.layers
     ? layerValues(taking, wanted, timeSeconds)
     : withNearerSigns(character, values, (dof) => placeOf(channels[dof], time, placing));
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
-    const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, TANGENT_KINDS.indexOf(tangents), placing);
+    // Goals hold between equal keys.
+    const kind = dof >= count && tangents === 'smooth' ? 'auto' : tangents;
+    const value = (dof < count ? signed : values).get(dof) ?? 0;
+    const { channel, index } = putKeyAt(before, time, value, TANGENT_KINDS.indexOf(kind), placing);
     changed ||= channel !== before;
     channels[dof] = channel;
     keys.push({ channel: dof, indices: [index] });
   }
-  const keyed = changed ? withTake(taking, taking.shownTake, { ...take, channels }) : taking;
+  const keyed = changed ? withTake(taking, taking.shownTake, withChannelsOf(take, channels, count)) : taking;
   const byHand = unkeyedAt(keyed, timeSeconds);
   if (byHand.size === 0) return { character: keyed, keys };
   for (const dof of keyable) byHand.delete(dof);

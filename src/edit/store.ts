@@ -6,11 +6,13 @@
  * collaboration; we don't.)
  */
 
+import { dofCountOf } from '../evaluate/pose.ts';
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownTake } from '../model/document.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
 import { othersKept } from '../model/skeleton/selected-joints.ts';
+import { withCurvesOfGoals } from '../model/takes/layer-code.ts';
 import { type Channel, keysOf, type Take } from '../model/takes/take.ts';
 import { type Change, documentIn, type Edit, isChange, type SelectedJoint } from './change.ts';
 import type { Command } from './command.ts';
@@ -350,7 +352,8 @@ function hasSameKeys(was: Channel | undefined, now: Channel | undefined): boolea
 
 function takeOf(document: Document, characterId: string): Take | undefined {
   const character = findCharacter(document, characterId);
-  return character && shownTake(character);
+  const take = character && shownTake(character);
+  return take && withCurvesOfGoals(take, dofCountOf(character));
 }
 
 /** The selection with these keys; the same object if they are equal. */

@@ -195,9 +195,9 @@ export function overPose(take: Take, attached: Attachments, character: Character
   const root = compiled(attached, character);
   const limbs = limbsOf(take, character);
   return {
-    solve(timeSeconds, dofs, clamps) {
+    solve(timeSeconds, dofs, clamps, count, unkeyed) {
       root?.solve(timeSeconds, dofs);
-      limbs?.solve(timeSeconds, dofs, clamps);
+      limbs?.solve(timeSeconds, dofs, clamps, count, unkeyed);
     },
   };
 }

@@ -13,7 +13,7 @@
 import { perObject } from '../model/per-object.ts';
 import { jointReferred } from '../model/skeleton/joint-reference.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import { remapGoals } from '../model/takes/goals.ts';
+import { remapGoals, takeOfChannels, withGoalChannels } from '../model/takes/goals.ts';
 import { type LayerInfo, type LayersOverBase, provideLayerCode } from '../model/takes/layer-code.ts';
 import { unknownJoints } from '../model/takes/layer-joints.ts';
 import { clampedWeight, countingLayers, haveSameFiles, motionOf, withMotions } from '../model/takes/layers.ts';
@@ -29,7 +29,9 @@ import { overPose } from './attached.ts';
 import { type CompiledTake, compileChannels } from './compiled-take.ts';
 import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';
+import { limbRows } from './limbs/infos.ts';
 import { goalProblems, takeLimbs } from './limbs/over-pose.ts';
+import { posedByGoals } from './limbs/posed.ts';
 import { PieceSums, type PieceTerm } from './piece-sums.ts';
 
 /** A layer ready for evaluation. */
@@ -52,17 +54,8 @@ export interface CompiledLayer {
 /** Passes this code on to what moves and edits takes; called before there is a take with layers, goals or attachments. */
 export function provideLayers(): void {
   provideLayerCode({
-    ...{
-      overPose,
-      goalProblems,
-      haveSameFiles,
-      infos,
-      overBase,
-      remapGoals,
-      takeLimbs,
-      unknownJoints,
-      withMotions,
-    },
+    ...{ goalProblems, haveSameFiles, infos, limbRows, overBase, overPose, takeLimbs, unknownJoints, withMotions },
+    ...{ posedByGoals, remapGoals, takeOfChannels, withGoalChannels },
   });
 }
 

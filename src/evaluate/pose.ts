@@ -12,10 +12,10 @@
  *     8. limbs                 go to the goals of the take shown, if it moves the joints (`limbs/`)
  */
 
-import type { Character } from '../model/document.ts';
+import type { Character, Unkeyed } from '../model/document.ts';
 import { shownTake } from '../model/document.ts';
 import { rootDofCount } from '../model/skeleton/dofs.ts';
-import type { OverPose } from '../model/takes/layer-code.ts';
+import { type OverPose, withCurvesOfGoals } from '../model/takes/layer-code.ts';
 import type { Channel } from '../model/takes/take.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
@@ -75,24 +75,33 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
  */
 export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, rotations?: PoseRotations): void {
   const { character, count, driven, skeleton, motion, over } = source;
-  const { pose, unkeyed, driver } = character;
+  const { pose, driver } = character;
   if (rotations) rotations.areGiven = false;
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
   if (motion) evaluateMotion(motion, timeSeconds + character.timeOffsetSeconds, out, driven, rotations);
   if (driver && character.skeleton) drivenPose(character, driver, character.skeleton, timeSeconds, out);
-  if (unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT) {
-    for (let i = 0; i < unkeyed.dofs.length; i++) {
-      if (unkeyed.dofs[i] < count) out[unkeyed.dofs[i]] = unkeyed.values[i];
+  const byHand = shownUnkeyed(character, timeSeconds);
+  if (byHand) {
+    for (let i = 0; i < byHand.dofs.length; i++) {
+      if (byHand.dofs[i] < count) out[byHand.dofs[i]] = byHand.values[i];
     }
   }
   if (skeleton) applyConstraints(skeleton, out, character.clampsToLimits);
-  over?.solve(timeSeconds + character.timeOffsetSeconds, out, character.clampsToLimits);
+  over?.solve(timeSeconds + character.timeOffsetSeconds, out, character.clampsToLimits, count, byHand);
 }
 
-/** The channel that drives a DOF, whatever its kind; undefined if something else overrides it. */
+/** The unkeyed changes of a time of the transport, which are shown then; undefined without any. */
+export function shownUnkeyed({ unkeyed }: Character, timeSeconds: number): Unkeyed | undefined {
+  return unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT ? unkeyed : undefined;
+}
+
+/** The channel that drives a DOF, or a goal, whatever its kind; undefined if something else overrides it. */
 export function channelOf(character: Character, dof: number): Channel | undefined {
-  if (!character.skeleton || dof >= dofCountOf(character) || dof < silentChannels(character)) return undefined;
-  return shownTake(character)?.channels[dof];
+  const take = shownTake(character);
+  const count = dofCountOf(character);
+  if (!take || !character.skeleton || dof < silentChannels(character) || (dof >= count && !take.goals))
+    return undefined;
+  return withCurvesOfGoals(take, count).channels[dof];
 }
 
 /**
@@ -102,5 +111,6 @@ export function channelOf(character: Character, dof: number): Channel | undefine
 export function isDriven(character: Character, dof: number): boolean {
   if (dof < silentChannels(character)) return movedDofs(character)?.has(dof) ?? false;
   const channel = channelOf(character, dof);
-  return channel !== undefined && (channel.kind !== 'rest' || shownTake(character)?.layers !== undefined);
+  const isSum = dof < dofCountOf(character) && shownTake(character)?.layers !== undefined;
+  return channel !== undefined && (channel.kind !== 'rest' || isSum);
 }

@@ -44,6 +44,32 @@ export interface LimbByName extends LimbSettings {
   readonly joints: readonly string[];
 }
 
+/** A goal that IK reaches in the pose of FK. */
+export interface LimbMatch {
+  /** tx ty tz rx ry rz. */
+  readonly goal: readonly number[];
+  readonly pole: Vec3;
+  readonly bend: 1 | -1;
+}
+
+/** A limb with a goal, at a time. */
+export interface LimbInfo {
+  readonly name: string;
+  /** Within 0 … 1. */
+  readonly blend: number;
+  /** `world`, `parent`, or a joint by name or `#index`. */
+  readonly space: string;
+  /** tx ty tz rx ry rz, in that space. */
+  readonly goal: readonly number[];
+  /** From the tip to the goal. */
+  readonly gap: number;
+  /** The goal that FK's pose reaches, in that space. */
+  readonly match: LimbMatch;
+}
+
+/** A limb as its file has it, and, if it has a goal in the take shown, what `marrow pose` says of it. */
+export type LimbRow = LimbByName & Partial<LimbInfo>;
+
 /** Limbs as their file has them. */
 export function limbsByName(limbs: readonly Limb[], skeleton: Skeleton): readonly LimbByName[] {
   const names = jointReferences(skeleton.joints);

@@ -92,6 +92,24 @@ function ofAttachment({ dice, character, take }: Situation, rest: object): objec
   return take.attached && { characterId: character.id, index: dice.below(take.attached.list.length), ...rest };
 }
 
+/** One of the character's limbs; undefined without any. */
+function ofLimb({ dice, character }: Situation, rest: object): object | undefined {
+  const count = character.limbs?.list.length ?? 0;
+  return count > 0
+    ? { characterId: character.id, limb: dice.below(count), timeSeconds: time(dice), ...rest }
+    : undefined;
+}
+
+/** Two or three joints in a row; undefined if there are none. */
+function chainIn({ dice, character: { skeleton } }: Situation): readonly number[] | undefined {
+  const joints = skeleton?.joints ?? [];
+  if (joints.length < 2) return undefined;
+  const last = 1 + dice.below(joints.length - 1);
+  const { parent } = joints[last];
+  const above = dice.is(0.5) ? joints[parent].parent : -1;
+  return above < 0 ? [parent, last] : [above, parent, last];
+}
+
 /** How auto-key asks for keys, or not at all. */
 function autoKey(dice: Dice): { readonly key?: KeyOptions } {
   if (dice.is(0.6)) return {};
@@ -293,6 +311,29 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   'layers.mergeDown': (s) => (s.dice.is(0.4) ? ofLayer(s, {}) : undefined),
   'layers.flatten': ({ dice, character, take }) =>
     take.layers && dice.is(0.3) ? { characterId: character.id } : undefined,
+  'limbs.add': (s) => {
+    const joints = chainIn(s);
+    return joints && { characterId: s.character.id, joints, orient: s.dice.is(0.5) };
+  },
+  // Rarely, so that there are some to be keyed.
+  'limbs.remove': (s) => {
+    const { dice, character } = s;
+    return character.limbs?.list.length && dice.is(0.3) ? { characterId: character.id, limb: 0 } : undefined;
+  },
+  'limbs.change': ({ dice, character }) =>
+    character.limbs?.list.length
+      ? { characterId: character.id, limb: 0, name: dice.pick(['leg', 'arm']), orient: dice.is(0.5) }
+      : undefined,
+  'limbs.key': (s) =>
+    ofLimb(s, {
+      goal: s.dice.is(0.5) ? [value(s.dice), value(s.dice), value(s.dice), 0, 0.3, 0] : undefined,
+      blend: s.dice.pick([undefined, 0, 0.5, 1]),
+      space: s.dice.pick([undefined, undefined, 'world', 'parent']),
+    }),
+  'limbs.switch': (s) => ofLimb(s, { to: s.dice.pick(['ik', 'fk']) }),
+  'limbs.setSpace': (s) => ofLimb(s, { space: s.dice.pick(['world', 'parent']) }),
+  'limbs.flatten': ({ dice, character, take }) =>
+    take.goals && dice.is(0.3) ? { characterId: character.id } : undefined,
   'markers.add': ({ dice, character }) => {
     const [timeSeconds, endSeconds] = range(dice);
     const marker = { timeSeconds, label: dice.pick(['step', 'turn', '']) };
@@ -477,7 +518,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
       ({ dice, character }: Situation) => rigArguments(id, character, dice, { characterId: character.id }),
     ]),
   ),
-  'rig.create': ({ dice, others }) => (others.length < 3 ? { name: dice.pick(['ant', undefined]) } : undefined),
+  'rig.create': ({ dice, others }) => (others.length < 4 ? { name: dice.pick(['ant', undefined]) } : undefined),
   'skin.autoWeights': ({ dice, character }) => ({
     characterId: character.id,
     skin: dice.below(character.skins.length),

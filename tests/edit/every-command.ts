@@ -120,6 +120,19 @@ const LAYERED = documentOf(
 );
 const layered = (args: object, idle: object): EditCase => ({ document: LAYERED, args, idle });
 
+/** An arm that goes to a point. */
+const LIMBED = documentOf({
+  ...HERO,
+  limbs: { list: [{ name: 'arm', joints: [2, 3], tip: [0, 0, 0], orient: false }] },
+  takes: [
+    {
+      ...WALK,
+      goals: { list: [{ limb: 'arm', space: 'world', channels: { tx: { curve: -1 }, ty: { curve: WAVE } } }] },
+    },
+  ],
+});
+const limbed = (args: object, idle: object): EditCase => ({ document: LIMBED, args, idle });
+
 function driven({ skeleton, takes: [own], name, pose, clampsToLimits, timeOffsetSeconds }: Character): Document {
   if (!skeleton) throw new Error('no skeleton');
   const source = { name, skeleton, take: own, pose, clampsToLimits, timeOffsetSeconds };
@@ -473,6 +486,13 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'layers.activate': layered({ ...WHO, layer: 1 }, { ...WHO, layer: -1 }),
   'layers.mergeDown': layered({ ...WHO, layer: 1 }, { ...WHO, layer: 7 }),
   'layers.flatten': layered(WHO, { characterId: 'c2' }),
+  'limbs.add': alone({ ...WHO, joints: [0, 2, 3], name: 'arm' }, { ...WHO, joints: [1, 2] }),
+  'limbs.change': limbed({ ...WHO, limb: 0, name: 'wing' }, { ...WHO, limb: 0, name: 'arm' }),
+  'limbs.remove': limbed({ ...WHO, limb: 0 }, { ...WHO, limb: 1 }),
+  'limbs.key': limbed({ ...NOW, limb: 0, goal: [1, 2, 3, 0, 0, 0] }, { ...NOW, limb: 1, blend: 1 }),
+  'limbs.switch': limbed({ ...NOW, limb: 0, to: 'fk' }, { ...NOW, limb: 0, to: 'ik' }),
+  'limbs.setSpace': limbed({ ...NOW, limb: 0, space: 'arm_l' }, { ...NOW, limb: 0, space: 'world' }),
+  'limbs.flatten': limbed(WHO, { characterId: 'c2' }),
   'skin.autoWeights': {
     document: SLEEVE,
     args: { ...WHO, timeSeconds: 0 },

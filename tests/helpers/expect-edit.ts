@@ -13,7 +13,8 @@ import { type Character, type Document, findCharacter, isBvh } from '../../src/m
 import type { FileContent } from '../../src/model/files.ts';
 import { limbsByName } from '../../src/model/limbs.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
-import { setsByName } from '../../src/model/sets.ts';
+import { setsByName } from '../../src/model/sets-by-name.ts';
+import type { Channel, Goal, GoalCurve } from '../../src/model/takes/take.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { asRead } from './as-read.ts';
 import { checkDocument, checkSelection } from './invariants.ts';
@@ -176,8 +177,10 @@ function expectReadsBack(character: Character, before: Character | undefined): v
     expectRoundTrip({ kind: 'limbs', limbs: content }, true, 'x.limbs.json');
   }
   for (const { goals } of takes.filter((part) => isNew(part, before?.takes))) {
-    if (goals)
-      expectRoundTrip({ kind: 'limbs', limbs: { goals: goals.list, base: 'x.base.anim' } }, true, 'x.limbs.json');
+    if (goals) {
+      const limbs = { goals: goals.list.map(goalAsRead), base: 'x.base.anim' };
+      expectRoundTrip({ kind: 'limbs', limbs }, true, 'x.limbs.json');
+    }
   }
   for (const { attached } of takes.filter((part) => isNew(part, before?.takes))) {
     const rows = attached?.list.map(({ leaderId: _id, joint, ...row }) => ({
@@ -191,6 +194,13 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   if (poses && poses !== before?.poses) {
     expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });
   }
+}
+
+function goalAsRead(goal: Goal): Goal {
+  const read = ([name, { curve, ...rest }]: [string, GoalCurve]) => {
+    return [name, { ...rest, curve: typeof curve === 'number' ? curve : (asRead(curve) satisfies Channel) }];
+  };
+  return { ...goal, channels: Object.fromEntries(Object.entries(goal.channels).map(read)) };
 }
 
 /** Written, read and written again: the same bytes, and the same model if the format can hold all of it. */

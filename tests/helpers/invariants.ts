@@ -1,4 +1,6 @@
 /** Invariants of every document. */
+
+import { controlCountOf } from '../../src/edit/limbs/goal-dofs.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { type Character, type Document, shownTake } from '../../src/model/document.ts';
 import type { Morph } from '../../src/model/morph.ts';
@@ -8,6 +10,7 @@ import { characterDofs } from '../../src/model/skeleton/dofs.ts';
 import { dofsOf } from '../../src/model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
+import { withCurvesOfGoals } from '../../src/model/takes/layer-code.ts';
 import { columnOf, type Samples } from '../../src/model/takes/samples.ts';
 import { type Channel, EXTRAPOLATIONS, keysOf, type Take } from '../../src/model/takes/take.ts';
 import { FIXED_TANGENT, TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
@@ -61,7 +64,8 @@ export function checkCharacter(character: Character): void {
   }
   if (unkeyed) {
     must(unkeyed.dofs.length > 0 && unkeyed.dofs.length === unkeyed.values.length, `${name}: unkeyed DOFs have values`);
-    must(ascends(unkeyed.dofs) && unkeyed.dofs.every((d) => isIndex(d, dofs)), `${name}: unkeyed DOFs ascend`);
+    const controls = controlCountOf(character);
+    must(ascends(unkeyed.dofs) && unkeyed.dofs.every((d) => isIndex(d, controls)), `${name}: unkeyed DOFs ascend`);
   }
   if (ik) {
     const held = [...ik.pins, ...ik.stiff];
@@ -192,7 +196,10 @@ export function checkSelection({ characters }: Document, { characterId, joint, k
   const character = characters.find(({ id }) => id === characterId);
   if (!character) throw new Error('not so: the selected character is there');
   must(joint === undefined || isIndex(joint, character.skeleton?.joints.length ?? 0), 'the selected joint is there');
-  const channels = shownTake(character)?.channels ?? [];
+  const take = shownTake(character);
+  const channels = take
+    ? withCurvesOfGoals(take, characterDofs(character.skeleton, character.morphs).length).channels
+    : [];
   must(ascends((keys ?? []).map(({ channel }) => channel)), 'channels of selected keys ascend');
   for (const { channel, indices } of keys ?? []) {
     const count = keysOf(channels[channel]).times.length;

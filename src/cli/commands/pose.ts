@@ -9,13 +9,14 @@
 
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { applyConstraints, compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
-import { type LimbInfo, limbInfos } from '../../evaluate/limbs/infos.ts';
+import { limbInfos } from '../../evaluate/limbs/infos.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { isVisible } from '../../evaluate/visible-points.ts';
 import { refusal } from '../../files/save/conversion.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type Character, shownSkin, shownTake } from '../../model/document.ts';
+import type { LimbInfo } from '../../model/limbs.ts';
 import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
 import { arePoints, jointTypeOf } from '../../model/skeleton/joint-types.ts';
 import { FILE_EXITS } from '../io.ts';

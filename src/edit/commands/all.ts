@@ -2,6 +2,7 @@
 import type { AnyCommand } from '../command.ts';
 import * as attach from './beside/attach.ts';
 import * as layers from './beside/layers.ts';
+import * as limbs from './beside/limbs.ts';
 import * as sets from './beside/sets.ts';
 import * as channels from './channels.ts';
 import * as couples from './couples.ts';
@@ -30,7 +31,22 @@ import * as tangents from './tangents.ts';
 export const ALL_COMMANDS: ReadonlyMap<string, AnyCommand> = new Map([
   ...COMMANDS_AT_HAND,
   ...commandsIn([keys, paste, tangents, review, takes, takeEdits, takeJoins, markers, moment, channels, samples]),
-  ...commandsIn([attach, layers, retarget, poses, ik, hold, rig, rigJoint, couples, skinWeights, heights, sets, drags]),
+  ...commandsIn([
+    attach,
+    layers,
+    limbs,
+    retarget,
+    poses,
+    ik,
+    hold,
+    rig,
+    rigJoint,
+    couples,
+    skinWeights,
+    heights,
+    sets,
+    drags,
+  ]),
 ]);
 
 /** The arguments of each command in words, for `marrow.commands()`. */

@@ -35,6 +35,7 @@ const FETCHED: ReadonlySet<string> = new Set([
   'ik',
   'keys',
   'layers',
+  'limbs',
   'markers',
   'path',
   'poses',

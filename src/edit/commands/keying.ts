@@ -8,6 +8,7 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { keyDofs } from '../key-dofs.ts';
 import { touchedByActive } from '../layers/layer-values.ts';
+import { controlCountOf, goalValueAt, withGoalsPosed } from '../limbs/goal-dofs.ts';
 import { openValues } from '../pose/locks.ts';
 import { optional } from '../schema/shape.ts';
 import { indices, KEY_OPTIONS, NOW } from '../schema/shared-shapes.ts';
@@ -22,7 +23,7 @@ export const keyPose = command({
   id: 'pose.key',
   args: {
     ...NOW,
-    /** Indices into the character's DOFs (`model/dofs.ts`); default all. */
+    /** Indices into the character's DOFs (`model/dofs.ts`) and curves of goals; default all DOFs. A limb in IK is keyed by its goal. */
     dofs: optional(indices),
     ...KEY_OPTIONS,
   },
@@ -40,10 +41,10 @@ export const keyPose = command({
       for (const [dof, value] of shown.entries()) if (touched(dof)) values.set(dof, value);
     } else
       for (const dof of dofs) {
-        const index = indexIn(dof, 0, shown.length, 'DOF');
-        values.set(index, shown[index]);
+        const index = indexIn(dof, 0, controlCountOf(character), 'DOF');
+        values.set(index, index < shown.length ? shown[index] : goalValueAt(character, index, timeSeconds));
       }
-    const { open, locked } = openValues(character, values);
+    const { open, locked } = openValues(character, withGoalsPosed(character, values, timeSeconds, true));
     const { character: keyed, keys } = keyDofs(character, open, timeSeconds, options);
     const take = shownTake(keyed);
     if (take) keyable(take, [...open.keys()]);

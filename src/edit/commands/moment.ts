@@ -73,8 +73,9 @@ function valuesOf(
   timeSeconds: number,
   dofs: readonly { readonly index: number; readonly value: number }[] | undefined,
 ): ReadonlyMap<number, number> {
-  if (!dofs) return unkeyedAt(character, timeSeconds);
   const all = characterDofs(character.skeleton, character.morphs);
+  // Goals have no moment.
+  if (!dofs) return new Map([...unkeyedAt(character, timeSeconds)].filter(([dof]) => dof < all.length));
   return new Map(
     dofs.map(({ index: dof, value }) => {
       indexIn(dof, 0, all.length, 'DOF');

@@ -10,6 +10,7 @@
  *     retargeting           an unkeyed change, if it drives the joint; else the pose
  *     auto-key              a key at that time, except for sampled channels
  *     a lock                nothing changes; how many there were is told
+ *     a limb in IK          its goal is set instead, if it moves, by the indices of the goal's channels
  *
  * The pose keeps the values beneath a take: it shows again without the take, and is saved to `.skel`. Writing to both
  * would change one take by posing in another.
@@ -18,11 +19,14 @@
 import { channelOf, dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
 import { type Character, type Document, shownTake } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, type DofValue, restPose, wholeFilePose } from '../../model/skeleton/dofs.ts';
+import { withChannelsOf } from '../../model/takes/channels-with-goals.ts';
+import { withCurvesOfGoals } from '../../model/takes/layer-code.ts';
 import { indexIn } from '../arguments.ts';
 import type { Change } from '../change.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { command } from '../command.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { controlCountOf, withGoalsPosed } from '../limbs/goal-dofs.ts';
 import { openValues } from '../pose/locks.ts';
 import { type Tween, tweenedPose } from '../pose/tween.ts';
 import { boolean, index, list, number, oneOf, optional, record } from '../schema/shape.ts';
@@ -55,8 +59,9 @@ export const setDofs = command({
       const all = characterDofs(character.skeleton, character.morphs);
       const values = new Map<number, number>();
       for (const { index, value } of dofs) {
-        indexIn(index, 0, all.length, 'DOF');
-        values.set(index, character.clampsToLimits ? withinLimit(all[index], value) : value);
+        indexIn(index, 0, controlCountOf(character), 'DOF');
+        const isClamped = character.clampsToLimits && index < all.length;
+        values.set(index, isClamped ? withinLimit(all[index], value) : value);
       }
       return values;
     }),
@@ -145,7 +150,8 @@ export function setValues(
   valuesFor: (character: Character) => ReadonlyMap<number, number>,
 ): Document | Change {
   const character = requireCharacter(document, characterId);
-  const { open: values, locked } = openValues(character, valuesFor(character));
+  const { open, locked } = openValues(character, valuesFor(character));
+  const values = withGoalsPosed(character, open, timeSeconds, false);
   const told = locked > 0 && { locked };
   if (!key) {
     const next = changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
@@ -162,7 +168,8 @@ export function setValues(
 function pose(character: Character, values: ReadonlyMap<number, number>, timeSeconds: number): Character {
   const take = shownTake(character);
   const byHand = unkeyedAt(character, timeSeconds);
-  const channels = take && [...take.channels];
+  const count = dofCountOf(character);
+  const channels = take && [...withCurvesOfGoals(take, count).channels];
   const posed = [...character.pose];
   let poseChanged = false;
   let takeChanged = false;
@@ -190,7 +197,7 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
     }
   }
   let next = poseChanged ? { ...character, pose: posed } : character;
-  if (take && channels && takeChanged) next = withTake(next, next.shownTake, { ...take, channels });
+  if (take && channels && takeChanged) next = withTake(next, next.shownTake, withChannelsOf(take, channels, count));
   return handChanged ? withUnkeyed(next, timeSeconds, byHand) : next;
 }
 

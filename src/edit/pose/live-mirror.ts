@@ -6,7 +6,6 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { coupleOf } from '../../model/skeleton/couples.ts';
 import { characterDofs, type DofValue, firstDofs } from '../../model/skeleton/dofs.ts';
-import { indexIn } from '../arguments.ts';
 import type { Change } from '../change.ts';
 import { requireCharacter } from '../characters.ts';
 import type { Command } from '../command.ts';
@@ -21,8 +20,10 @@ export const mirroredSetDofs: Command<SetDofs, Document | Change> = {
     const { characterId, dofs, timeSeconds } = args;
     const character = requireCharacter(document, characterId);
     const count = dofCountOf(character);
-    for (const { index } of dofs) indexIn(index, 0, count, 'DOF');
-    return setDofs.run(document, { ...args, dofs: withPartners(character, dofs, timeSeconds) });
+    const own = dofs.filter(({ index }) => index < count);
+    // Of goals; of what is more, the command itself says that there is none.
+    const ofGoals = dofs.filter(({ index }) => index >= count);
+    return setDofs.run(document, { ...args, dofs: [...withPartners(character, own, timeSeconds), ...ofGoals] });
   },
 };
 

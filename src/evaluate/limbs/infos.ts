@@ -1,26 +1,20 @@
 /** The limbs of a character at a time: what `marrow pose` and `marrow.limbs()` say of them. */
 import type { Character } from '../../model/document.ts';
 import { shownTake } from '../../model/document.ts';
+import { type LimbInfo, type LimbMatch, type LimbRow, limbsByName } from '../../model/limbs.ts';
 import { spaceAt } from '../../model/takes/goals.ts';
 import { worldMatrices } from '../kinematics.ts';
-import { dofCountOf, poseAt } from '../pose.ts';
-import { type LimbMatch, matchOf } from './match.ts';
+import { dofCountOf, poseAt, shownUnkeyed } from '../pose.ts';
+import { matchOf } from './match.ts';
 import { type CompiledLimb, spaceJointAt, type TakeLimbs, takeLimbs } from './over-pose.ts';
 import { newTarget, TX, writeTarget, writeTip } from './target.ts';
 
-/** A limb with a goal, at a time. */
-export interface LimbInfo {
-  readonly name: string;
-  /** Within 0 … 1. */
-  readonly blend: number;
-  /** `world`, `parent`, or a joint by name or `#index`. */
-  readonly space: string;
-  /** tx ty tz rx ry rz, in that space. */
-  readonly goal: readonly number[];
-  /** From the tip to the goal. */
-  readonly gap: number;
-  /** The goal that FK's pose reaches, in that space. */
-  readonly match: LimbMatch;
+/** All limbs of a character at a time of the transport, in their order. */
+export function limbRows(character: Character, timeSeconds: number): LimbRow[] {
+  const { skeleton, limbs } = character;
+  if (!skeleton || !limbs) return [];
+  const infos = limbInfos(character, timeSeconds);
+  return limbsByName(limbs.list, skeleton).map((row) => ({ ...row, ...infos.find(({ name }) => name === row.name) }));
 }
 
 /** The limbs with goals of the take shown, in the order of the character's limbs; none while another's take moves it. */
@@ -34,7 +28,7 @@ export function limbInfos(character: Character, timeSeconds: number): LimbInfo[]
   const all = takeLimbs(goals, limbs, skeleton);
   const takeSeconds = timeSeconds + character.timeOffsetSeconds;
   const matches = new Map<CompiledLimb, LimbMatch>();
-  all.solve(takeSeconds, dofs, clampsToLimits, (limb, _, space) => {
+  all.solve(takeSeconds, dofs, clampsToLimits, dofs.length, shownUnkeyed(character, timeSeconds), (limb, _, space) => {
     matches.set(limb, matchOf(all, limb, dofs, space));
   });
   const world = new Float64Array(16 * all.compiled.jointCount);

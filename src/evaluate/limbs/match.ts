@@ -8,18 +8,11 @@
 import { backMultiply3, writeRotationPart } from '../../math/mat3.ts';
 import { invertAffine } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import type { LimbMatch } from '../../model/limbs.ts';
 import { bendNumbers, reached, side, writeBend, writeReach } from './bend.ts';
 import { placed, placeFirst } from './closed.ts';
 import type { CompiledLimb, TakeLimbs } from './over-pose.ts';
 import { writeTip } from './target.ts';
-
-/** A goal that IK reaches in the pose of FK. */
-export interface LimbMatch {
-  /** tx ty tz rx ry rz. */
-  readonly goal: readonly number[];
-  readonly pole: Vec3;
-  readonly bend: 1 | -1;
-}
 
 /** A bend of less is none. */
 const STRAIGHT = 1e-9;

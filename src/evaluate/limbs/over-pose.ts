@@ -7,22 +7,22 @@
  *     4. linked DOFs    of what follows the limb
  */
 import { multiplyAffine } from '../../math/mat4.ts';
+import type { Unkeyed } from '../../model/document.ts';
 import { soundLimbs } from '../../model/limb-problems.ts';
 import type { Limb, Limbs } from '../../model/limbs.ts';
 import { perObject, perPair } from '../../model/per-object.ts';
 import { couplesOf, type DofCouple } from '../../model/skeleton/couples.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
-import { spacesOf } from '../../model/takes/goals.ts';
+import { goalChannel, spacesOf } from '../../model/takes/goals.ts';
 import type { GoalProblem } from '../../model/takes/layer-code.ts';
-import { type Channel, GOAL_CHANNELS, type Goal, type Goals, restChannel } from '../../model/takes/take.ts';
+import { GOAL_CHANNELS, type Goal, type Goals } from '../../model/takes/take.ts';
 import { type CompiledTake, compileChannels } from '../compiled-take.ts';
 import { evaluateTake } from '../curves.ts';
-import type { IkProblem } from '../ik/state.ts';
 import { type CompiledSkeleton, compileSkeleton, writeLocal } from '../kinematics.ts';
 import { type Chain, closedChain } from './bend.ts';
 import { solveClosed } from './closed.ts';
 import { type GoalOfLimb, orderedGoals } from './order.ts';
-import { limbProblem, solvePinned } from './pinned.ts';
+import { type PinnedLimb, pinnedLimb, solvePinned } from './pinned.ts';
 import { BEND, newTarget, type Target, writeTarget, writeTip } from './target.ts';
 
 /** Farther beyond a limit than this is no rounding; radians and lengths. */
@@ -59,6 +59,8 @@ export class TakeLimbs {
   /** All channels of all goals, at the time of the last `solve`. */
   readonly values: Float64Array;
   private readonly curves: CompiledTake;
+  /** Where the channels of all goals, in the order of the take, are among `values`; -1 for goals that are not reached. */
+  private readonly places: Int32Array;
   private readonly target = newTarget();
   /** A limb's DOFs: FK's, IK's, and those before and after they were clamped. */
   private readonly fk: Float64Array;
@@ -66,7 +68,7 @@ export class TakeLimbs {
   private readonly beyond: Float64Array;
   private readonly held: Float64Array;
   /** IK problems of limbs, with and without limits; made when they are first needed. */
-  private readonly problems = new Map<CompiledLimb, [IkProblem?, IkProblem?]>();
+  private readonly problems = new Map<CompiledLimb, [PinnedLimb?, PinnedLimb?]>();
 
   constructor(
     goals: Goals,
@@ -76,8 +78,13 @@ export class TakeLimbs {
     this.compiled = compileSkeleton(skeleton);
     const { ordered } = orderedGoals(goals, soundLimbs(limbs, skeleton).list, skeleton);
     this.limbs = compiledLimbs(ordered, skeleton, this.compiled);
-    this.curves = compileChannels(ordered.flatMap(({ goal }) => GOAL_CHANNELS.map((name) => channelOf(goal, name))));
+    this.curves = compileChannels(ordered.flatMap(({ goal }) => GOAL_CHANNELS.map((name) => goalChannel(goal, name))));
     this.values = new Float64Array(this.curves.channelCount);
+    this.places = new Int32Array(GOAL_CHANNELS.length * goals.list.length).fill(-1);
+    ordered.forEach(({ index }, i) => {
+      const { length } = GOAL_CHANNELS;
+      for (let k = 0; k < length; k++) this.places[length * index + k] = length * i + k;
+    });
     this.world = new Float64Array(16 * this.compiled.jointCount);
     const most = Math.max(0, ...this.limbs.map(({ dofs }) => dofs.length));
     const scratch = () => new Float64Array(most);
@@ -87,15 +94,20 @@ export class TakeLimbs {
   /**
    * Moves the limbs of a pose to their goals, in place. Allocates nothing, but when a limb first needs the solver of pins.
    * @param dofs the character's, within its limits
+   * @param count their number; `dofs` may be longer
+   * @param unkeyed values of goals set by hand at that time, among others, by the indices of `withGoalChannels`
    * @param before called before each limb is solved, with its target
    */
   solve(
     timeSeconds: number,
     dofs: Float64Array,
     clamps: boolean,
+    count = dofs.length,
+    unkeyed?: Unkeyed,
     before?: (limb: CompiledLimb, target: Target, space: number) => void,
   ): void {
     evaluateTake(this.curves, timeSeconds, this.values);
+    if (unkeyed) this.setByHand(unkeyed, count);
     for (const limb of this.limbs) {
       for (let i = 0; i < limb.stale.length; i++) this.writeWorld(limb.stale[i], dofs);
       const blend = this.values[limb.at];
@@ -107,6 +119,13 @@ export class TakeLimbs {
       this.target.bend = bend >= 0 ? 1 : -1;
       before?.(limb, this.target, space);
       if (blend > 0) this.move(limb, Math.min(1, blend), dofs, clamps);
+    }
+  }
+
+  private setByHand({ dofs, values }: Unkeyed, count: number): void {
+    for (let i = 0; i < dofs.length; i++) {
+      const at = this.places[dofs[i] - count];
+      if (at >= 0) this.values[at] = values[i];
     }
   }
 
@@ -197,10 +216,10 @@ export class TakeLimbs {
     }
   }
 
-  private problemOf(limb: CompiledLimb, clamps: boolean): IkProblem {
+  private problemOf(limb: CompiledLimb, clamps: boolean): PinnedLimb {
     const known = this.problems.get(limb) ?? [];
     const which = clamps ? 0 : 1;
-    const problem = known[which] ?? limbProblem(limb.limb, this.skeleton, clamps);
+    const problem = known[which] ?? pinnedLimb(limb.limb, this.skeleton, clamps);
     known[which] = problem;
     this.problems.set(limb, known);
     return problem;
@@ -227,11 +246,6 @@ export function goalProblems(goals: Goals, limbs: Limbs, skeleton: Skeleton): re
 /** The limbs that goals move, compiled; cached. */
 export function takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): TakeLimbs {
   return byLimbs(goals)(limbs, skeleton);
-}
-
-function channelOf({ channels }: Goal, name: (typeof GOAL_CHANNELS)[number]): Channel {
-  const { curve = name === 'blend' ? 1 : 0 } = channels[name] ?? {};
-  return typeof curve === 'number' ? restChannel(curve) : curve;
 }
 
 /** The joint of the space that applies at a time; -1 for the character's own. */

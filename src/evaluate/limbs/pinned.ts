@@ -13,7 +13,14 @@ import type { IkProblem } from '../ik/state.ts';
 import { compileSkeleton } from '../kinematics.ts';
 
 /** The IK problem of a limb, for any pose and time: it depends on the skeleton only. */
-export function limbProblem({ joints, tip, orient }: Limb, skeleton: Skeleton, clamps: boolean): IkProblem {
+export interface PinnedLimb {
+  readonly problem: IkProblem;
+  /** Scratch for the DOFs of the skeleton: a pose may have more, of morphs. */
+  readonly pose: Float64Array;
+}
+
+/** Makes the IK problem of a limb. */
+export function pinnedLimb({ joints, tip, orient }: Limb, skeleton: Skeleton, clamps: boolean): PinnedLimb {
   const { firstDof } = compileSkeleton(skeleton);
   const stiffness = new Float64Array(firstDof[skeleton.joints.length]).fill(Infinity);
   const free = ikStiffness(skeleton, true);
@@ -22,7 +29,8 @@ export function limbProblem({ joints, tip, orient }: Limb, skeleton: Skeleton, c
   }
   const pin = { joint: joints[joints.length - 1], point: tip, target: [0, 0, 0] as const };
   const pins = [orient ? { ...pin, orientation: [0, 0, 0, 1] as const } : pin];
-  return ikProblem(skeleton, pins, restPose(skeleton, 0), { clamps, stiffness });
+  const pose = Float64Array.from(restPose(skeleton, 0));
+  return { problem: ikProblem(skeleton, pins, pose, { clamps, stiffness }), pose };
 }
 
 /** Scratch; never escapes. */
@@ -34,7 +42,7 @@ const quaternion = new Float64Array(4);
  * @param restarts whether other starts are tried if this one leads to no solution
  */
 export function solvePinned(
-  problem: IkProblem,
+  { problem, pose }: PinnedLimb,
   point: Float64Array,
   turn: Float64Array,
   dofs: Float64Array,
@@ -43,7 +51,9 @@ export function solvePinned(
   movePin(problem, 0, point[0], point[1], point[2]);
   quaternionOfRotation(turn, 0, quaternion);
   turnPin(problem, 0, quaternion);
-  const { isSolved } = solve(problem, dofs, 'rest');
-  if (!isSolved && restarts) solve(problem, dofs, 'settle');
-  solve(problem, dofs, 'exact');
+  for (let d = 0; d < pose.length; d++) pose[d] = dofs[d];
+  const { isSolved } = solve(problem, pose, 'rest');
+  if (!isSolved && restarts) solve(problem, pose, 'settle');
+  solve(problem, pose, 'exact');
+  for (let d = 0; d < pose.length; d++) dofs[d] = pose[d];
 }

@@ -11,6 +11,7 @@
  * and autosave follow from there (`sets`). Otherwise it is a part of its take, as markers are.
  */
 
+import { provideLayers } from '../../evaluate/layers.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import {
@@ -24,7 +25,7 @@ import {
 } from '../../model/files.ts';
 import { limbsOfJoints } from '../../model/limb-problems.ts';
 import { NO_MARKS, readAs } from '../../model/part.ts';
-import { setsOfJoints } from '../../model/sets.ts';
+import { setsOfJoints } from '../../model/sets-by-name.ts';
 import { layerCode } from '../../model/takes/layer-code.ts';
 import type { LimbsFile } from '../../model/takes/limbs-file.ts';
 import type { Goals } from '../../model/takes/take.ts';
@@ -101,6 +102,8 @@ function withLimbs(
 ): Given {
   const { skeleton, parts = NO_MARKS } = character;
   if (!skeleton) return { character };
+  // Who has limbs may be asked for them, and be given goals.
+  provideLayers();
   const { limbs: list, problems } = limbsOfJoints(byName, skeleton);
   const mark = readAs(parts.limbs, { kind: 'limbs', source, holds: skeleton.name });
   const limbs = { list, ...(others && { others }) };

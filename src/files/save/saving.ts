@@ -11,7 +11,7 @@ import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
 import type { FileContent } from '../../model/files.ts';
 import { newFileName, type Part, takeOf } from '../../model/part.ts';
-import { setsByName } from '../../model/sets.ts';
+import { setsByName } from '../../model/sets-by-name.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
 import { unlayered } from '../../model/takes/layers.ts';
 import { baseOf, type Take } from '../../model/takes/take.ts';

@@ -5,7 +5,7 @@
  *     { "sets": [ { "name": "arm", "color": "#4a90e2", "joints": ["upper_arm_l", "#7"] } ],
  *       "locked": [ { "joint": "shin_l", "dofs": ["ry", "rz"] } ] }
  */
-import type { SetsByName } from '../../model/sets.ts';
+import type { SetsByName } from '../../model/sets-by-name.ts';
 import { type JsonValue, jsonReader } from '../json/read.ts';
 import type { Reader } from '../reader.ts';
 

@@ -1,5 +1,5 @@
 /** Writes `.sets.json`, a line for each set and each joint with locks. */
-import type { SetsByName } from '../../model/sets.ts';
+import type { SetsByName } from '../../model/sets-by-name.ts';
 import { writeJson } from '../json/write.ts';
 import type { WriteResult } from '../reader.ts';
 

@@ -8,8 +8,8 @@
  * of `evaluate/layers.ts`. The opener, the session reader, the commands for layers, the joining of files, and the
  * worker do.
  */
-import type { Character } from '../document.ts';
-import type { Limbs } from '../limbs.ts';
+import type { Character, Unkeyed } from '../document.ts';
+import type { LimbRow, Limbs } from '../limbs.ts';
 import type { Skeleton } from '../skeleton/skeleton.ts';
 import type * as TakeGoals from './goals.ts';
 import type * as LayerJoints from './layer-joints.ts';
@@ -41,14 +41,18 @@ export interface GoalProblem {
 
 /** The last part of posing, over poses within the limits, ready for evaluation: limbs that go to goals, a root that follows a joint. */
 export interface OverPose {
-  /** Changes a pose at a time of the take. Allocates nothing. */
-  solve(timeSeconds: number, dofs: Float64Array, clamps: boolean): void;
+  /**
+   * Changes a pose at a time of the take. Allocates nothing.
+   * @param count number of the character's DOFs, if `dofs` may be longer
+   * @param unkeyed values of goals, among others, that were set by hand at that time
+   */
+  solve(timeSeconds: number, dofs: Float64Array, clamps: boolean, count?: number, unkeyed?: Unkeyed): void;
 }
 
 /** The functions that the first script calls. */
 export interface LayerCode
   extends Pick<typeof Layers, 'haveSameFiles' | 'withMotions'>,
-    Pick<typeof TakeGoals, 'remapGoals'>,
+    Pick<typeof TakeGoals, 'remapGoals' | 'takeOfChannels' | 'withGoalChannels'>,
     Pick<typeof LayerJoints, 'unknownJoints'> {
   /** Cached. Without a skeleton, layers with joints touch nothing. */
   overBase(take: Take, skeleton: Skeleton | undefined): LayersOverBase;
@@ -58,6 +62,15 @@ export interface LayerCode
   takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): OverPose;
   /** Puts the root where the take attaches it, and then its limbs to its goals. */
   overPose(take: Take, attached: Attachments, character: Character): OverPose;
+  /** What sets DOFs of limbs in IK, as values of their goals. */
+  posedByGoals(
+    character: Character,
+    values: ReadonlyMap<number, number>,
+    timeSeconds: number,
+    keys: boolean,
+  ): ReadonlyMap<number, number>;
+  /** All limbs of a character at a time of the transport. */
+  limbRows(character: Character, timeSeconds: number): LimbRow[];
   /** All layers of a take at a time of it, from the lowest up. */
   infos(take: Take, timeSeconds: number): LayerInfo[];
 }
@@ -77,4 +90,9 @@ export function provideLayerCode(code: LayerCode): void {
 export function layerCode({ name }: Pick<Take, 'name'>): LayerCode {
   if (!provided) throw new Error(`${name}: call provideLayers() first.`);
   return provided;
+}
+
+/** The take with the curves of its goals as channels after those of all DOFs: see `withGoalChannels`. */
+export function withCurvesOfGoals(take: Take, dofCount: number): Take {
+  return take.goals ? layerCode(take).withGoalChannels(take, dofCount) : take;
 }

@@ -5,6 +5,7 @@ import { readSession } from '../../../src/app/autosave/restore.ts';
 import { savingMarks } from '../../../src/app/autosave/saving-marks.ts';
 import { DiskHandles } from '../../../src/app/disk-handles.ts';
 import { Unsaved } from '../../../src/app/unsaved.ts';
+import { addLimb, keyLimb } from '../../../src/edit/commands/beside/limbs.ts';
 import { setLocked } from '../../../src/edit/commands/beside/sets.ts';
 import { pinPoint, setStiffness } from '../../../src/edit/commands/ik.ts';
 import { addMarkers } from '../../../src/edit/commands/markers.ts';
@@ -94,6 +95,17 @@ it('restores selection sets and locks, fields of their file that are not known, 
   );
   expect(after.sets).toMatchObject({ sets, locked: [{ joint: 0, dofs: ['ry'] }], others: { by: 'another' } });
   expect(unsaved.current().map(({ name }) => name)).toEqual(['wasp.sets.json']);
+});
+
+it('restores limbs and their goals, and that neither is saved yet', async () => {
+  const { before, after, unsaved } = await page((store) => {
+    store.apply(addLimb, { characterId: 'c1', joints: [0, 1], name: 'arm', orient: true });
+    store.apply(keyLimb, { characterId: 'c1', timeSeconds: 0.5, limb: 0, blend: 1, space: 'parent' });
+  });
+  expect(after.limbs).toEqual(before.limbs);
+  expect(after.takes).toEqual(before.takes);
+  expect(after.takes[0].goals?.list).toMatchObject([{ limb: 'arm' }]);
+  expect(unsaved.current().map(({ name }) => name)).toEqual(['hero_anim.anim', 'hero.limbs.json']);
 });
 
 const ROOT = 'ROOT hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site { OFFSET 0 20 0 } }';

@@ -2,10 +2,9 @@
 import fc from 'fast-check';
 import { provideLayers } from '../../../src/evaluate/layers.ts';
 import { limbInfos } from '../../../src/evaluate/limbs/infos.ts';
-import type { LimbMatch } from '../../../src/evaluate/limbs/match.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import type { Character } from '../../../src/model/document.ts';
-import type { Limb } from '../../../src/model/limbs.ts';
+import type { Limb, LimbMatch } from '../../../src/model/limbs.ts';
 import { type Goal, type GoalChannel, restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { between } from '../../edit/keys/channels.ts';
 import { character } from '../../helpers/builders.ts';

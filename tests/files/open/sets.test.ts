@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { saveCharacter } from '../../../src/files/save/saving.ts';
-import type { SetsByName } from '../../../src/model/sets.ts';
+import type { SetsByName } from '../../../src/model/sets-by-name.ts';
 import { file, joint, skeleton, skelFile } from '../../helpers/builders.ts';
 import { only, open } from './opening.ts';
 

@@ -5,6 +5,7 @@ import { discardUnkeyed } from '../../../edit/commands/unkeyed.ts';
 import { posedDofs } from '../../../edit/posed-dofs.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { unkeyedAt } from '../../../edit/unkeyed.ts';
+import { dofCountOf } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import { NEW_KEY_TANGENTS, TANGENTS } from '../../../model/takes/tangent-kinds.ts';
@@ -263,7 +264,10 @@ function keyAndTell(
 
 function unkeyedNow(wb: Uses<'store' | 'transport'>): ReadonlyMap<number, number> {
   const character = currentCharacter(wb);
-  return character ? unkeyedAt(character, wb.transport.get().timeSeconds) : new Map();
+  const all = character ? unkeyedAt(character, wb.transport.get().timeSeconds) : [];
+  // Goals of limbs have no moment.
+  const count = character ? dofCountOf(character) : 0;
+  return new Map([...all].filter(([dof]) => dof < count));
 }
 
 function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {
