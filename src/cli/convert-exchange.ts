@@ -1,6 +1,7 @@
 /** `marrow convert IN… OUT.glb` and its like: one character with its takes, for other programs. */
 import { resolve } from 'node:path';
 import { CommandError } from '../edit/command-error.ts';
+import { notLeading } from '../edit/follow/leaders.ts';
 import { spaceText } from '../evaluate/space/space.ts';
 import { EXCHANGES, writeExchange } from '../export/exchange.ts';
 import { EXCHANGE_FORMATS, type ExchangeFormat } from '../export/formats.ts';
@@ -78,7 +79,7 @@ export async function convertToExchange(
   const failed = (code: string, message: string) => ({ bytes: 0, diagnostics: [refusal(code, message, name)] });
   const { document, diagnostics } = openFiles(EMPTY_DOCUMENT, files, [], undefined, byPath);
   const { characters } = document;
-  const whole = characters.filter(({ skeleton, skins }) => skeleton || skins.length > 0);
+  const whole = notLeading(characters.filter(({ skeleton, skins }) => skeleton || skins.length > 0));
   if (whole.length === 0) {
     const held = files.map(({ source }) => source.path).join(', ') || 'nothing';
     return failed('part-missing', `Expected a skeleton or a skin for ${name}, found ${held}.`);
@@ -105,7 +106,9 @@ export async function convertToExchange(
 
 /** Parts that would not be in the file although they were given. */
 function leftOut({ characters, unused }: Document, whole: readonly Character[]): readonly Diagnostic[] {
-  const takes = characters.filter((character) => !whole.includes(character)).flatMap(({ sources }) => sources);
+  const takes = notLeading(characters)
+    .filter((character) => !whole.includes(character))
+    .flatMap(({ sources }) => sources);
   const parts = unused.filter(({ file }) => file.kind === 'skin' || file.kind === 'morph' || file.kind === 'anim');
   return [
     ...takes.map(({ path }) =>

@@ -4,6 +4,7 @@
  */
 
 import { CommandError } from '../edit/command-error.ts';
+import { notLeading } from '../edit/follow/leaders.ts';
 import { besideOf, formatKindOf, isBesideTakes, isSaved, KINDS, skeletonKindFor } from '../files/kinds.ts';
 import { openFiles } from '../files/open/open-files.ts';
 import type { Format } from '../files/readers.ts';
@@ -31,7 +32,7 @@ export type PickOptions = ConversionOptions & { readonly edit: Edit | undefined 
 
 /** The characters of these files, edited. @throws CommandError */
 function charactersOf(files: readonly ParsedFile[], { edit }: PickOptions): readonly Character[] {
-  const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  const characters = notLeading(openFiles(EMPTY_DOCUMENT, files).document.characters);
   return edit ? characters.map(edit) : characters;
 }
 

@@ -22,6 +22,12 @@ function leaderIds({ takes }: Pick<Character, 'takes'>): readonly string[] {
   return [...new Set(takes.flatMap(({ attached }) => attached?.list.map(({ leaderId }) => leaderId) ?? []))];
 }
 
+/** The characters that none of the others follows: files of a leader may be given only for what follows it. */
+export function notLeading(characters: readonly Character[]): readonly Character[] {
+  const leading = new Set(characters.flatMap(leaderIds));
+  return characters.filter(({ id }) => !leading.has(id));
+}
+
 /** Whether a character follows another one, or one that does. */
 export function follows(document: Document, follower: Character, leaderId: string): boolean {
   const seen = new Set<string>();

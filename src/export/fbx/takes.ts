@@ -109,7 +109,7 @@ interface Writing {
   readonly character: Character;
   readonly moved: Moved;
   readonly motion: TakeMotion;
-  /** What channels drive; absent if another character's take does. */
+  /** What channels drive; absent if something else does: another character's take, layers, goals, an attachment. */
   readonly curves: DofCurves | undefined;
   /** At which there is a key each: of samples, or as the options say. */
   readonly frames: Frames | undefined;
@@ -133,6 +133,7 @@ function writingOf(character: Character, moved: Moved, { framesPerSecond }: Exch
   };
   const motion = takeMotion(character, all, own);
   if (!motion) return undefined;
+  const isByChannels = (character.driver ?? take.layers ?? take.goals ?? take.attached) === undefined;
   const isByFrames = framesPerSecond !== undefined;
   const frames = isByFrames ? framesOf(take.range, framesPerSecond) : within(ownFrames(character), take.range);
   if (frames && frames.frameCount > MAX_FRAMES) {
@@ -142,7 +143,7 @@ function writingOf(character: Character, moved: Moved, { framesPerSecond }: Exch
     character,
     moved,
     motion,
-    curves: character.driver ? undefined : new DofCurves(character, moved.skeleton, take),
+    curves: isByChannels ? new DofCurves(character, moved.skeleton, take) : undefined,
     frames,
     interpolation: isByFrames || character.driver ? 'linear' : (take.samples?.interpolation ?? 'linear'),
     isByFrames,

@@ -5,7 +5,7 @@
 import { sameValue } from '../../edit/delta.ts';
 import { followLeaders, follows, leaderOf, withAttached } from '../../edit/follow/leaders.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
+import { type Character, EMPTY_DOCUMENT, findCharacter } from '../../model/document.ts';
 import { folderOf, type ParsedFile, sameName, stemOf } from '../../model/files.ts';
 import { jointReferred } from '../../model/skeleton/joint-reference.ts';
 import { ownChannels } from '../../model/skeleton/skel-motion.ts';
@@ -42,6 +42,7 @@ export function openAttached(opening: Opening, file: AttachFile, character: Char
     ...(flattened?.others && { ofFlattened: flattened.others }),
     ...(others && { others }),
   };
+  stayAtOrigin(opening, character, list);
   const leaders = characters.all.filter(({ id }) => list.some(({ leaderId }) => leaderId === id));
   const attached = withAttached(
     withTake({ ...whole, attached: facts }),
@@ -59,6 +60,16 @@ export function openAttached(opening: Opening, file: AttachFile, character: Char
   characters.replaceAll(followLeaders(EMPTY_DOCUMENT, document).characters);
   opening.opened.add(character.id);
   opening.used.add(file);
+}
+
+/** Both come to the place of their leader: where that was put beside a follower at the origin, it comes there before. */
+function stayAtOrigin({ base, characters }: Opening, follower: Character, list: readonly Attachment[]): void {
+  const [first] = list;
+  const leader = characters.all.find(({ id }) => id === first?.leaderId);
+  const { position } = follower.placements[0];
+  if (!leader || findCharacter(base, leader.id) || position.some((part) => part !== 0)) return;
+  const [own, ...others] = leader.placements;
+  characters.replace({ ...leader, placements: [{ ...own, position }, ...others] });
 }
 
 /** The take of the plain file; without one that of the base. */

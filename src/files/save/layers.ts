@@ -2,6 +2,8 @@
  * The files of a take with layers, goals or attachments: its base, its layers, the plain file with the flattened result, and, last,
  * the JSON that says with which bytes of the plain file it was saved.
  */
+
+import { notLeading } from '../../edit/follow/leaders.ts';
 import { flattened as flattenedTake } from '../../edit/layers/flatten.ts';
 import type { FlattenOptions } from '../../edit/layers/flatten-options.ts';
 import { solvedTake } from '../../edit/limbs/flatten-goals.ts';
@@ -76,6 +78,8 @@ export function plainFiles(
     solves && files.some((file) => file.kind === 'attach' || (file.kind === 'limbs' && file.limbs.goals));
   if (!isSolved && !files.some(isLayered)) return { files, diagnostics: [] };
   const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+  const alone = notLeading(characters);
+  const leading = characters.filter((one) => !alone.includes(one)).flatMap(({ sources }) => sources);
   const diagnostics: Diagnostic[] = [];
   const plain = (character: Character, take: Take, file: string) => {
     const made = plainTake(character, take, file, options);
@@ -94,7 +98,8 @@ export function plainFiles(
     }
     // They would be reached a second time.
     if (isSolved && file.kind === 'limbs') return limbsAlone(file) ?? [];
-    if (isSolved && file.kind === 'attach') return [];
+    // A leader was given for what follows it.
+    if (isSolved && (file.kind === 'attach' || leading.some((source) => source.path === path))) return [];
     if (file.kind !== 'anim') return file;
     const at = (character: Character) =>
       character.parts?.takes.findIndex((mark) => mark.file?.source.path === path) ?? -1;
