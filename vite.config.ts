@@ -14,6 +14,7 @@ import { manual } from './plugins/manual.ts';
 import { offline } from './plugins/offline.ts';
 import { openingSample } from './plugins/opening-sample.ts';
 import { policy } from './plugins/policy.ts';
+import { webPageScripts } from './plugins/web-page.ts';
 import { firefoxPath } from './tests/helpers/firefox-path.ts';
 
 const page: UserConfig = {
@@ -196,8 +197,8 @@ export default defineConfig(({ mode }) => {
     // Relative addresses: the built page works under any path.
     base: './',
     ...building,
-    worker: { format: 'es', plugins: () => [draco()] },
-    plugins: [givenFiles(), draco(), policy(), ...(building.plugins ?? [])],
+    worker: { format: 'es', plugins: () => [draco(), webPageScripts()] },
+    plugins: [givenFiles(), draco(), policy(), webPageScripts(), ...(building.plugins ?? [])],
     test: {
       // What passes is only counted where nobody watches.
       reporters: [process.stdout.isTTY ? 'default' : 'minimal', './tests/helpers/count-reporter.ts'],

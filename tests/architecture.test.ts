@@ -56,7 +56,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   // Files that tell mistakes apart, with their answers.
   'teaching/kit': ['files', 'teaching', 'formats', 'evaluate', ...BASE],
   // The element of other pages.
-  viewer: ['ui/widgets', 'view', 'io', 'worker', 'files', 'edit', 'evaluate', ...BASE],
+  viewer: ['ui/widgets', 'view', 'io', 'worker', 'files', 'formats', 'edit', 'evaluate', ...BASE],
   // The entries of the npm package.
   package: ['viewer', 'worker', 'dataset', 'import', 'export', 'files', 'formats', 'edit', 'evaluate', ...BASE],
   cli: [
@@ -104,11 +104,12 @@ const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   gifenc: ['io'],
   'lil-gui': ['ui/widgets', 'ui/editors'],
   '@codemirror': ['ui/editors'],
-  fflate: ['formats', 'import', 'export', 'io', 'app'],
+  fflate: ['formats', 'import', 'export', 'files', 'io', 'app'],
   // Decoders of compressed glTF.
   meshoptimizer: ['import'],
   'virtual:opening-sample': ['app'],
   'virtual:draco': ['import'],
+  'virtual:web-page': ['worker', 'cli'],
   'node:': ['cli'],
 };
 

@@ -4,7 +4,7 @@ import { pickFiles, pickFolder } from '../io/disk-files.ts';
 import { fromDataTransfer, type GivenFile } from '../io/given.ts';
 import { onDemand, whenIdle } from '../ui/state/on-demand.ts';
 import { MAX_OPENED } from '../ui/state/review.ts';
-import type { FileActions, SampleEntry, Uses } from '../ui/state/workbench.ts';
+import type { FileActions, SampleEntry, Sharing, Uses } from '../ui/state/workbench.ts';
 import type { Runs } from '../worker/client.ts';
 import type { PageJob } from '../worker/protocol.ts';
 import { forMessage } from '../worker/tracked-takes.ts';
@@ -107,8 +107,8 @@ export function fileActions(parts: Parts): FileActions {
     saveBytes: (name, bytes, mime) => void saving((s) => s.saveBytes(name, bytes, mime)),
     reload: (characterId) => void reload(parts, characterId),
     canReload: (characterId) => canReload(parts.store.document, parts.handles, characterId),
-    copyLink: () => void copyLink(parts),
     source,
+    sharing: () => sharing(parts),
     async pictures() {
       const module = await onDemand(parts.messages, 'Picture export', () => import('./pictures.ts'));
       return module?.picturesOf(parts.pictured, (name, content) => parts.disk.download(name, content));
@@ -125,9 +125,9 @@ async function reload(parts: Parts, characterId: string): Promise<void> {
   await module?.reload({ ...parts, readAgain: readHere }, characterId);
 }
 
-async function copyLink(parts: Parts): Promise<void> {
-  const module = await onDemand(parts.messages, 'The link', () => import('./link/copy-link.ts'));
-  await module?.copyLink({ ...parts, ...parts.pictured });
+async function sharing(parts: Parts): Promise<Sharing | undefined> {
+  const module = await onDemand(parts.messages, 'Sharing', () => import('./sharing.ts'));
+  return module?.sharingOf({ ...parts, ...parts.pictured });
 }
 
 async function saveKit({ worker, messages, disk }: Parts): Promise<void> {

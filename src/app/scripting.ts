@@ -125,6 +125,8 @@ export interface MarrowApi {
   picture(options?: PictureOptions): Promise<Blob | undefined>;
   /** The playback range as a video, GIF or zip of PNGs, at the frame rate of the transport if no other is given. */
   video(options?: VideoOptions): Promise<Blob | undefined>;
+  /** What is shown, as a page in one file, which needs no network. */
+  webPage(): Promise<Blob | undefined>;
   /** A character as GLB, with what the file has and loses; options as of `marrow convert`. */
   glb(options?: Partial<GlbOptions>, character?: CharacterRef): Promise<MadeExchange>;
   /** The same as FBX; `keys` and `body` say nothing there. */
@@ -213,14 +215,12 @@ export function scriptingApi(
     redo: () => store.redo(),
     picture: async (options) => (await workbench.files.pictures())?.picture(options),
     video: async (options) => (await workbench.files.pictures())?.video(options),
+    webPage: async () => (await workbench.files.sharing())?.webPage(),
     glb: (options, character) => exchange('glb', options, character),
     fbx: (options, character) => exchange('fbx', options, character),
     vrma: (options, character) => exchange('vrma', options, character),
     save: (name) => saveByName(store, name),
-    async zip() {
-      const { zipDocument } = await import('./zip-character.ts');
-      return new Blob([zipDocument(store.document).bytes], { type: 'application/zip' });
-    },
+    zip: () => zipOf(store),
   };
 }
 
@@ -290,4 +290,9 @@ function keyInfos(found: Channel | undefined, channel: number): KeyInfo[] {
 async function saveByName(store: Store, name: string): Promise<string> {
   const { savedByName } = await import('../files/save/by-name.ts');
   return savedByName([resolveCharacter(store, undefined), ...store.document.characters], name);
+}
+
+async function zipOf(store: Store): Promise<Blob> {
+  const { zipDocument } = await import('./zip-character.ts');
+  return new Blob([zipDocument(store.document).bytes], { type: 'application/zip' });
 }

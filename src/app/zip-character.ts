@@ -1,7 +1,6 @@
 /** Characters as one zip. Loaded on first use, with the zip library. */
 
-import { besideOf, SAVED_KINDS, type SavedKind } from '../files/kinds.ts';
-import { isCopy, saveCharacter } from '../files/save/saving.ts';
+import { ownFiles, ownFolders } from '../files/save/own-files.ts';
 import { type ZippedFile, zipFiles } from '../io/zip-files.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character, Document } from '../model/document.ts';
@@ -18,8 +17,8 @@ export interface CharactersZip {
 
 /** Everything of a character in its own formats, with textures, so that it opens again unchanged. */
 export function zipCharacter(character: Character): CharactersZip {
-  const folder = folderOf(character);
-  const bytes = zipFiles(folder, filesOf(character));
+  const [folder] = ownFolders([character]);
+  const bytes = zipFiles(folder, ownFiles(character, 'all'));
   return { name: `${folder}.zip`, bytes, characters: [character], diagnostics: [] };
 }
 
@@ -28,50 +27,15 @@ export function zipDocument({ characters }: Document): CharactersZip {
   const files: ZippedFile[] = [];
   const written: Character[] = [];
   const diagnostics: Diagnostic[] = [];
-  const folders = new Set<string>();
-  for (const character of characters) {
+  const folders = ownFolders(characters);
+  characters.forEach((character, i) => {
     try {
-      const own = filesOf(character);
-      const folder = freeFolder(folderOf(character), folders);
-      folders.add(folder);
-      files.push(...own.map((file) => ({ ...file, name: `${folder}/${file.name}` })));
+      files.push(...ownFiles(character, 'all').map((file) => ({ ...file, name: `${folders[i]}/${file.name}` })));
       written.push(character);
     } catch (error) {
       const why = sentenceOf(error);
       diagnostics.push(withoutPlace('error', 'save-failed', `${character.name} is not in the zip. ${why}`, ''));
     }
-  }
+  });
   return { name: 'marrow.zip', bytes: zipFiles('marrow', files), characters: written, diagnostics };
-}
-
-function filesOf(character: Character): readonly ZippedFile[] {
-  const isOwn = (kind: SavedKind) => !isCopy(character, kind);
-  // A rig names a `.skel`, which motion capture doesn't have.
-  const isRig = (kind: SavedKind) => kind === 'rig' && (isOwn('skel') || isOwn('axskel'));
-  const kinds = SAVED_KINDS.filter((kind) => isOwn(kind) || besideOf(kind) || isRig(kind));
-  const texts = kinds
-    .flatMap((kind) => saveCharacter(character, kind))
-    .map(({ name, text }) => ({ name: inOneFolder(name), content: text }));
-  const textures = character.textures.map(({ name, bytes }) => ({ name: inOneFolder(name), content: bytes }));
-  // The plain file of a take with layers is one of both kinds.
-  const byName = new Map([...texts, ...textures].map((file) => [file.name, file]));
-  return [...byName.values()];
-}
-
-/** A name is free text: characters that separate folders are replaced. */
-function inOneFolder(name: string): string {
-  return name.replace(/[/\\:]/g, '_');
-}
-
-/** `..` is no folder of its own. */
-function folderOf({ name }: Character): string {
-  const folder = inOneFolder(name);
-  return /^\.*$/.test(folder) ? 'character' : folder;
-}
-
-function freeFolder(folder: string, taken: ReadonlySet<string>): string {
-  for (let n = 1; ; n++) {
-    const free = n === 1 ? folder : `${folder} (${n})`;
-    if (!taken.has(free)) return free;
-  }
 }

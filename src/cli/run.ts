@@ -7,6 +7,7 @@ import { grade } from './commands/grade.ts';
 import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
 import { kit } from './commands/kit.ts';
+import { page } from './commands/page.ts';
 import { pose } from './commands/pose.ts';
 import { review } from './commands/review.ts';
 import type { CommandIo, ExitCode } from './io.ts';
@@ -28,6 +29,7 @@ export const COMMANDS: readonly ShellCommand[] = [
   kit,
   convert,
   exportCommand,
+  page,
   review,
 ];
 

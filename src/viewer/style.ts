@@ -25,7 +25,7 @@ const TEXT = /* css */ `
 * { box-sizing: border-box; }
 [hidden] { display: none !important; }
 .stage, .poster { position: absolute; inset: 0; width: 100%; height: 100%; outline: none; }
-.stage canvas { touch-action: pan-y !important; }
+.stage canvas { touch-action: var(--touch-action, pan-y) !important; }
 .stage:focus-visible { box-shadow: inset 0 0 0 3px var(--accent); z-index: 1; }
 .poster { object-fit: contain; }
 .message {

@@ -41,6 +41,10 @@ serve<PageJob>(async (data, post) => {
       const { exchangeFileOf } = await import('./exchange.ts');
       return { id, kind: 'done', job: data.job, output: await exchangeFileOf(data.input, onProgress) };
     }
+    case 'webPage': {
+      const { webPageOf } = await import('./web-page.ts');
+      return { id, kind: 'done', job: data.job, output: await webPageOf(data.input) };
+    }
     case 'kit':
       return { id, kind: 'done', job: data.job, output: testKit() };
     case 'compare':

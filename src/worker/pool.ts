@@ -3,18 +3,14 @@ import type { Jobs, PageJob } from './protocol.ts';
 
 /**
  * Which jobs share a worker. Cancelling one ends its worker and with it all jobs there, so what is cancelled any time,
- * or runs for long, has its own.
+ * or runs for long, has its own: all others.
  */
-const LANES: Readonly<Record<PageJob, string>> = {
+const LANES: { readonly [K in PageJob]?: string } = {
   parse: 'open',
   unpack: 'open',
   kit: 'open',
-  compare: 'compare',
-  source: 'source',
   changes: 'edit',
   check: 'edit',
-  exchange: 'exchange',
-  review: 'review',
 };
 
 /** Runs all jobs of the page; workers are started for their first jobs. */
@@ -25,7 +21,7 @@ export class WorkerPool implements Runs<PageJob> {
 
   /** As `WorkerClient.run`. */
   run<K extends PageJob>(job: K, input: Jobs[K]['takes'], options?: JobOptions): Promise<Jobs[K]['gives']> {
-    const lane = LANES[job];
+    const lane = LANES[job] ?? job;
     const client = this.clients.get(lane) ?? new WorkerClient(this.spawn);
     this.clients.set(lane, client);
     return client.run(job, input, options);

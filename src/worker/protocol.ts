@@ -8,6 +8,7 @@ import type { GlbOptions } from '../export/glb/options.ts';
 import type { ExchangeReport } from '../export/shared/report.ts';
 import type { Keep } from '../files/open/layers.ts';
 import type { Owned } from '../files/save/owned.ts';
+import type { WebPage } from '../files/web-page/web-page.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
 import type { BrokenFile, ParsedFile, SourceFile } from '../model/files.ts';
@@ -28,6 +29,7 @@ export interface Jobs {
   check: { takes: CheckInput; gives: CheckOutput };
   kit: { takes: undefined; gives: KitOutput };
   exchange: { takes: ExchangeInput; gives: ExchangeOutput };
+  webPage: { takes: WebPage; gives: WebPageOutput };
   review: { takes: ReviewInput; gives: ReviewOutput };
   unpack: { takes: UnpackInput; gives: UnpackOutput };
   open: { takes: OpenInput; gives: OpenOutput };
@@ -191,6 +193,12 @@ export interface ExchangeInput {
 export interface ExchangeOutput {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly report: ExchangeReport;
+}
+
+/** A page, and how its file is called. */
+export interface WebPageOutput {
+  readonly name: string;
+  readonly page: Blob;
 }
 
 /** The test kit: names and texts of its files. */

@@ -7,6 +7,7 @@ import { parse } from '../../src/worker/parse.ts';
 import type { Jobs } from '../../src/worker/protocol.ts';
 import { unpackTakes } from '../../src/worker/review.ts';
 import { mapSourceOf } from '../../src/worker/source.ts';
+import { webPageOf } from '../../src/worker/web-page.ts';
 
 /** Runs the worker's jobs in this thread. */
 export class InThisThread extends WorkerClient {
@@ -21,6 +22,7 @@ export class InThisThread extends WorkerClient {
     if ('blob' in input) return mapSourceOf(input, nobody);
     if ('file' in input) return changesOf(input);
     if ('options' in input) return exchangeFileOf(input, nobody);
+    if ('characters' in input) return webPageOf(input);
     if ('zip' in input) return unpackTakes(input);
     if ('edited' in input) return checkText(input, nobody);
     return 'files' in input ? parse(input, nobody) : compareDumps(input, nobody);

@@ -5,10 +5,13 @@ import { transformSync } from 'rolldown/utils';
 
 const TYPESCRIPT = /^file:(?!.*\/node_modules\/).*\.ts(?:\?.*)?$/;
 const DRACO = JSON.stringify(new URL('../../plugins/draco.ts', import.meta.url).href);
+const WEB_PAGE = JSON.stringify(new URL('../../plugins/web-page.ts', import.meta.url).href);
 const VIRTUAL = {
   'virtual:draco': `import { draco } from ${DRACO};
 const text = draco().load('\\0virtual:draco');
 export const { make, wasm } = await import('data:text/javascript;base64,' + Buffer.from(text).toString('base64'));`,
+  'virtual:web-page': `import { pageScripts } from ${WEB_PAGE};
+export const { viewer, loader, style, policy } = await pageScripts();`,
   // As in development.
   'virtual:opening-sample': 'export const address = undefined;',
 };

@@ -9,6 +9,7 @@ import { numbersOf } from '../../view/camera/view-numbers.ts';
 import type { DiskHandles } from '../disk-handles.ts';
 import type { BundledExample } from '../examples.ts';
 import type { Unsaved } from '../unsaved.ts';
+import { numberText } from './number-text.ts';
 
 /** What a link is made of. */
 export interface CopiedParts extends Uses<'store' | 'timeline' | 'settings' | 'viewport' | 'transport'> {
@@ -62,11 +63,11 @@ function queryOf(parts: CopiedParts, samples: readonly BundledExample[], address
   const said: readonly (readonly [name: string, values: readonly string[]])[] = [
     sample ? ['sample', [sample.id]] : ['files', addresses.map(shortAddress)],
     ['take', takes],
-    ['range', isWhole ? [] : range.map(text)],
-    ['time', [text(timeSeconds)]],
+    ['range', isWhole ? [] : range.map(numberText)],
+    ['time', [numberText(timeSeconds)]],
     ['play', playing ? ['1'] : []],
     ['select', joint ? [joint] : []],
-    ['camera', numbersOf(viewport.camera.view).map(text)],
+    ['camera', numbersOf(viewport.camera.view).map(numberText)],
     ['show', wordsOf(display)],
     ['panel', panels.timelineOpen ? [timeline.view.get().tab] : []],
     ['theme', theme ? [theme] : []],
@@ -74,13 +75,6 @@ function queryOf(parts: CopiedParts, samples: readonly BundledExample[], address
   return said
     .flatMap(([name, values]) => (values.length ? [`${name}=${values.map(encoded).join(',')}`] : []))
     .join('&');
-}
-
-/** Beyond these digits no pixel changes. */
-const DIGITS = 7;
-
-function text(value: number): string {
-  return `${Number(value.toPrecision(DIGITS)) + 0}`;
 }
 
 /** Readable where it may be: only what ends a value is encoded. */

@@ -147,7 +147,18 @@ export const FILE_ACTIONS: readonly Action[] = [
     menu: 'Save',
     section: 4,
     refuses: needsCharacters,
-    run: (wb) => wb.files.copyLink(),
+    run: async (wb) => (await wb.files.sharing())?.copyLink(),
+  },
+  {
+    id: 'save.webPage',
+    label: 'Web page (.html)',
+    detail: 'Shows the same view anywhere, from disk, without a network',
+    also: 'share embed offline html export',
+    group: 'Files',
+    menu: 'Save',
+    section: 4,
+    refuses: needsCharacters,
+    run: async (wb) => (await wb.files.sharing())?.saveWebPage(),
   },
 ];
 

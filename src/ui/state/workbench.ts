@@ -212,6 +212,16 @@ export interface UnsavedList {
   readonly characterId?: undefined;
 }
 
+/** What others can look at; `app/sharing.ts` makes it. */
+export interface Sharing {
+  /** Copies an address that opens what is shown, where all of it came from links or examples. */
+  copyLink(): Promise<void>;
+  /** What is shown, as a page in one file, which needs no network. Rejects if a character can't be written. */
+  webPage(): Promise<Blob>;
+  /** Downloads that. */
+  saveWebPage(): Promise<void>;
+}
+
 /** The page's file operations. */
 export interface FileActions {
   /** Opens the browser's file dialog. */
@@ -230,8 +240,6 @@ export interface FileActions {
   saveChanged(): void;
   /** Reloads a character's files, if they have changed on disk. */
   reload(characterId: string): void;
-  /** Copies an address that opens what is shown, where all of it came from links or examples. */
-  copyLink(): void;
   canReload(characterId: string): boolean;
   /** The text of files, as they were opened. */
   readonly source: SourceFiles;
@@ -246,6 +254,8 @@ export interface FileActions {
   saveAll(characterId: string): void;
   /** Downloads all characters as one zip. */
   saveEverything(): void;
+  /** What makes links and pages for others; undefined, with a message, if it can't be loaded. */
+  sharing(): Promise<Sharing | undefined>;
   /** What makes pictures and videos; undefined, with a message, if it can't be loaded. */
   pictures(): Promise<Pictures | undefined>;
   /** Makes a file of a character for another program, to be looked at before it is saved. Rejects if it is cancelled or fails. */
