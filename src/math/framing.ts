@@ -50,29 +50,29 @@ export function fitEye(
   const above = half - coveredTop * tanHalfFov;
   const below = half + coveredTop * tanHalfFov;
   const side = (aspect * tanHalfFov) / margin;
-  let [right, left, top, bottom] = [-Infinity, -Infinity, -Infinity, -Infinity];
-  let [nearest, farthest] = [-Infinity, Infinity];
-  for (let o = 0; o < boxes.length; o += 6) {
-    for (let corner = 0; corner < 8; corner++) {
-      const wx = boxes[o + (corner & 1 ? 3 : 0)];
-      const wy = boxes[o + (corner & 2 ? 4 : 1)];
-      const wz = boxes[o + (corner & 4 ? 5 : 2)];
-      const x = m[0] * wx + m[1] * wy + m[2] * wz;
-      const y = m[4] * wx + m[5] * wy + m[6] * wz;
-      const z = m[8] * wx + m[9] * wy + m[10] * wz;
-      right = Math.max(right, x + side * z);
-      left = Math.max(left, -x + side * z);
-      top = Math.max(top, y + above * z);
-      bottom = Math.max(bottom, -y + below * z);
-      nearest = Math.max(nearest, z);
-      farthest = Math.min(farthest, z);
-    }
-  }
+  const [ax, ay, az, bx, by, bz, cx, cy, cz] = [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+  const right = mostAlong(boxes, side * cx + ax, side * cy + ay, side * cz + az);
+  const left = mostAlong(boxes, side * cx - ax, side * cy - ay, side * cz - az);
+  const top = mostAlong(boxes, above * cx + bx, above * cy + by, above * cz + bz);
+  const bottom = mostAlong(boxes, below * cx - bx, below * cy - by, below * cz - bz);
+  const nearest = mostAlong(boxes, cx, cy, cz);
+  const farthest = -mostAlong(boxes, -cx, -cy, -cz);
   const middle = (nearest + farthest) / 2;
   let z = Math.max((right + left) / (2 * side), (top + bottom) / (above + below));
   z = Math.max(z, middle + MIN_DISTANCE * (nearest - middle));
   if (z === middle) z += 1;
   return { x: (right - left) / 2, y: (top - above * z + below * z - bottom) / 2, z, middle };
+}
+
+/** The largest a·x + b·y + c·z in boxes: at a corner of theirs that the signs tell. */
+function mostAlong(boxes: ArrayLike<number>, a: number, b: number, c: number): number {
+  const [x, y, z] = [a > 0 ? 3 : 0, b > 0 ? 4 : 1, c > 0 ? 5 : 2];
+  let most = -Infinity;
+  for (let o = 0; o < boxes.length; o += 6) {
+    const along = a * boxes[o + x] + b * boxes[o + y] + c * boxes[o + z];
+    if (along > most) most = along;
+  }
+  return most;
 }
 
 /**
