@@ -6,12 +6,10 @@ import { Unsaved } from '../../src/app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import { openFiles } from '../../src/files/open/open-files.ts';
-import { formatOf } from '../../src/files/readers.ts';
 import { savedFileOf } from '../../src/files/save/output.ts';
 import { ownedIn } from '../../src/files/save/owned.ts';
 import { jointPose } from '../../src/files/save/saved-poses.ts';
 import { writeParts } from '../../src/files/save/saving.ts';
-import { readWhole } from '../../src/formats/reader.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
@@ -19,20 +17,11 @@ import { MAX_TEXT_BYTES } from '../../src/ui/state/source.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { observable } from '../../src/ui/widgets/observable.ts';
 import { realFiles } from '../formats/real-files.ts';
+import { parsed } from '../helpers/parsed.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 const SKEL = 'balljoint a {\n\toffset 0 0 0\n\tballjoint b {\n\t\toffset 0 1 0\n\t\trotxlimit -1 1\n\t}\n}\n';
-
-function parsed(path: string, text: string): ParsedFile {
-  const name = path.slice(path.lastIndexOf('/') + 1);
-  const { value } = readWhole(formatOf(name)?.reader(name) ?? unreadable(path), text);
-  return { ...(value ?? unreadable(path)), source: { name, path, bytes: text.length } };
-}
-
-function unreadable(path: string): never {
-  throw new Error(`${path} can't be read.`);
-}
 
 class Opened {
   readonly store = new Store();

@@ -5,27 +5,13 @@ import { OWN_CAPTURES } from '../helpers/own-files.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { kept, ready, restore } from './checks/autosave.ts';
 import { drawn, onPage, standing, undoLabel } from './checks/ik.ts';
-import { place, shown } from './checks/limb-drag.ts';
+import { dofsAt, place, shown } from './checks/limb-drag.ts';
 
 const layers = (page: Page) => page.evaluate(() => window.marrow.layers());
 const list = (page: Page) => page.getByRole('grid', { name: /^Layers of / });
 const row = (page: Page, name: string) => list(page).getByRole('row').filter({ hasText: name });
 const saved = (page: Page, name: string) => page.evaluate((wanted) => window.marrow.save(wanted), name);
 const openTakes = (page: Page) => page.getByRole('tab', { name: 'Takes' }).click();
-
-/** @param then the time shown afterwards */
-const dofsAt = (page: Page, times: readonly number[], then: number) =>
-  page.evaluate(
-    ([all, last]) => {
-      const found = all.map((time) => {
-        window.marrow.seek(time);
-        return window.marrow.characters()[0].dofs;
-      });
-      window.marrow.seek(last);
-      return found;
-    },
-    [times, then] as const,
-  );
 
 function expectSame(is: readonly (readonly number[])[], was: readonly (readonly number[])[]): void {
   is.flat().forEach((value, i) => {
@@ -81,7 +67,7 @@ it('a wave is laid over the walk by mouse and eased, the walk goes on as it was,
       await page.getByText(/^This is the layer’s only key of/).waitFor();
       await page.getByRole('button', { name: 'Ease in and out…' }).click();
       const dialog = page.getByRole('dialog', { name: 'Key for a moment' });
-      await dialog.getByRole('button', { name: 'For a moment' }).press('Enter');
+      await dialog.getByRole('button', { name: 'Key it' }).press('Enter');
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       expectSame([(await shown(page)).dofs], [posed]);

@@ -4,21 +4,7 @@ import { expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { drawn, onPage, standing, undoLabel } from './checks/ik.ts';
-import { place, shown } from './checks/limb-drag.ts';
-
-/** @param then the time shown afterwards */
-const dofsAt = (page: Page, times: readonly number[], then: number) =>
-  page.evaluate(
-    ([all, last]) => {
-      const found = all.map((time) => {
-        window.marrow.seek(time);
-        return window.marrow.characters()[0].dofs;
-      });
-      window.marrow.seek(last);
-      return found;
-    },
-    [times, then] as const,
-  );
+import { dofsAt, place, shown } from './checks/limb-drag.ts';
 
 /** Drags a joint by the mouse, from a point of it. */
 async function drag(page: Page, name: string, point: readonly [number, number, number], by: readonly [number, number]) {
@@ -196,7 +182,7 @@ describeShared('a moment of a capture', () => {
       await page.getByRole('button', { name: 'Convert to keys and key' }).waitFor();
       await page.getByRole('button', { name: 'Ease in and out…' }).click();
       const dialog = page.getByRole('dialog', { name: 'Key for a moment' });
-      await dialog.getByRole('button', { name: 'For a moment' }).press('Enter');
+      await dialog.getByRole('button', { name: 'Key it' }).press('Enter');
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       expectSame((await shown(page)).dofs, posed);

@@ -2,10 +2,10 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { openFiles } from '../../src/files/open/open-files.ts';
-import { formatOf } from '../../src/files/readers.ts';
 import type { Character } from '../../src/model/document.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
+import { parsed } from '../helpers/parsed.ts';
 import { sharedPath } from '../helpers/shared.ts';
 
 const SAMPLES = fileURLToPath(new URL('../../public/samples/', import.meta.url));
@@ -33,14 +33,6 @@ export function characterFrom(name: string, text: string): Character {
 export function characterOfTexts(texts: Readonly<Record<string, string>>): Character {
   const files = Object.entries(texts).map(([name, text]) => parsed(name, new TextEncoder().encode(text)));
   return openFiles(EMPTY_DOCUMENT, files).document.characters[0];
-}
-
-function parsed(name: string, bytes: Uint8Array): ParsedFile {
-  const reader = formatOf(name)?.reader(name, bytes.length);
-  reader?.feed(bytes);
-  const value = reader?.end().value;
-  if (!value) throw new Error(`${name} can't be read.`);
-  return { ...value, source: { name, path: name, bytes: bytes.length } };
 }
 
 /** Ours. */

@@ -112,7 +112,9 @@ function showDialog(
   root.append(dialog);
   dialog.showModal();
   // The browser would focus Close.
-  const first = body.querySelector<HTMLElement>('[autofocus], button:not(:disabled), input:not([hidden] *)');
+  const first = ['[autofocus]', 'button:not(:disabled), input:not([hidden] *)']
+    .map((wanted) => body.querySelector<HTMLElement>(wanted))
+    .find(Boolean);
   (first ?? body).focus({ preventScroll: true });
   return dialog;
 }

@@ -26,6 +26,20 @@ export const shown = (page: Page): Promise<Shown> =>
     return { names: joints.map(({ name }) => name), worlds: window.marrow.worldMatrices(), dofs };
   });
 
+/** The values of the first character's DOFs at some times. @param then the time shown afterwards */
+export const dofsAt = (page: Page, times: readonly number[], then: number) =>
+  page.evaluate(
+    ([all, last]) => {
+      const found = all.map((time) => {
+        window.marrow.seek(time);
+        return window.marrow.characters()[0].dofs;
+      });
+      window.marrow.seek(last);
+      return found;
+    },
+    [times, then] as const,
+  );
+
 /** A point of a joint, by default its pivot. */
 export function place({ worlds }: Shown, joint: number, point: Point = [0, 0, 0]): Point {
   return transformPoint(Float64Array.from(worlds[joint]), point);

@@ -7,15 +7,14 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { joinLayers } from '../../../src/files/open/layers.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
-import { formatOf } from '../../../src/files/readers.ts';
 import { layersCopies } from '../../../src/files/save/layers.ts';
 import { outputOf, savedFileOf } from '../../../src/files/save/output.ts';
 import { saveCharacter } from '../../../src/files/save/saving.ts';
-import { sha256 } from '../../../src/formats/sha256.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
-import { byFileName, type ParsedFile } from '../../../src/model/files.ts';
+import { byFileName } from '../../../src/model/files.ts';
 import { CRAB, crabWith, goalOf, LIMBS, poses, SIZE } from '../../evaluate/limbs/crab.ts';
 import { expectClose } from '../../helpers/close.ts';
+import { parsed } from '../../helpers/parsed.ts';
 import { channelOf } from '../keys/channels.ts';
 
 const TOLERANCE = 1e-3;
@@ -85,15 +84,6 @@ it('a take without goals stays the same object, and goals of no limb leave the c
   expect(solvedTake(lost, lost.takes[0]).channels).toEqual(lost.takes[0].channels);
   expect(flattened(bare, CRAB).take).toBe(bare);
 });
-
-function parsed(name: string, text: string): ParsedFile {
-  const bytes = new TextEncoder().encode(text);
-  const reader = formatOf(name)?.reader(name, bytes.length);
-  reader?.feed(bytes);
-  const content = reader?.end().value;
-  if (!content) throw new Error(`${name} can't be read.`);
-  return { ...content, source: { name, path: name, bytes: bytes.length }, sha256: sha256(bytes) };
-}
 
 it('the files of a take with goals are its base, the plain file and the JSON, and are read as the same take', () => {
   const crab = crabWith(REST, GOALS);

@@ -6,31 +6,22 @@ import { changedText, rewritten } from '../../../src/files/changes/changed-text.
 import type { MergedText } from '../../../src/files/changes/merge.ts';
 import { splitLines } from '../../../src/files/changes/text-lines.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
-import { formatOf } from '../../../src/files/readers.ts';
 import { savedFileOf } from '../../../src/files/save/output.ts';
 import { ownedIn } from '../../../src/files/save/owned.ts';
 import { jointPose } from '../../../src/files/save/saved-poses.ts';
 import { writeParts } from '../../../src/files/save/saving.ts';
-import { readWhole } from '../../../src/formats/reader.ts';
 import { mapSource } from '../../../src/formats/source/map-source.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
-import type { FileContent, ParsedFile } from '../../../src/model/files.ts';
+import type { ParsedFile } from '../../../src/model/files.ts';
 import { linesOf, type SourceTarget } from '../../../src/model/source-map.ts';
 import type { LineHunk } from '../../../src/model/text-changes.ts';
 import { bytesOf } from '../../formats/read-in-pieces.ts';
 import { realFiles } from '../../formats/real-files.ts';
+import { parsed } from '../../helpers/parsed.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { applyHunks } from './apply-hunks.ts';
 
 const textOf = (path: string) => new TextDecoder().decode(sharedBytes(path));
-
-function parsed(path: string, text: string): ParsedFile {
-  const name = path.slice(path.lastIndexOf('/') + 1);
-  const format = formatOf(name);
-  const { value } = format ? readWhole<FileContent>(format.reader(name), text) : {};
-  if (!value) throw new Error(`${path} has errors.`);
-  return { ...value, source: { name, path, bytes: text.length } };
-}
 
 /** What files of a kind belong to. */
 const BESIDE: Readonly<Record<string, string>> = {

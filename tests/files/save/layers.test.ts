@@ -6,17 +6,16 @@ import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { evaluateMotion, takeMotion } from '../../../src/evaluate/take-motion.ts';
 import { joinLayers } from '../../../src/files/open/layers.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
-import { formatOf } from '../../../src/files/readers.ts';
 import { changedFiles } from '../../../src/files/save/jobs.ts';
 import { layersCopies } from '../../../src/files/save/layers.ts';
 import { outputOf, savedFileOf } from '../../../src/files/save/output.ts';
 import { SavedParts } from '../../../src/files/save/saved-parts.ts';
-import { sha256 } from '../../../src/formats/sha256.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { byFileName, type ParsedFile } from '../../../src/model/files.ts';
 import { channelOf } from '../../edit/keys/channels.ts';
 import { layeredTake, layerOf } from '../../edit/layers/layered.ts';
 import { character, documentOf, skeleton } from '../../helpers/builders.ts';
+import { parsed } from '../../helpers/parsed.ts';
 
 const wave = channelOf([
   [0, 0, 'auto'],
@@ -41,15 +40,6 @@ const TAKE = layeredTake(
   ],
 );
 const HERO: Character = character({ skeleton: skeleton(2), takes: [TAKE], shownTake: 0, clampsToLimits: false });
-
-function parsed(name: string, text: string): ParsedFile {
-  const bytes = new TextEncoder().encode(text);
-  const reader = formatOf(name)?.reader(name, bytes.length);
-  reader?.feed(bytes);
-  const content = reader?.end().value;
-  if (!content) throw new Error(`${name} can't be read.`);
-  return { ...content, source: { name, path: name, bytes: bytes.length }, sha256: sha256(bytes) };
-}
 
 const saved = () => layersCopies(HERO).map((copy) => savedFileOf(outputOf(copy)));
 

@@ -23,52 +23,60 @@ export function cycleDialog(wb: Parts, close: () => void): DialogContent {
   const kind = 'tool-dialog is-aside cycle-dialog';
   if (!question) return { title: TITLE, kind, body: element('p', {}, 'No key waits for an answer.') };
   const isAlone = question.changed.length === 0;
-  const parts = isAlone ? momentParts(wb, question) : outsideParts(wb, question);
-  const body = element(
-    'div',
-    { class: 'tool-form' },
-    ...parts,
-    element('div', { class: 'tool-buttons' }, plainButton('Cancel', close), ...(isAlone ? [acceptButton(parts)] : [])),
-  );
+  const parts = isAlone ? momentForm(wb, question, close) : outsideParts(wb, question, close);
+  const body = element('div', { class: 'tool-form' }, ...parts);
   return { title: isAlone ? MOMENT_TITLE : TITLE, kind, body, stays: true };
 }
 
-/** Where there is no other choice, a button that takes it. */
-function acceptButton([choice]: readonly HTMLElement[]): HTMLElement {
-  const made = element('button', { type: 'button', class: 'plain primary' }, 'Key it');
-  made.addEventListener('click', () => choice?.click());
-  return made;
-}
-
-/** A choice and what it does, which is previewed while it is pointed at. */
-function card(wb: Uses<'messages'>, name: string, detail: string, show: () => void, answer: () => void): HTMLElement {
-  const made = element(
+/** A choice and what it does. */
+function card(name: string, detail: string): HTMLButtonElement {
+  return element(
     'button',
     { type: 'button', class: 'choice-card' },
     element('span', { class: 'choice-name' }, name),
     element('span', { class: 'faint' }, detail),
   );
-  const preview = () => attempt(wb.messages, show);
-  made.addEventListener('focus', preview);
-  made.addEventListener('pointerenter', preview);
-  made.addEventListener('click', () => attempt(wb.messages, answer));
-  return made;
 }
 
-function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
+/** What a choice does is previewed while it has the focus or the pointer, and done when it is pressed. */
+function answers(wb: Uses<'messages'>, choice: HTMLButtonElement, show: () => void, answer: () => void): void {
+  const preview = () => attempt(wb.messages, show);
+  choice.addEventListener('focus', preview);
+  choice.addEventListener('pointerenter', preview);
+  choice.addEventListener('click', () => attempt(wb.messages, answer));
+}
+
+/** A moment as the only choice: what it does, its easing, and the buttons. */
+function momentForm(wb: Parts, question: CycleQuestion, close: () => void): readonly HTMLElement[] {
   const { moment } = question;
   if (!moment) return [];
-  let { easing } = moment;
-  const answer = () => moment.answer(easing);
-  const made = card(
-    wb,
-    'For a moment',
-    momentText(question, wb.transport.get().range),
-    () => moment.show(easing),
-    answer,
-  );
+  const made = element('button', { type: 'button', class: 'plain primary', autofocus: true }, 'Key it');
+  return [
+    element('p', {}, momentText(question, wb.transport.get().range)),
+    easingOf(wb, moment, made),
+    element('div', { class: 'tool-buttons' }, plainButton('Cancel', close), made),
+  ];
+}
+
+/** A moment as the first of several choices. */
+function momentCard(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
+  const { moment } = question;
+  if (!moment) return [];
+  const made = card('For a moment', momentText(question, wb.transport.get().range));
   setAttribute(made, 'autofocus', '');
-  const fields = easingFields(
+  return [made, easingOf(wb, moment, made)];
+}
+
+/** Seconds of easing, which are previewed as they change, and keyed by Enter or `choice`. */
+function easingOf(wb: Parts, moment: NonNullable<CycleQuestion['moment']>, choice: HTMLButtonElement): HTMLElement {
+  let { easing } = moment;
+  answers(
+    wb,
+    choice,
+    () => moment.show(easing),
+    () => moment.answer(easing),
+  );
+  return easingFields(
     easing,
     (next) => {
       easing = next;
@@ -76,29 +84,31 @@ function momentParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[]
       attempt(wb.messages, () => moment.show(next));
     },
     (reason) => wb.messages.note(reason, 'warning'),
-    () => attempt(wb.messages, answer),
+    () => choice.click(),
   );
-  return [made, fields];
 }
 
 /** Why it asks; a moment, or what becomes of the key alone. */
-function outsideParts(wb: Parts, question: CycleQuestion): readonly HTMLElement[] {
-  const { about, answers } = cycleText(question, wb.transport.get().range);
+function outsideParts(wb: Parts, question: CycleQuestion, close: () => void): readonly HTMLElement[] {
+  const { about, answers: details } = cycleText(question, wb.transport.get().range);
   const always = element('input', { type: 'checkbox' });
   const choices = OUTSIDE_CYCLE.flatMap((how) => {
-    const detail = answers[how];
+    const detail = details[how];
     if (detail === undefined) return [];
     const answer = () => {
       if (always.checked) wb.timeline.outsideCycle.set(how);
       question.answer(how);
     };
-    return [card(wb, OUTSIDE_LABELS[how], detail, () => question.show(how), answer)];
+    const made = card(OUTSIDE_LABELS[how], detail);
+    answers(wb, made, () => question.show(how), answer);
+    return [made];
   });
   if (!question.moment && choices[0]) setAttribute(choices[0], 'autofocus', '');
   return [
     element('p', {}, about, ' ', manualLink('What is a cycle?', 'cycle')),
-    ...momentParts(wb, question),
+    ...momentCard(wb, question),
     ...choices,
     element('label', { class: 'cycle-always' }, always, 'Don’t ask again until the page is reloaded'),
+    element('div', { class: 'tool-buttons' }, plainButton('Cancel', close)),
   ];
 }

@@ -16,10 +16,15 @@ export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): 
       const text =
         was && was !== character && [changedPeriods(was, character), keyedEnds(was, character)].join(' ').trim();
       if (!text) continue;
-      messages.note(text);
+      messages.note(`${keyedForMoment(store.undoLabel)}${text}`);
       return;
     }
   });
+}
+
+/** `Keyed upper_arm_l rz for a moment. `, before what became of its cycle; empty for other steps. */
+function keyedForMoment(label: string | undefined): string {
+  return label?.endsWith(' for a moment') ? `${label.replace(/^Key /, 'Keyed ')}. ` : '';
 }
 
 /** Changes of the shown take by a step. */
