@@ -2,6 +2,8 @@
  * The single list of everything the page can do, assembled from the lists of its editors. Menus, shortcuts, the `?`
  * page and the command search are all built from it, so that they can't contradict each other.
  */
+
+import { ATTACH_ACTIONS } from '../editors/attach/actions.ts';
 import { COMPARE_ACTIONS } from '../editors/compare/actions.ts';
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';
@@ -38,6 +40,7 @@ export const ACTIONS: readonly Action[] = [
   ...POSING_ACTIONS,
   ...IK_ACTIONS,
   ...RETARGET_ACTIONS,
+  ...ATTACH_ACTIONS,
   ...SKIN_ACTIONS,
   ...UNDO_MEMORY_ACTIONS,
   ...RIG_ACTIONS,

@@ -48,6 +48,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   checkTake: async () => (await import('../editors/takes/check-dialog.ts')).checkDialog,
   outsideCycle: async () => (await import('../editors/timeline/cycle-dialog.ts')).cycleDialog,
   retarget: async () => (await import('../editors/retarget/dialog.ts')).retargetDialog,
+  attach: async () => (await import('../editors/attach/dialog.ts')).attachDialog,
   holdPins: async () => (await import('../editors/ik/hold-dialog.ts')).holdDialog,
   skinWeights: async () => (await import('../editors/skin/weights-dialog.ts')).weightsDialog,
 };

@@ -179,7 +179,9 @@ export const EDIT_ACTIONS: readonly Action[] = [
       // It may have held unsaved work, and Delete is a key that is hit by mistake.
       const { document } = wb.store;
       const undo = { label: 'Undo', run: () => travel(wb, 'undo') };
-      wb.messages.confirm(`${character.name} was removed.`, undo, () => wb.store.document !== document);
+      const led = document.characters.filter(({ leaders }) => leaders?.some(({ id }) => id === character.id));
+      const moves = led.length ? ` It still moves ${led.map(({ name }) => name).join(', ')}.` : '';
+      wb.messages.confirm(`${character.name} was removed.${moves}`, undo, () => wb.store.document !== document);
     },
   },
 ];

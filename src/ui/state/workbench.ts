@@ -173,6 +173,7 @@ export type DialogName =
   | 'about'
   | 'programs'
   | 'retarget'
+  | 'attach'
   | 'holdPins'
   | 'skinWeights'
   | 'outsideCycle'

@@ -6,7 +6,7 @@ import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { readTimeColours, type TimeColours, translucent } from '../timeline/time-ground.ts';
 import { GRIP } from './hit.ts';
-import type { DopeOverlay, DopeScene } from './scene.ts';
+import type { AttachedSpan, DopeOverlay, DopeScene } from './scene.ts';
 import { HEAD, rowTop, type Sheet } from './sheet.ts';
 
 export interface DopeColours extends TimeColours {
@@ -90,6 +90,32 @@ export function drawSampled(
   g.globalAlpha = SAMPLED_OPACITY;
   g.fillRect(left, y - SAMPLED_HEIGHT / 2, right - left, SAMPLED_HEIGHT);
   g.globalAlpha = 1;
+}
+
+/** A bar for each span, with what is followed where there is room. */
+export function drawAttached(
+  g: CanvasRenderingContext2D,
+  sheet: Sheet,
+  spans: readonly AttachedSpan[],
+  y: number,
+  colours: DopeColours,
+): void {
+  const height = sheet.rowHeight - 6;
+  g.font = colours.font;
+  g.textAlign = 'left';
+  g.textBaseline = 'middle';
+  for (const { from, to, label } of spans) {
+    const left = Math.max(-PAD, Math.round(timeX(sheet, from)));
+    const right = Math.min(sheet.width + PAD, Math.round(timeX(sheet, to)));
+    if (!(right > left)) continue;
+    g.fillStyle = translucent(colours.key, 0.35);
+    g.beginPath();
+    g.roundRect(left + 0.5, y - height / 2, right - left - 1, height, 3);
+    g.fill();
+    if (right - left < g.measureText(label).width + 12) continue;
+    g.fillStyle = colours.text;
+    g.fillText(label, Math.max(left, 0) + 6, y + 0.5);
+  }
 }
 
 /** The selection from its first key to its last, with grips at both ends. */

@@ -24,6 +24,8 @@ const EMPTY_IDS = [
   ['dope.allRows', 'dope.unfoldAll', 'dope.foldAll', 'timeline.fitAll'],
 ] as const;
 
+const ATTACHED_IDS = [['character.putDown', 'character.detach', 'character.attach']] as const;
+
 /**
  * The menu at a point of the sheet; by keyboard that of the selected keys, if there are any. Keys there are selected
  * first, so that the menu applies to what was clicked.
@@ -71,6 +73,10 @@ export function rowMenu(
 ): void {
   const current = currentTake(wb);
   if (!current) return;
+  if (row.kind === 'attached') {
+    show(wb, ATTACHED_IDS, [], at, rowName(row));
+    return;
+  }
   const keys = allKeys(current.take, row.channels);
   const count = countKeys(current.take.channels, keys);
   const name = rowName(row);

@@ -24,7 +24,7 @@ import {
   selectedKeysInView,
   selectKeys,
 } from '../timeline/current-take.ts';
-import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
+import { allFolds, type DopeRow, dopeRows, leadingJoint, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import { emptyText } from './empty-text.ts';
 import type { SheetKeys } from './hit.ts';
@@ -32,7 +32,7 @@ import { rowMenu, sheetMenu } from './menus.ts';
 import { DopeNames } from './names.ts';
 import { DopePicture } from './picture.ts';
 import { SheetPointer, type SheetPointerHost } from './pointer.ts';
-import type { DopeScene } from './scene.ts';
+import type { AttachedSpan, DopeScene } from './scene.ts';
 import type { Sheet } from './sheet.ts';
 import { dopeFilter, dopeTools } from './tools.ts';
 
@@ -304,6 +304,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       sheet: this.sheet(),
       curves: current ? compileTake(current.take) : NO_CURVES,
       others: current ? otherMotions(current.take) : [],
+      attached: current ? attachedSpans(current) : [],
       selected: this.selected(),
       selectedJoints: this.currentJoints(),
       range,
@@ -317,6 +318,14 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const label = current ? `Keys of ${current.character.name}. ${selectedText(this.wb)}` : 'Keys. No take.';
     setAttribute(this.plot, 'aria-label', label);
   }
+}
+
+function attachedSpans({ character, take }: CurrentTake): readonly AttachedSpan[] {
+  const offset = character.timeOffsetSeconds;
+  return (take.attached?.list ?? []).map((one) => ({
+    ...{ from: one.span[0] - offset, to: one.span[1] - offset },
+    label: leadingJoint(character, one),
+  }));
 }
 
 /** What is below the active layer and above it. */

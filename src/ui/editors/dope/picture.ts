@@ -14,6 +14,7 @@ import { TimePicture } from '../timeline/time-picture.ts';
 import { type DiamondSize, Diamonds } from './diamonds.ts';
 import {
   type DopeColours,
+  drawAttached,
   drawBox,
   drawHeld,
   drawReadout,
@@ -124,6 +125,10 @@ export class DopePicture {
     const pixel = secondsPerPixel(sheet);
     const span = { from: sheet.window.from + offsetSeconds - PAD * pixel, secondsPerPixel: pixel };
     const y = rowTop(sheet, row) + sheet.rowHeight / 2;
+    if (kind === 'attached') {
+      drawAttached(g, sheet, scene.attached, y, colours);
+      return;
+    }
     if (curves.samples && of.some((channel) => curves.columns[channel] >= 0)) {
       const [from, to] = rangeOfSamples(curves.samples);
       drawSampled(g, sheet, from - offsetSeconds, to - offsetSeconds, y, colours);

@@ -11,6 +11,8 @@ export interface DopeScene extends SheetKeys {
   readonly curves: CompiledTake;
   /** Of a take with layers: the motions other than the active one, whose keys are faint. */
   readonly others: readonly Motion[];
+  /** Spans in which its root follows another character, in seconds of the transport, and what it follows. */
+  readonly attached: readonly AttachedSpan[];
   readonly selected: readonly ChannelKeys[];
   /** Its rows are emphasised. */
   readonly selectedJoints: readonly number[];
@@ -18,6 +20,12 @@ export interface DopeScene extends SheetKeys {
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;
+}
+
+export interface AttachedSpan {
+  readonly from: number;
+  readonly to: number;
+  readonly label: string;
 }
 
 export interface DopeOverlay {

@@ -13,6 +13,9 @@ import type { OutlineRow } from './outline-rows.ts';
 const CHARACTER_ACTIONS = [
   'character.hide',
   'character.copy',
+  'character.attach',
+  'character.putDown',
+  'character.detach',
   'pose.resetToFile',
   'pose.resetToZero',
   'pose.holdLimits',
@@ -22,6 +25,7 @@ const JOINT_ACTIONS = [
   'pose.copyJoints',
   'pose.paste',
   'pose.resetJoints',
+  'character.attach',
   'select.hierarchy',
   'select.mirrored',
   'view.frameSelection',

@@ -1,9 +1,10 @@
-/** Short texts about retargeted characters. */
+/** Short texts about characters that are retargeted, or follow a joint of another one. */
 import type { Character, Document } from '../../../model/document.ts';
 
-/** `follows rokoko-dance`; empty if its own take moves it. */
-export function followsText({ driver }: Character): string {
-  return driver ? `follows ${driver.source.take.name || driver.source.name}` : '';
+/** `follows rokoko-dance`, or the characters to which it is attached; empty if its own take alone moves it. */
+export function followsText({ driver, leaders = [] }: Character): string {
+  const names = driver ? [driver.source.take.name || driver.source.name] : leaders.map(({ name }) => name);
+  return names.length ? `follows ${names.join(', ')}` : '';
 }
 
 /** `moves walker`; empty if its take moves no other character. */

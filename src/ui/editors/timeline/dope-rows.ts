@@ -2,6 +2,7 @@
  * The rows of the dope sheet, from the character and the expanded groups:
  *
  *     All keys                    summary: whole poses
+ *     Follows hand_r of Walker    if it is attached: spans instead of keys
  *     ▸ Root translation          tx ty tz
  *     ▾ hips                      joints in the skeleton's order
  *         rx
@@ -15,10 +16,10 @@ import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts';
 import { type CharacterDof, rootDofCount } from '../../../model/skeleton/dofs.ts';
-import { shortJointName } from '../../../model/skeleton/joint-name.ts';
+import { jointName, shortJointName } from '../../../model/skeleton/joint-name.ts';
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
 import { motionsOf } from '../../../model/takes/layers.ts';
-import type { Take } from '../../../model/takes/take.ts';
+import type { Attachment, Take } from '../../../model/takes/take.ts';
 import { dofsFor, followedName } from './channels.ts';
 
 /** Keys of groups other than joints in `TimelineView.unfolded`. */
@@ -26,7 +27,7 @@ export const ROOT_FOLD = -1;
 export const MORPHS_FOLD = -2;
 export const OTHERS_FOLD = -3;
 
-export type DopeRowKind = 'summary' | 'root' | 'joint' | 'morphs' | 'others' | 'channel';
+export type DopeRowKind = 'summary' | 'attached' | 'root' | 'joint' | 'morphs' | 'others' | 'channel';
 
 export interface DopeRow {
   /** Unique among the rows, and stable from one list to the next. */
@@ -101,9 +102,24 @@ export function dopeRows(character: Character, take: Take, options: RowOptions):
     if (expanded) rows.push(...matching);
     listed.push(...own);
   }
-  if (!rows.length) return [];
+  const attached = words.length ? [] : attachedRows(character, take);
+  if (!rows.length && !attached.length) return [];
   const summary: DopeRow = { key: 'summary', kind: 'summary', label: '', depth: 0, channels: listed, expanded: false };
-  return [summary, ...rows];
+  return [summary, ...attached, ...rows];
+}
+
+/** `hand_r of Walker`: what an attachment follows. */
+export function leadingJoint({ leaders = [] }: Character, { leaderId, joint }: Attachment): string {
+  const leader = leaders.find(({ id }) => id === leaderId);
+  return leader ? `${jointName(leader.skeleton, joint)} of ${leader.name}` : '';
+}
+
+/** One row for all attachments. */
+function attachedRows(character: Character, { attached }: Take): readonly DopeRow[] {
+  if (!attached) return [];
+  const names = new Set(attached.list.map((one) => leadingJoint(character, one)));
+  const label = `Follows ${[...names].join(', ')}`;
+  return [{ key: 'attached', kind: 'attached', label, depth: 0, channels: [], expanded: false }];
 }
 
 /** The channels with keys or samples that the rows would contain, ascending. */
@@ -116,7 +132,7 @@ export function keyedChannels(character: Character, filter: string): number[] {
 /** Whether two takes of one character have the same rows: moved keys don't rebuild them. */
 export function sameRows(a: Take, b: Take): boolean {
   if (a === b) return true;
-  if (a.channels.length !== b.channels.length) return false;
+  if (a.channels.length !== b.channels.length || a.attached !== b.attached) return false;
   const isSame = a.layers === b.layers;
   return a.channels.every((c, i) => (isSame && c === b.channels[i]) || isAnimated(a, i) === isAnimated(b, i));
 }

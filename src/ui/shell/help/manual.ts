@@ -41,6 +41,7 @@ const DIALOGS: Readonly<Record<DialogName, ManualPage>> = {
   takeSpeed: TAKES,
   checkTake: 'guide/capture-and-review.html#review',
   outsideCycle: 'guide/curves.html#cycles-and-extrapolation',
+  attach: 'guide/posing.html#attach-a-character',
   retarget: 'guide/capture-and-review.html#retarget',
   holdPins: 'guide/posing.html#ik',
   skinWeights: 'guide/rigging.html#bind-a-skin',

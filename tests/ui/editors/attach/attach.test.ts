@@ -1,0 +1,65 @@
+import { describe, expect, it } from 'vitest';
+import { addAttachment } from '../../../../src/edit/commands/beside/attach.ts';
+import { meantBy } from '../../../../src/ui/editors/attach/dialog.ts';
+import { detachNow, putDownNow } from '../../../../src/ui/editors/attach/edits.ts';
+import { tellFollows } from '../../../../src/ui/editors/posing/tell-follows.ts';
+import { followsText } from '../../../../src/ui/editors/retarget/moved-text.ts';
+import { dopeRows } from '../../../../src/ui/editors/timeline/dope-rows.ts';
+import { character, documentOf, skeleton, take, workbench } from '../../builders.ts';
+
+const BODY = skeleton(['hips', -1], ['hand', 0]);
+const walker = character({ id: 'w', name: 'walker', skeleton: BODY, takes: [take([0, 1])], shownTake: 0 });
+const sword = character({ id: 's', name: 'sword', skeleton: skeleton(['hilt', -1]) });
+const GRIP = { characterId: 's', leaderId: 'w', joint: 1, span: [0.5, 2] as [number, number] };
+
+const attached = () => {
+  const { wb } = workbench(documentOf(walker, sword));
+  wb.store.apply(addAttachment, GRIP);
+  wb.store.select({ characterId: 's' });
+  return wb;
+};
+const swordIn = (wb: ReturnType<typeof attached>) => wb.store.document.characters[1];
+const spans = (wb: ReturnType<typeof attached>) => swordIn(wb).takes[0].attached?.list.map(({ span }) => span);
+
+describe('attaching on the page', () => {
+  it('means the selected joint below a root as the one to follow, else the first other character', () => {
+    const document = documentOf(walker, sword);
+    expect(meantBy(document, { characterId: 'w', joint: 1 }, walker)).toEqual({
+      follower: sword,
+      leader: { id: 'w', joint: 1 },
+    });
+    expect(meantBy(document, { characterId: 's', joint: 0 }, sword)).toEqual({
+      follower: sword,
+      leader: { id: 'w', joint: 0 },
+    });
+    expect(meantBy(documentOf(sword), {}, sword)).toEqual({ follower: sword, leader: undefined });
+  });
+
+  it('is put down at the current time, and detached', () => {
+    const wb = attached();
+    wb.transport.update((p) => ({ ...p, timeSeconds: 1.25 }));
+    putDownNow(wb);
+    expect(spans(wb)).toEqual([[0.5, 1.25]]);
+    detachNow(wb);
+    expect(spans(wb)).toBeUndefined();
+  });
+
+  it('is told where the character is listed, and has a row in the dope sheet, with keys or without', () => {
+    const wb = attached();
+    expect(followsText(swordIn(wb))).toBe('follows walker');
+    const options = { unfolded: [], all: false, filter: '' };
+    expect(dopeRows(swordIn(wb), swordIn(wb).takes[0], options).map(({ label }) => label)).toEqual([
+      '',
+      'Follows hand of walker',
+    ]);
+  });
+
+  it('a message, once, says that posing the root has no effect', () => {
+    const wb = attached();
+    tellFollows(wb, swordIn(wb), [0]);
+    expect(wb.messages.passing.get()).toMatch(/^The root of sword follows another character/);
+    wb.messages.passing.set(undefined);
+    tellFollows(wb, swordIn(wb), [4]);
+    expect(wb.messages.passing.get()).toBeUndefined();
+  });
+});
