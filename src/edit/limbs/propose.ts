@@ -6,7 +6,7 @@ import { invertAffine } from '../../math/mat4.ts';
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Bend, Limb } from '../../model/limbs.ts';
 import { filePose } from '../../model/skeleton/dofs.ts';
-import { dofsOf } from '../../model/skeleton/joint-types.ts';
+import { dofsOf, turnsJoint } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { partnersPose } from '../pose/mirror.ts';
 import { reflectionOf } from '../pose/reflection.ts';
@@ -16,6 +16,22 @@ import { freeName, mirroredName } from '../rig/names.ts';
 const STRAIGHT = 1e-3;
 /** Radians by which a limb is bent to see which way its counterpart bends. */
 const BENT = 0.5;
+
+/**
+ * The joints of a limb for selected ones: those from the topmost to the lowest of them, if they are on one way; for a
+ * single joint that and the two above it. Undefined if there is no such chain.
+ */
+export function proposedJoints({ joints }: Skeleton, selected: readonly number[]): readonly number[] | undefined {
+  const last = Math.max(...selected);
+  const top = selected.length > 1 ? Math.min(...selected) : undefined;
+  const chain: number[] = [];
+  for (let j = last; j >= 0; j = joints[j].parent) {
+    chain.unshift(j);
+    if (top === undefined ? chain.length === 3 : j === top) break;
+  }
+  const isWhole = top === undefined ? chain.length === 3 && chain[0] > 0 : selected.every((j) => chain.includes(j));
+  return isWhole ? chain : undefined;
+}
 
 /**
  * How the middle of three joints bends: by the rotation DOF that brings the ends nearest to each other, and is not held
@@ -44,6 +60,20 @@ export function proposedBend(skeleton: Skeleton, limb: Omit<Limb, 'bend' | 'name
     best = { bend: { dof: dof.name, sign: side < 0 ? -1 : 1 }, score };
   });
   return best?.bend;
+}
+
+/** Whether the last joint can take a goal's rotation. */
+export function canOrient({ joints: all }: Skeleton, joints: readonly number[]): boolean {
+  return dofsOf(all[joints[joints.length - 1]].motion).filter(turnsJoint).length >= 3;
+}
+
+/** Whether each joint of a limb has a counterpart on the other side, of which none belongs to a limb yet. */
+export function hasOtherSide(skeleton: Skeleton, joints: readonly number[], limbs: readonly Limb[]): boolean {
+  const { partner } = reflectionOf(skeleton);
+  return joints.every((joint) => {
+    const other = partner[joint];
+    return other >= 0 && !joints.includes(other) && !limbs.some((limb) => limb.joints.includes(other));
+  });
 }
 
 /** The limb on the other side; undefined if a joint of it has no counterpart there. */

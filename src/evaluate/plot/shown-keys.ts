@@ -11,7 +11,9 @@ import type { Selection } from '../../model/session.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../model/skeleton/selected-joints.ts';
+import { withCurvesOfGoals } from '../../model/takes/layer-code.ts';
 import type { Channel } from '../../model/takes/take.ts';
+import { dofCountOf } from '../pose.ts';
 import { silentChannels } from '../retarget/moved-dofs.ts';
 
 /** A channel's key times, and the offset to subtract for transport times. */
@@ -29,8 +31,9 @@ export function shownKeys(document: Document, selection: Selection): ShownChanne
   const characters = selected && shownTake(selected) ? [selected] : document.characters;
   const shown: ShownChannel[] = [];
   for (const character of characters) {
-    const take = shownTake(character);
-    if (!take) continue;
+    const own = shownTake(character);
+    if (!own) continue;
+    const take = withCurvesOfGoals(own, dofCountOf(character));
     const isMeant = meantChannels(character, character === selected ? jointsIn(selection) : [], take.channels);
     const silent = silentChannels(character);
     take.channels.forEach((channel, i) => {

@@ -8,6 +8,7 @@ import { COMPARE_ACTIONS } from '../editors/compare/actions.ts';
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';
 import { LAYER_ACTIONS } from '../editors/layers/actions.ts';
+import { LIMB_ACTIONS } from '../editors/limbs/actions.ts';
 import { POSE_ACTIONS } from '../editors/poses/actions.ts';
 import { POSING_ACTIONS } from '../editors/posing/actions.ts';
 import { KEYING_ACTIONS } from '../editors/posing/keying-actions.ts';
@@ -39,6 +40,7 @@ export const ACTIONS: readonly Action[] = [
   ...POSE_ACTIONS,
   ...POSING_ACTIONS,
   ...IK_ACTIONS,
+  ...LIMB_ACTIONS,
   ...RETARGET_ACTIONS,
   ...ATTACH_ACTIONS,
   ...SKIN_ACTIONS,

@@ -19,6 +19,8 @@ import { SECTION } from '../../widgets/focus/focus-regions.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { contentOf, isOpen } from '../../widgets/section.ts';
 import { IkSection } from '../ik/ik-section.ts';
+import type { LimbSection } from '../limbs/limb-section.ts';
+import { selectedLimbs } from '../limbs/selected-limbs.ts';
 import type { RigSection } from '../rig/rig-section.ts';
 import { CharacterSection } from './character-section.ts';
 import { DofSections } from './dof-sections.ts';
@@ -38,6 +40,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const live = new LiveRows(contentOf(gui));
   const rig = rigSection(wb, edit, section('rig', 'Rig', true));
   const dofs = new DofSections({ wb, edit, live }, gui, section);
+  const showLimb = limbSection(wb, section('limb', 'Limb', true));
   const ik = new IkSection(wb, section('ik', 'IK', true));
   const facts = jointFacts(wb);
   const factsSection = section('facts', 'Details', true);
@@ -63,6 +66,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     shown = next;
     character.update(target);
     dofs.showUnkeyed(target);
+    showLimb();
     ik.update();
     rig(target, next.joints);
     facts.show();
@@ -124,6 +128,23 @@ function rigSection(wb: Workbench, edit: HandEdit, section: GUI) {
   return (character: Character | undefined, joints: readonly number[]) => {
     shown = [character, joints];
     if (wb.posing.mode.get() === 'rig') rows?.show(character, joints);
+  };
+}
+
+/** Shown if the selected joint belongs to a limb, and loaded with the first. */
+function limbSection(wb: Workbench, section: GUI): () => void {
+  let rows: LimbSection | undefined;
+  return () => {
+    const isShown = selectedLimbs(wb) !== undefined;
+    if (rows || !isShown) {
+      section.show(isShown);
+      rows?.update();
+      return;
+    }
+    void onDemand(wb.messages, 'The Limb section', () => import('../limbs/limb-section.ts')).then((module) => {
+      rows ??= module && new module.LimbSection(wb, section);
+      rows?.update();
+    });
   };
 }
 

@@ -20,7 +20,7 @@ import { onDemand } from '../../state/on-demand.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { PosingCommand } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { channelsOfJoint } from '../timeline/channels.ts';
+import { channelsOfJoint, takeInTimeline } from '../timeline/channels.ts';
 import { takeTime } from '../timeline/current-take.ts';
 
 /** Options for new keys. */
@@ -100,7 +100,8 @@ export function keyNow(
 function heldValues(character: Character, timeSeconds: number, dofs?: readonly number[]): readonly DofValue[] {
   const shown = new Float64Array(dofCountOf(character));
   poseAt(steppedCharacter(character), timeSeconds, shown);
-  return (dofs ?? [...shown.keys()]).map((index) => ({ index, value: shown[index] }));
+  const own = dofs?.filter((dof) => dof < shown.length) ?? [...shown.keys()];
+  return own.map((index) => ({ index, value: shown[index] }));
 }
 
 /** Those of a character's DOFs that are sampled, and whether any others take keys; undefined if none are. */
@@ -123,7 +124,7 @@ export function isSampled(character: Character, dof: number): boolean {
 
 /** A character's keys at the current time; of these DOFs, or of all. */
 export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
-  const take = character.skeleton && shownTake(character);
+  const take = character.skeleton && takeInTimeline(character);
   const silent = silentChannels(character);
   const keys = take ? keysAtTime(take, dofs, takeTime(wb, character)) : [];
   return silent ? keys.filter(({ channel }) => channel >= silent) : keys;

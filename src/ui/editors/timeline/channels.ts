@@ -2,10 +2,11 @@
  * Which channels the timeline lists, and which it draws. A pure function of document, selection and timeline settings.
  */
 import { keyCountOf } from '../../../edit/keys/selection.ts';
+import { dofCountOf } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import type { Morph } from '../../../model/morph.ts';
-import { perPair } from '../../../model/per-object.ts';
+import { perObject, perPair } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
 import { coupleOf } from '../../../model/skeleton/couples.ts';
 import {
@@ -19,7 +20,9 @@ import { shortJointName } from '../../../model/skeleton/joint-name.ts';
 import { arePoints, dofsOf } from '../../../model/skeleton/joint-types.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
-import { spanOfChannel } from '../../../model/takes/take.ts';
+import { UNLIMITED } from '../../../model/skeleton/skeleton.ts';
+import { withCurvesOfGoals } from '../../../model/takes/layer-code.ts';
+import { GOAL_CHANNELS, type Goals, spanOfChannel, type Take } from '../../../model/takes/take.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 
 /** A DOF in the list, animated or not. */
@@ -48,9 +51,30 @@ export type ListSettings = Pick<TimelineView, 'list' | 'pinned' | 'filter'>;
 
 const dofLists = perPair((skeleton: Skeleton, morphs: readonly Morph[]) => characterDofs(skeleton, morphs));
 
-/** The DOFs of a character, cached per skeleton. */
-export function dofsFor({ skeleton, morphs }: Character): readonly CharacterDof[] {
-  return skeleton ? dofLists(skeleton, morphs) : characterDofs(skeleton, morphs);
+/** The DOFs of a character, cached per skeleton; after them the curves of the goals of its shown take. */
+export function dofsFor(character: Character): readonly CharacterDof[] {
+  const { skeleton, morphs } = character;
+  const dofs = skeleton ? dofLists(skeleton, morphs) : characterDofs(skeleton, morphs);
+  const goals = shownTake(character)?.goals;
+  return goals ? [...dofs, ...curvesOfGoals(goals)] : dofs;
+}
+
+/** As DOFs of no joint. */
+const curvesOfGoals = perObject(({ list }: Goals): readonly CharacterDof[] =>
+  list.flatMap(({ limb }) =>
+    GOAL_CHANNELS.map((name) => {
+      const unit = name.startsWith('r') ? 'angle' : /^[tp]/.test(name) ? 'length' : 'weight';
+      return { name: `${limb} ${name}`, unit, rest: 0, joint: GOAL, limit: UNLIMITED, takesLimits: false } as const;
+    }),
+  ),
+);
+/** In place of a joint: DOFs that are curves of goals. */
+export const GOAL = -2;
+
+/** The shown take, with the curves of its goals as channels after those of the DOFs. */
+export function takeInTimeline(character: Character): Take | undefined {
+  const take = shownTake(character);
+  return take && withCurvesOfGoals(take, dofCountOf(character));
 }
 
 /**
@@ -85,9 +109,13 @@ export function listedChannels(character: Character, selection: Selection, setti
  */
 export function selectedChannels(character: Character, selection: Selection): readonly number[] | undefined {
   const joints = selection.characterId === character.id ? jointsIn(selection) : [];
-  if (joints.length > 0) return [...joints].sort((a, b) => a - b).flatMap((joint) => jointChannels(character, joint));
+  if (joints.length > 0)
+    return [...joints]
+      .sort((a, b) => a - b)
+      .flatMap((joint) => jointChannels(character, joint))
+      .concat(goalChannelsOf(character, joints));
   const channels = jointChannels(character, 0);
-  const take = shownTake(character);
+  const take = takeInTimeline(character);
   const silent = silentChannels(character);
   return channels.some((c) => c >= silent && take && spanOfChannel(take, c)) ? channels : undefined;
 }
@@ -98,6 +126,17 @@ export function isOfRootOnly(character: Character, selection: Selection): boolea
   return !hasJoint && selectedChannels(character, selection) !== undefined;
 }
 
+/** The curves of the goals of the limbs that joints belong to. */
+function goalChannelsOf(character: Character, joints: readonly number[]): number[] {
+  const goals = shownTake(character)?.goals?.list ?? [];
+  const count = dofCountOf(character);
+  return goals.flatMap(({ limb }, g) => {
+    const own = character.limbs?.list.find(({ name }) => name === limb)?.joints ?? [];
+    const isOf = own.some((joint) => joints.includes(joint));
+    return isOf ? GOAL_CHANNELS.map((_, k) => count + GOAL_CHANNELS.length * g + k) : [];
+  });
+}
+
 function jointChannels(character: Character, joint: number): number[] {
   const [first, end] = channelsOfJoint(character, joint);
   return Array.from({ length: end - first }, (_, i) => first + i);
@@ -105,7 +144,7 @@ function jointChannels(character: Character, joint: number): number[] {
 
 /** Channels of all DOFs, and those of the take past them. */
 export function channelCount(character: Character): number {
-  return Math.max(dofsFor(character).length, shownTake(character)?.channels.length ?? 0);
+  return Math.max(dofsFor(character).length, takeInTimeline(character)?.channels.length ?? 0);
 }
 
 /** A channel as it would be listed. */
@@ -113,7 +152,7 @@ export function namedChannel(character: Character, channel: number): ListedChann
   const dofs = dofsFor(character);
   const dof: CharacterDof | undefined = dofs[channel];
   const ofJoint = dof !== undefined && dof.joint >= 0;
-  const take = shownTake(character);
+  const take = takeInTimeline(character);
   const own = take?.channels[channel];
   const follows = followedName(character, channel);
   return {

@@ -13,14 +13,14 @@ import type { KeyPlacing } from '../../../edit/keys/cycle.ts';
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withWholeSteps } from '../../../edit/keys/steps.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
-import { type Character, type Document, findCharacter, shownTake } from '../../../model/document.ts';
+import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { Take } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { shownTabs } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { drawnChannels, listedChannels } from './channels.ts';
+import { drawnChannels, listedChannels, takeInTimeline } from './channels.ts';
 import { keyedChannels } from './dope-rows.ts';
 
 export interface CurrentTake {
@@ -31,7 +31,7 @@ export interface CurrentTake {
 /** The take of the current character; undefined if it has none. */
 export function currentTake(wb: Uses<'store'>): CurrentTake | undefined {
   const character = currentCharacter(wb);
-  const take = character && shownTake(character);
+  const take = character && takeInTimeline(character);
   return character && take && { character, take };
 }
 
@@ -81,7 +81,7 @@ export function editOfTake(
 ): HandEdit {
   return new HandEdit(store, messages, () => {
     const now = findCharacter(store.document, character.id);
-    return now !== undefined && shownTake(now) === take;
+    return now !== undefined && takeInTimeline(now) === take;
   });
 }
 
@@ -93,7 +93,7 @@ export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): voi
   if (keys.length === 0 && !selection.keys) return;
   // Keys belong to a character: selecting some selects the character too.
   const own = selection.characterId === character.id ? selection : { characterId: character.id };
-  const channels = shownTake(character)?.channels ?? [];
+  const channels = takeInTimeline(character)?.channels ?? [];
   wb.store.select(withSelectedKeys(own, withWholeSteps(channels, keys)));
 }
 

@@ -3,11 +3,10 @@
 import { CommandError } from '../../../edit/command-error.ts';
 import { type OutsideCycle, placeOf, withRepeatsBaked } from '../../../edit/keys/cycle.ts';
 import { sameTime } from '../../../edit/keys/same-time.ts';
-import { shownTake } from '../../../model/document.ts';
 import type { KeyedChannel } from '../../../model/takes/take.ts';
 import type { CycleQuestion } from '../../state/cycle-question.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { channelName, namedChannel } from './channels.ts';
+import { channelName, namedChannel, takeInTimeline } from './channels.ts';
 
 export const OUTSIDE_LABELS: Readonly<Record<OutsideCycle, string>> = {
   bake: 'Bake the repeats, then key',
@@ -29,7 +28,7 @@ export function cycleText(
 ): CycleText {
   const [{ channel: index, from, to, timeSeconds }] = changed;
   const offset = character.timeOffsetSeconds;
-  const channel = shownTake(character)?.channels[index];
+  const channel = takeInTimeline(character)?.channels[index];
   const name = channelName(namedChannel(character, index));
   const time = seconds(timeSeconds - offset);
   const isOne = changed.length === 1;
@@ -65,7 +64,7 @@ export function momentText(
   const eased = `Eased in and out around ${seconds(timeSeconds)}; before and after, the take is as it was.`;
   if (changed.length === 0) return eased;
   const offset = character.timeOffsetSeconds;
-  const channel = shownTake(character)?.channels[changed[0].channel];
+  const channel = takeInTimeline(character)?.channels[changed[0].channel];
   const at = timeSeconds + offset;
   const [start, end] = [Math.min(at, range[0] + offset), Math.max(at, range[1] + offset)];
   const baked = channel?.kind === 'keys' ? bakedRange(channel, start, end) : undefined;

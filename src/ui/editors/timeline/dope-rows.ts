@@ -7,27 +7,30 @@
  *     ▾ hips                      joints in the skeleton's order
  *         rx
  *     ▸ Morphs
+ *     ▸ Goal of leg_l             of each limb that the take moves to one
  *     ▸ More channels             if the take has more than the character has DOFs
  *
  * A row is a list of channels, which determines what is drawn, hit or selected in it. Joints are a flat list, not a
  * tree: this view is about timing, and in a tree a hand would be ten levels deep.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { type Character, shownTake } from '../../../model/document.ts';
+import type { Character } from '../../../model/document.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/skeleton/dof-axis.ts';
 import { type CharacterDof, rootDofCount } from '../../../model/skeleton/dofs.ts';
 import { jointName, shortJointName } from '../../../model/skeleton/joint-name.ts';
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
 import { motionsOf } from '../../../model/takes/layers.ts';
-import type { Attachment, Take } from '../../../model/takes/take.ts';
-import { dofsFor, followedName } from './channels.ts';
+import { type Attachment, GOAL_CHANNELS, type Take } from '../../../model/takes/take.ts';
+import { dofsFor, followedName, GOAL, takeInTimeline } from './channels.ts';
 
 /** Keys of groups other than joints in `TimelineView.unfolded`. */
 export const ROOT_FOLD = -1;
 export const MORPHS_FOLD = -2;
 export const OTHERS_FOLD = -3;
+/** That of the first goal; the others have lower ones. */
+const GOALS_FOLD = -4;
 
-export type DopeRowKind = 'summary' | 'attached' | 'root' | 'joint' | 'morphs' | 'others' | 'channel';
+export type DopeRowKind = 'summary' | 'attached' | 'root' | 'joint' | 'morphs' | 'goal' | 'others' | 'channel';
 
 export interface DopeRow {
   /** Unique among the rows, and stable from one list to the next. */
@@ -62,7 +65,7 @@ export interface RowOptions {
 }
 
 interface Group {
-  readonly kind: 'root' | 'joint' | 'morphs' | 'others';
+  readonly kind: 'root' | 'joint' | 'morphs' | 'goal' | 'others';
   readonly fold: number;
   readonly label: string;
   readonly joint?: number;
@@ -124,7 +127,7 @@ function attachedRows(character: Character, { attached }: Take): readonly DopeRo
 
 /** The channels with keys or samples that the rows would contain, ascending. */
 export function keyedChannels(character: Character, filter: string): number[] {
-  const take = shownTake(character);
+  const take = takeInTimeline(character);
   if (!take) return [];
   return [...(dopeRows(character, take, { unfolded: [], all: false, filter })[0]?.channels ?? [])];
 }
@@ -156,6 +159,7 @@ function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCo
   let first = root;
   while (first < dofs.length) {
     const { joint } = dofs[first];
+    if (joint === GOAL) break;
     let end = first + 1;
     while (end < dofs.length && dofs[end].joint === joint) end++;
     const count = end - first;
@@ -167,6 +171,14 @@ function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCo
     }
     first = end;
   }
+  const { goals } = takeInTimeline(character) ?? {};
+  goals?.list.forEach(({ limb }, g) => {
+    const count = GOAL_CHANNELS.length;
+    const last = character.limbs?.list.find(({ name }) => name === limb)?.joints.at(-1);
+    const label = `Goal of ${limb}`;
+    add({ kind: 'goal', fold: GOALS_FOLD - g, label, first, count, ...(last !== undefined && { joint: last }) });
+    first += count;
+  });
   const left = channelCount - first;
   add({ kind: 'others', fold: OTHERS_FOLD, label: 'More channels', first, count: left });
   return groups;
@@ -188,7 +200,8 @@ function channelRows(
   for (let c = first; c < first + count; c++) {
     if (!all && !isAnimated(take, c)) continue;
     const dof = kind === 'others' ? undefined : dofs[c];
-    const label = dof ? dof.name : `channel ${c}`;
+    // The row above names the limb.
+    const label = dof ? (kind === 'goal' ? GOAL_CHANNELS[c - first] : dof.name) : `channel ${c}`;
     const row: DopeRow = { key: `channel/${c}`, kind: 'channel', label, depth: 1, channels: [c], expanded: false };
     const axis = dof && axisOfDof(character.skeleton, dof);
     const follows = followedName(character, c);

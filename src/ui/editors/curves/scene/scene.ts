@@ -2,16 +2,17 @@
 
 import type { CompiledTake } from '../../../../evaluate/compiled-take.ts';
 import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
-import { type Character, shownTake } from '../../../../model/document.ts';
+import type { Character } from '../../../../model/document.ts';
 import { perObject } from '../../../../model/per-object.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { coupleOf } from '../../../../model/skeleton/couples.ts';
 import { axisOfDof } from '../../../../model/skeleton/dof-axis.ts';
-import { type CharacterDof, characterDofs, unitOfChannel } from '../../../../model/skeleton/dofs.ts';
+import { type CharacterDof, unitOfChannel } from '../../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../../model/skeleton/joint-name.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton/skeleton.ts';
 import { columnOf } from '../../../../model/takes/samples.ts';
 import type { KeyedChannel, Take } from '../../../../model/takes/take.ts';
+import { dofsFor, takeInTimeline } from '../../timeline/channels.ts';
 import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import type { RestCurves } from './rest-curves.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
@@ -84,9 +85,9 @@ export function sceneLines(
   normalised: boolean,
   kept: readonly CurveLine[] = [],
 ): CurveLine[] {
-  const take = shownTake(character);
+  const take = takeInTimeline(character);
   if (!take) return [];
-  const dofs = characterDofs(character.skeleton, character.morphs);
+  const dofs = dofsFor(character);
   const ordinals = new Map<string, number>();
   let others = 0;
   const lines: CurveLine[] = [];
