@@ -7,6 +7,7 @@ import { type Character, type Document, findCharacter } from '../../src/model/do
 import { differenceOf, sceneOf } from '../edit/attach/attached.ts';
 import { savedOf, scene } from '../files/open/attached-files.ts';
 import { command, commandJson, type PoseJson } from '../helpers/command.ts';
+import { jointsInThree } from '../helpers/glb.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'marrow-attach-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
@@ -39,6 +40,21 @@ describe('an attached character on the command line', () => {
     const meant = sceneOf(sword(), 0, 1);
     const off = [12, 13, 14].map((k) => Math.abs(root.world.flat()[k] - meant[k]));
     expect(Math.max(...off)).toBeLessThan(kind === 'fbx' ? 1e-2 : 4e-3);
+  });
+
+  it('is in the same place beside its leader in three.js, each written as .glb', async () => {
+    await command(['convert', ...SWORD, ...WALKER, 'sword.glb'], folder);
+    await command(['convert', ...WALKER, 'walker.glb'], folder);
+    const inThree = async (name: string, joint: string) => jointsInThree(readFileSync(join(folder, name)), [joint]);
+    const [hilt, hand] = [await inThree('sword.glb', 'hilt'), await inThree('walker.glb', 'joint1')];
+    const { offset } = sword().takes[0].attached?.list[0] ?? {};
+    const held = Math.hypot(...(offset?.position ?? []));
+    for (const time of [0.5, 0.61, 0.87, 1.13, 1.49]) {
+      const [[at], [of]] = [hilt(time), hand(time)];
+      expect(Math.hypot(...at.map((value, k) => value - of[k]))).toBeCloseTo(held, 3);
+      const meant = sceneOf(sword(), 0, time);
+      expect(Math.hypot(...at.map((value, k) => value - meant[12 + k]))).toBeLessThan(1e-3);
+    }
   });
 
   it('is written to .anim as it moves, or as the plain file has it without its leader', async () => {

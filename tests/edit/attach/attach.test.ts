@@ -208,6 +208,7 @@ describe('attachments', () => {
       [1, 3],
     ]);
     expect(offBy(get(both, 'c1'), get(both, 'c2'), 1.25)).toBeLessThan(TINY);
+    expect(difference(sceneOf(get(both, 'c2'), 0, 1), sceneOf(get(first, 'c2'), 0, 1))).toBeLessThan(TINY);
     expect(() => expectEdit(both, addAttachment, { ...GRIP, span: [0, 0.75] })).toThrow(
       'Sword is attached to joint1 of Walker from 0.5 to 1 s.',
     );

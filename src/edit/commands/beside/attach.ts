@@ -57,7 +57,7 @@ export const addAttachment = command({
       const taken = withChannels(follower, leaderRange(leader, follower));
       const known = shownTake(taken)?.attached?.list ?? [];
       const list = known.flatMap((one) => before(span, one, taken));
-      const placed = atPlaceOf(withAttached(taken, list, []), leader);
+      const placed = atPlaceOf(taken, leader);
       return attachedAt(placed, list, { leaderId, joint, span, offset: NO_OFFSET }, [leaderOf(leader, placed)]);
     });
   },
@@ -84,7 +84,7 @@ export const changeAttachment = command({
       const moved = { ...one, span };
       return span[0] === one.span[0]
         ? withAttached(character, list.with(at, moved), [])
-        : attachedAt(character, others, moved, []);
+        : attachedAt(withAttached(character, others, []), others, moved, character.leaders ?? []);
     }),
 });
 
@@ -196,20 +196,23 @@ function before([start, end]: readonly [number, number], one: Attachment, charac
   );
 }
 
-/** With an attachment that begins where the root is without it. @param others all but that */
+/**
+ * With an attachment that begins where the root is then.
+ * @param others the attachments besides that
+ * @param leaders those that it needs besides the character's own
+ */
 function attachedAt(
   character: Character,
   others: readonly Attachment[],
   one: Attachment,
   leaders: readonly Character[],
 ): Character {
-  const plain = withoutUnkeyed(withAttached(character, others, []));
   const leader = [...leaders, ...(character.leaders ?? [])].find(({ id }) => id === one.leaderId);
   if (!leader) throw new CommandError('The character that it follows is no longer there.');
   const [start] = one.span;
   // Leaders have the time of this character's take.
   const joint = jointInScene(withoutUnkeyed(leader), one.joint, start);
-  const root = jointInScene(plain, 0, start - character.timeOffsetSeconds);
+  const root = jointInScene(withoutUnkeyed(character), 0, start - character.timeOffsetSeconds);
   const { others: unknown } = one.offset;
   const offset = { ...offsetBetween(joint, root), ...(unknown && { others: unknown }) };
   return withAttached(character, [...others, { ...one, offset }], leaders);
