@@ -6,7 +6,7 @@
 import { setSpace } from '../edit/commands/spaces.ts';
 import type { Store } from '../edit/store.ts';
 import { metresPerUnit } from '../evaluate/space/metres.ts';
-import { spaceText, unitText } from '../evaluate/space/space.ts';
+import { spaceText, unitText, upText } from '../evaluate/space/space.ts';
 import { type SpaceChoices, spaceChoices } from '../evaluate/space/space-choices.ts';
 import { type Character, findCharacter, shownTake } from '../model/document.ts';
 import { skeletonKey } from '../model/skeleton/skeleton-key.ts';
@@ -73,7 +73,7 @@ function offerOf(
 
 /** What differs: `Z up`, `Inches`, `1.7 m tall`. @param height that the character would have, metres */
 function labelOf(space: Space, now: Space | undefined, height: number): string {
-  if (space.up !== now?.up) return `${space.up.toUpperCase()} up`;
+  if (space.up !== now?.up) return upText(space).replace(/^./, (axis) => axis.toUpperCase());
   if (space.unit === 'own') return `${shown(Number(height.toPrecision(2)))} m tall`;
   const [first, ...rest] = unitText(space);
   return `${first.toUpperCase()}${rest.join('')}`;

@@ -30,11 +30,18 @@ export function put(
 }
 
 /** Turns q by the up axis, (x, y, z) → (x, z, −y): the product of −√½ i + √½ and q. */
-export function turnUp(q: Float64Array, o: number): void {
+export function turnUp(q: Float64Array, o: number, up: 'z' | '-y'): void {
   const x = q[o];
   const y = q[o + 1];
   const z = q[o + 2];
   const w = q[o + 3];
+  if (up === '-y') {
+    q[o] = w;
+    q[o + 1] = -z;
+    q[o + 2] = y;
+    q[o + 3] = -x;
+    return;
+  }
   q[o] = Math.SQRT1_2 * (x - w);
   q[o + 1] = Math.SQRT1_2 * (y + z);
   q[o + 2] = Math.SQRT1_2 * (z - y);

@@ -53,7 +53,7 @@ export class JointTransforms {
   private readonly compiled: CompiledSkeleton;
   private readonly isRigid: boolean;
   private readonly metres: number;
-  private readonly isTurned: boolean;
+  private readonly up: Space['up'];
   /** Rotation of each joint; undefined for those that turn otherwise. */
   private readonly turns: readonly (Turn | undefined)[];
   /** All of `points`, and how many numbers a frame has. */
@@ -89,7 +89,7 @@ export class JointTransforms {
     this.compiled = compiled;
     this.isRigid = !joints.some(({ motion }) => stretches(motion));
     this.metres = space ? metresPerUnit(space) : 1;
-    this.isTurned = space?.up === 'z';
+    this.up = space?.up ?? 'y';
     const count = joints.length;
     const { owners, ends } = endSitesOf(skeleton);
     this.endJoints = owners;
@@ -283,10 +283,10 @@ export class JointTransforms {
   }
 
   private composeRoot(count: number, j: number): void {
-    const { local, world, worldBefore, ways, points, space, isTurned } = this;
+    const { local, world, worldBefore, ways, points, space, up } = this;
     for (let b = 0; b < count; b++) {
       const o = 4 * (BLOCK * j + b);
-      if (isTurned) turnUp(local, o);
+      if (up !== 'y') turnUp(local, o, up);
       put(local, o, local[o], local[o + 1], local[o + 2], local[o + 3], worldBefore, 4 * j);
       for (let k = 0; k < 4; k++) world[o + k] = local[o + k];
       const v = 3 * (BLOCK * j + b);
@@ -296,7 +296,7 @@ export class JointTransforms {
   }
 
   private poseByMatrices(dofs: Float64Array, stride: number, count: number): void {
-    const { compiled, matrices, local, world, localBefore, worldBefore, points, space, isTurned } = this;
+    const { compiled, matrices, local, world, localBefore, worldBefore, points, space, up } = this;
     const { parent, jointCount } = compiled;
     for (let b = 0; b < count; b++) {
       worldMatrices(compiled, dofs.subarray(b * stride, (b + 1) * stride), matrices);
@@ -304,7 +304,7 @@ export class JointTransforms {
         const o = 4 * (BLOCK * j + b);
         writeRotationPart(matrices, 16 * j, rotation, 0, 3);
         writeUnitQuaternion(rotation, quaternion);
-        if (isTurned) turnUp(quaternion, 0);
+        if (up !== 'y') turnUp(quaternion, 0, up);
         put(world, o, quaternion[0], quaternion[1], quaternion[2], quaternion[3], worldBefore, 4 * j);
         applySpace(space, matrices[16 * j + 12], matrices[16 * j + 13], matrices[16 * j + 14], point);
         points[b].set(point, 3 * j);

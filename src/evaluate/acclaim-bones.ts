@@ -11,7 +11,7 @@ import { rootDofCount } from '../model/skeleton/dofs.ts';
 import { dofsOf } from '../model/skeleton/joint-types.ts';
 import type { AcclaimHeader, AcclaimMotion, Joint, Skeleton } from '../model/skeleton/skeleton.ts';
 import { NO_BOX, UNLIMITED } from '../model/skeleton/skeleton.ts';
-import { DEFAULT_SPACE } from '../model/space.ts';
+import { DEFAULT_SPACE, type Space } from '../model/space.ts';
 import type { Samples } from '../model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../model/takes/take.ts';
 import { bakeTake, eachFrame, type Frames } from './bake.ts';
@@ -60,7 +60,7 @@ export function toAcclaimBones(character: Character, frames: Frames, file = ''):
     length: Number((INCH / metresPerUnit(space)).toPrecision(10)),
     angle: 'deg',
   };
-  const made = new Converting(captured, name, up === 'z').result();
+  const made = new Converting(captured, name, up).result();
   return { capture: { ...made, skeleton: { ...made.skeleton, acclaim } }, diagnostics };
 }
 
@@ -122,11 +122,11 @@ class Converting {
   private readonly local: Float64Array<ArrayBuffer>;
   private readonly samples: Frames;
 
-  /** @param isTurned whether z is up, and turned to y */
+  /** @param up what is turned to y up */
   constructor(
     private readonly captured: Capture,
     private readonly name: string,
-    private readonly isTurned: boolean,
+    private readonly up: Space['up'],
   ) {
     this.local = new Float64Array(16 * captured.skeleton.joints.length);
     const { frameCount = 1, frameSeconds = 1 / 30, startSeconds = 0 } = captured.take?.samples ?? {};
@@ -200,21 +200,21 @@ class Converting {
 
   /** Fills `local` for each frame. */
   private eachFrame(see: (frame: number) => void): void {
-    const { captured, samples, local, isTurned } = this;
+    const { captured, samples, local, up } = this;
     const compiled = compileSkeleton(captured.skeleton);
     eachFrame(bareCharacter(captured.skeleton, captured.take), samples, (dofs, frame) => {
       localMatrices(compiled, dofs, local);
-      if (isTurned) turnUp(local);
+      if (up !== 'y') turnUp(local, up);
       see(frame);
     });
   }
 }
 
-/** The root's matrix with z up turned to y up: x y z becomes x z −y. */
-function turnUp(m: Float64Array): void {
+/** The root's matrix turned to y up: x y z becomes x z −y if z is up, x −y −z if y is down. */
+function turnUp(m: Float64Array, up: 'z' | '-y'): void {
   for (let c = 0; c < 16; c += 4) {
-    const y = m[c + 1];
-    m[c + 1] = m[c + 2];
-    m[c + 2] = -y;
+    const [y, z] = [m[c + 1], m[c + 2]];
+    m[c + 1] = up === 'z' ? z : -y;
+    m[c + 2] = up === 'z' ? -y : -z;
   }
 }

@@ -9,6 +9,8 @@ import type { Remarks } from './imported.ts';
 export interface Fitted {
   readonly joints: FrameJoints;
   readonly frames: JointFrames;
+  /** Whether y points down, as in pictures. */
+  readonly isDown: boolean;
   told(): void;
 }
 
@@ -18,6 +20,7 @@ export function fitted(paths: PointPaths, tree: JointTree, framesPerSecond: numb
   const { frameCount } = paths;
   return {
     joints: fit.joints,
+    isDown: fit.up?.axis === 1 && fit.up.sign < 0,
     frames: { frameCount, framesPerSecond, write: (frame, rotations, places) => fit.write(frame, rotations, places) },
     told() {
       const [mean, largest] = [fit.meanDistance, fit.largestDistance].map((v) => Number(v.toPrecision(3)));

@@ -2,7 +2,8 @@
 
 /** Maps a character's own space to y up and metres, before its placement. */
 export interface Space {
-  readonly up: 'y' | 'z';
+  /** The axis that points up; `-y`: y points down, as in pictures. */
+  readonly up: 'y' | 'z' | '-y';
   readonly unit: LengthUnit;
   /** Metres per unit if the unit is `own`; greater than 0. */
   readonly metres?: number;

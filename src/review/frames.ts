@@ -68,7 +68,7 @@ function framesOfBare(character: Character, skeleton: Skeleton, take: Take, offs
     ends,
     ...(hasStretches(skeleton) && { lengthened: ends.slice() }),
     metres: metresPerUnit(space),
-    isZUp: space.up === 'z',
+    up: space.up,
     lift: space.lift,
   };
   const secondsOf = (frame: number) => startSeconds + frame * frameSeconds;
@@ -99,7 +99,7 @@ interface Posing {
   /** Those of one frame, where DOFs lengthen bones. */
   readonly lengthened?: Float64Array;
   readonly metres: number;
-  readonly isZUp: boolean;
+  readonly up: Space['up'];
   readonly lift: number;
 }
 
@@ -129,7 +129,7 @@ function writePoints(posing: Posing, seconds: number, dofs: Float64Array, points
 }
 
 function writePoint(
-  { metres, isZUp, lift }: Posing,
+  { metres, up, lift }: Posing,
   x: number,
   y: number,
   z: number,
@@ -137,6 +137,6 @@ function writePoint(
   o: number,
 ): void {
   points[o] = metres * x;
-  points[o + 1] = metres * (isZUp ? z : y) + lift;
-  points[o + 2] = metres * (isZUp ? -y : z);
+  points[o + 1] = metres * (up === 'z' ? z : up === 'y' ? y : -y) + lift;
+  points[o + 2] = metres * (up === 'z' ? -y : up === 'y' ? z : -z);
 }

@@ -8,7 +8,7 @@ import type { ExportSettings } from './settings.ts';
 import type { TakeInput } from './take-inputs.ts';
 
 /** Changes when the same input and options give other numbers. */
-export const LAYOUT = 2;
+export const LAYOUT = 3;
 
 /** @param source the take as it was read */
 export function metaOf(

@@ -15,7 +15,7 @@ import { characterIn } from '../step-names.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
 const space = record({
-  up: oneOf(['y', 'z']),
+  up: oneOf(['y', 'z', '-y']),
   unit: oneOf(LENGTH_UNITS),
   lift: number,
   metres: optional(number),

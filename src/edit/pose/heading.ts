@@ -8,6 +8,7 @@
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { cross, dot, transformVector, unit, type Vec3 } from '../../math/vec3.ts';
+import type { Space } from '../../model/space.ts';
 import type { Reflection } from './reflection.ts';
 
 /** Closer to the plane than this (sine) counts as facing along it. */
@@ -27,9 +28,9 @@ export function headingBack(
   { normal, reference }: Pick<Reflection, 'normal' | 'reference'>,
   sides: Vec3,
   dofs: Float64Array,
-  up: 'y' | 'z',
+  up: Space['up'],
 ): Float64Array | undefined {
-  const upward: Vec3 = up === 'y' ? [0, 1, 0] : [0, 0, 1];
+  const upward: Vec3 = up === 'z' ? [0, 0, 1] : [0, 1, 0];
   const along = unit(cross(normal, upward));
   if (!along || Math.abs(dot(normal, upward)) > ALONG) return undefined;
   const now = rootTurn(compiled, dofs);

@@ -12,6 +12,7 @@ import { withoutRoundOff } from '../../math/round-off.ts';
 import { isBvh } from '../../model/document.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { fitLocal } from './fit-local.ts';
 import { headingBack } from './heading.ts';
 import { acrossPlane, type Reflection, reflectionOf } from './reflection.ts';
@@ -27,7 +28,7 @@ export interface MirrorScope {
    */
   readonly way: 'swap' | 'toOther';
   /** Up axis of the character's space; default y. */
-  readonly up?: 'y' | 'z';
+  readonly up?: Space['up'];
   /**
    * Mirrors the whole character in place: its root keeps its position and heading (`heading.ts`). Absent: across the
    * plane of the character's space, to its other side.
@@ -124,7 +125,7 @@ export function partnersPose(
  *
  * @param dofs of the pose that faces
  */
-export function wholeReflection(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflection {
+export function wholeReflection(skeleton: Skeleton, dofs: Float64Array, up: Space['up']): Reflection {
   return (isBvh({ skeleton }) ? facing(skeleton, dofs, up) : undefined) ?? reflectionOf(skeleton);
 }
 
@@ -141,7 +142,7 @@ export function swappedPose(skeleton: Skeleton, reflection: Reflection, dofs: Fl
   return out;
 }
 
-function facing(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflection | undefined {
+function facing(skeleton: Skeleton, dofs: Float64Array, up: Space['up']): Reflection | undefined {
   const reflection = reflectionOf(skeleton);
   const { lateral } = reflection;
   if (!lateral) return undefined;
@@ -151,8 +152,8 @@ function facing(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflecti
   const o = 16 * lateral.joint;
   const [x, y, z] = lateral.direction;
   const [ax, ay, az] = [0, 1, 2].map((k) => Math.abs(world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z));
-  const other = up === 'y' ? az : ay;
-  return acrossPlane(skeleton, reflection, other > ax ? (up === 'y' ? [0, 0, 1] : [0, 1, 0]) : [1, 0, 0]);
+  const other = up === 'z' ? ay : az;
+  return acrossPlane(skeleton, reflection, other > ax ? (up === 'z' ? [0, 1, 0] : [0, 0, 1]) : [1, 0, 0]);
 }
 
 function jointsMeant(compiled: CompiledSkeleton, { partner }: Reflection, { joint = 0, way }: MirrorScope) {

@@ -68,8 +68,8 @@ function nextPlace(character: Character, skeleton: Skeleton, parent: number): Ve
   if (above.endSites?.length && siblings.length === 0) return above.endSites[0];
   const length = typicalLength(character, skeleton);
   const isBone = parent > 0 && above.offset.some((v) => v !== 0);
-  const isUpZ = character.space?.up === 'z';
-  let [x, y, z] = isBone ? above.offset : isUpZ ? [0, 0, length] : [0, length, 0];
+  const up = character.space?.up;
+  let [x, y, z] = isBone ? above.offset : up === 'z' ? [0, 0, length] : [0, up === '-y' ? -length : length, 0];
   while (siblings.some(({ offset }) => Math.hypot(offset[0] - x, offset[1] - y, offset[2] - z) < length / 100)) {
     x += length / 2;
   }

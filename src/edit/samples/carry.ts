@@ -10,6 +10,7 @@ import { carrierIn } from '../../evaluate/space/carrier.ts';
 import { multiply3, turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import type { Take } from '../../model/takes/take.ts';
 import { anglesOf, type JointRotation, jointRotations } from './rotations.ts';
 
@@ -50,7 +51,7 @@ export class Carrier {
   private readonly b = new Float64Array(9);
   private readonly q = new Float64Array(4);
 
-  constructor(skeleton: Skeleton, take: Take, up: 'y' | 'z') {
+  constructor(skeleton: Skeleton, take: Take, up: Space['up']) {
     this.compiled = compileSkeleton(skeleton);
     this.joint = carrierIn(skeleton, take);
     this.up = up === 'z' ? 2 : 1;

@@ -14,6 +14,7 @@ import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematic
 import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { columnOf, type Samples } from '../../model/takes/samples.ts';
 import { type Channel, restChannel, type Take, type Tangents } from '../../model/takes/take.ts';
 import { FIXED_TANGENT } from '../../model/takes/tangent-kinds.ts';
@@ -37,7 +38,7 @@ const STEP_FRAMES = 16;
  *
  * @param up axis of the character's space
  */
-export function* mirroringTake(character: Mirrored, take: Take, up: 'y' | 'z' = 'y'): Steps<Take> {
+export function* mirroringTake(character: Mirrored, take: Take, up: Space['up'] = 'y'): Steps<Take> {
   const { skeleton, morphs } = character;
   const compiled = compileSkeleton(skeleton);
   const jointDofs = compiled.firstDof[compiled.jointCount];

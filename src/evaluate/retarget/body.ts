@@ -20,8 +20,9 @@ export interface RetargetBody {
 /** The up axis of a space as a rotation from the character's own axes to the scene's. */
 export function upRotation(space: Space | undefined): Float64Array {
   const out = new Float64Array(9);
-  // (x, y, z) → (x, z, −y)
+  // (x, y, z) → (x, z, −y), or (x, −y, −z)
   if (space?.up === 'z') out.set([1, 0, 0, 0, 0, -1, 0, 1, 0]);
+  else if (space?.up === '-y') out.set([1, 0, 0, 0, -1, 0, 0, 0, -1]);
   else setIdentity3(out);
   return out;
 }

@@ -54,6 +54,7 @@ export function partsOf(skeleton: Skeleton, up: Space['up'] = 'y'): BodyParts {
 const PARTS = {
   y: perSkeleton((skeleton) => find(skeleton, 'y')),
   z: perSkeleton((skeleton) => find(skeleton, 'z')),
+  '-y': perSkeleton((skeleton) => find(skeleton, '-y')),
 } as const satisfies Readonly<Record<Space['up'], (skeleton: Skeleton) => BodyParts>>;
 
 /** From the root to a joint. */

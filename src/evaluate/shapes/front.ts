@@ -2,6 +2,7 @@
 import { isBvh } from '../../model/document.ts';
 import { filePose } from '../../model/skeleton/dofs.ts';
 import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
+import type { Space } from '../../model/space.ts';
 import { worldOf } from './world-of.ts';
 
 /**
@@ -12,7 +13,7 @@ import { worldOf } from './world-of.ts';
 export function frontOf(
   skeleton: Skeleton | undefined,
   values: ArrayLike<number>,
-  up: 'y' | 'z',
+  up: Space['up'],
   sideOf: (joint: Joint) => string | undefined,
 ): readonly [number, number] {
   if (!skeleton) return [0, 1];
@@ -24,7 +25,7 @@ export function frontOf(
     if (side !== 'left' && side !== 'right') return;
     const sign = side === 'left' ? 1 : -1;
     x += sign * world[16 * j + 12];
-    z += sign * (up === 'y' ? world[16 * j + 14] : -world[16 * j + 13]);
+    z += sign * (up === 'y' ? world[16 * j + 14] : -world[16 * j + (up === 'z' ? 13 : 14)]);
   });
   // Left × up.
   return Math.hypot(x, z) > 0 ? [-z, x] : [0, 1];

@@ -1,4 +1,6 @@
 /** The camera for thumbnails of poses: from the front, slightly from the left and above. */
+
+import type { Space } from '../../model/space.ts';
 import type { Shaded } from './rasterise.ts';
 import type { Solid } from './solids.ts';
 
@@ -13,7 +15,7 @@ const MIN_LIGHT = 0.12;
 /** A solid as seen in a picture of this size, as large as fits. */
 export function look(
   solid: Solid,
-  up: 'y' | 'z',
+  up: Space['up'],
   front: readonly [number, number],
   width: number,
   height: number,
@@ -57,7 +59,7 @@ export function look(
 }
 
 /** View matrix of the character's axes, nine numbers: x to the right, y up, z towards the viewer. */
-function viewMatrix(up: 'y' | 'z', [fx, fz]: readonly [number, number]): Float64Array {
+function viewMatrix(up: Space['up'], [fx, fz]: readonly [number, number]): Float64Array {
   // Front towards the viewer, then turned by the yaw.
   const yaw = YAW - Math.atan2(fx, fz);
   const [cy, sy] = [Math.cos(yaw), Math.sin(yaw)];
@@ -65,8 +67,8 @@ function viewMatrix(up: 'y' | 'z', [fx, fz]: readonly [number, number]): Float64
   const out = new Float64Array(9);
   for (let c = 0; c < 3; c++) {
     const own = [c === 0 ? 1 : 0, c === 1 ? 1 : 0, c === 2 ? 1 : 0];
-    // (x, y, z) → (x, z, −y) if z is up.
-    const [x, y, z] = up === 'y' ? own : [own[0], own[2], -own[1]];
+    // (x, y, z) → (x, z, −y) if z is up, (x, −y, −z) if y is down.
+    const [x, y, z] = up === 'y' ? own : up === 'z' ? [own[0], own[2], -own[1]] : [own[0], -own[1], -own[2]];
     const turnedX = cy * x + sy * z;
     const turnedZ = cy * z - sy * x;
     out[3 * c] = turnedX;

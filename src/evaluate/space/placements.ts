@@ -36,19 +36,21 @@ export function placementMatrix(
   // Columns of the rotation: images of x, y and z of the scene's metres. In a space with z up, y is their −z.
   const yAt = up === 'z' ? o + 8 : o + 4;
   const zAt = up === 'z' ? o + 4 : o + 8;
-  const sign = up === 'z' ? -1 : 1;
+  // With y down, both are turned by half a turn about x.
+  const yScale = up === '-y' ? -s : s;
+  const zScale = up === 'y' ? s : -s;
   const upX = cz * sy * sx - sz * cx;
   const upY = sz * sy * sx + cz * cx;
   const upZ = cy * sx;
   out[o] = cz * cy * s;
   out[o + 1] = sz * cy * s;
   out[o + 2] = -sy * s;
-  out[yAt] = upX * s;
-  out[yAt + 1] = upY * s;
-  out[yAt + 2] = upZ * s;
-  out[zAt] = (cz * sy * cx + sz * sx) * s * sign;
-  out[zAt + 1] = (sz * sy * cx - cz * sx) * s * sign;
-  out[zAt + 2] = cy * cx * s * sign;
+  out[yAt] = upX * yScale;
+  out[yAt + 1] = upY * yScale;
+  out[yAt + 2] = upZ * yScale;
+  out[zAt] = (cz * sy * cx + sz * sx) * zScale;
+  out[zAt + 1] = (sz * sy * cx - cz * sx) * zScale;
+  out[zAt + 2] = cy * cx * zScale;
   out[o + 3] = out[o + 7] = out[o + 11] = 0;
   const raised = p.scale * lift;
   const x = travel[0];

@@ -44,7 +44,7 @@ export function spaceChoices(skeleton: Skeleton, take: Take | undefined, space: 
     return { height, others: isPersonHigh(inUnit) ? [inUnit] : [inUnit, asPerson] };
   }
   const { known: _, ...plain } = space;
-  const turned: Space = { ...plain, up: up === 'z' ? 'y' : 'z' };
+  const turned: Space = { ...plain, up: up === 'y' ? 'z' : 'y' };
   const others = [turned, ...(inUnit ? [inUnit] : []), ...(isPersonHigh(space) ? [] : [asPerson])];
   return { height, others: others.map((one) => ({ ...one, lift: liftOntoGround(skeleton, take, one) })) };
 }

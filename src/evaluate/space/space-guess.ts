@@ -11,7 +11,7 @@ import type { Take } from '../../model/takes/take.ts';
 import { LIMB_SIDES, partsOf } from '../retarget/roles.ts';
 import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
 import { METRES, metresPerUnit } from './metres.ts';
-import { GROUND_PERCENTILE } from './space.ts';
+import { GROUND_PERCENTILE, lowest } from './space.ts';
 
 /** Assumed height of a person, metres; characters get the unit that brings them closest. */
 const PERSON = 1.7;
@@ -68,7 +68,7 @@ export function guessedHeight(skeleton: Skeleton, take: Take | undefined, up: Sp
   const axis = up === 'z' ? 2 : 1;
   const named = bodyOf(skeleton);
   const frames = frameShapes(skeleton, take);
-  const body = named && isUpKnown && lies(skeleton, named, frames, axis) ? undefined : named;
+  const body = named && isUpKnown && lies(skeleton, named, frames, up) ? undefined : named;
   const height = heightOf(body, frames, take !== undefined, axis);
   return { height, isPerson: body !== undefined };
 }
@@ -76,9 +76,11 @@ export function guessedHeight(skeleton: Skeleton, take: Take | undefined, up: Sp
 /** Cosine of the slant from which a trunk lies. */
 const LYING = 0.7;
 
-function lies(skeleton: Skeleton, { hips, head }: Body, frames: readonly FrameShape[], axis: 1 | 2): boolean {
+function lies(skeleton: Skeleton, { hips, head }: Body, frames: readonly FrameShape[], up: Space['up']): boolean {
+  const axis = up === 'z' ? 2 : 1;
+  const sign = up === '-y' ? -1 : 1;
   const upright = (frame: FrameShape) =>
-    (frame.points[3 * head + axis] - frame.points[3 * hips + axis]) / distance(frame, head, hips);
+    (sign * (frame.points[3 * head + axis] - frame.points[3 * hips + axis])) / distance(frame, head, hips);
   return upright(restOf(skeleton)) < LYING && percentile(frames.map(upright), 0.5) < LYING;
 }
 
@@ -102,7 +104,7 @@ function guessed(
     return { space: { ...DEFAULT_SPACE, up, known: 'guessed' }, standing: 0, height: 0 };
   const sized = unitFor(height, body !== undefined || isTall(frames, axis));
   const metres = metresPerUnit({ ...sized, up, lift: 0 });
-  const lows = frames.map(({ min }) => min[axis]);
+  const lows = frames.map((frame) => lowest(frame, up));
   const low = metres * percentile(lows, GROUND_PERCENTILE);
   const lift = Math.abs(low) < BELIEVED * metres * height ? 0 : -Number(low.toFixed(3));
   return { space: { up, ...sized, lift: lift || 0, known: 'guessed' }, standing, height };

@@ -19,11 +19,13 @@ import type { JointTree } from './known-trees.ts';
 import { clearRotation, nearestRotation } from './nearest-rotation.ts';
 import { jointsWriter, type PointPaths } from './point-paths.ts';
 import { addProduct, restShape } from './rest-shape.ts';
-import { toStance } from './stance.ts';
+import { type BodyUp, toStance } from './stance.ts';
 
 /** A tree with bones, and what writes its frames. */
 export class FittedTree {
   readonly joints: FrameJoints;
+  /** Of a known tree. */
+  readonly up: BodyUp | undefined;
   private readonly children: readonly (readonly number[])[];
   private readonly onlyChild: Int32Array;
   private readonly parents: Int32Array;
@@ -50,7 +52,9 @@ export class FittedTree {
     this.parents = Int32Array.from(parents);
     this.order = Int32Array.from(parentsFirst(this.children, parents));
     this.read = jointsWriter(paths, tree);
-    this.offsets = offsetsOf(paths, tree, this.children);
+    const { offsets, up } = offsetsOf(paths, tree, this.children);
+    this.offsets = offsets;
+    this.up = up;
     this.lengths = Float64Array.from(names, (_, j) => Math.hypot(...this.offsets.subarray(3 * j, 3 * j + 3)));
     this.given = new Float64Array(3 * count);
     this.fitted = new Float64Array(3 * count);
@@ -250,7 +254,7 @@ const TINY = 1e-140;
 const NEARLY_OPPOSITE = 1e-3;
 
 /** The median lengths, in a T-pose if the tree is a known one, else in the directions of the first frame. */
-function offsetsOf(paths: PointPaths, tree: JointTree, children: readonly (readonly number[])[]): Float64Array {
+function offsetsOf(paths: PointPaths, tree: JointTree, children: readonly (readonly number[])[]) {
   const { parents } = tree;
   const frames = measuredFrames(paths, tree);
   const lengths = boneLengths(tree, frames);
@@ -268,8 +272,7 @@ function offsetsOf(paths: PointPaths, tree: JointTree, children: readonly (reado
         offsets[3 * child + k] = length > 0 ? (shape[3 * c + k] * lengths[child]) / length : 0;
     });
   });
-  if (tree.isKnown) toStance(tree.names, children, frames, offsets);
-  return offsets;
+  return { offsets, up: tree.isKnown ? toStance(tree.names, children, frames, offsets) : undefined };
 }
 
 function parentsFirst(children: readonly (readonly number[])[], parents: readonly number[]): readonly number[] {

@@ -33,9 +33,15 @@ function directionOf(name: string): Vec3 | undefined {
   return found && side === 'right' ? [-found[0], found[1], found[2]] : found;
 }
 
+/** The axis along which a body is upright, and whether up is its positive end. */
+export interface BodyUp {
+  readonly axis: 0 | 1 | 2;
+  readonly sign: 1 | -1;
+}
+
 /**
- * Turns bones into a T-pose: upright along the axis along which the body is upright in most frames. Those that start at one
- * joint turn as one.
+ * Turns bones into a T-pose: upright along the axis along which the body is upright in most frames, which is returned.
+ * Those that start at one joint turn as one.
  * @param offsets x y z of each joint from its parent; changed in place, unless a name is unknown
  */
 export function toStance(
@@ -43,10 +49,11 @@ export function toStance(
   children: readonly (readonly number[])[],
   frames: JointFrameSet,
   offsets: Float64Array,
-): void {
+): BodyUp {
   const directions = names.map(directionOf);
-  const axes = bodyAxes(names, children, frames);
-  if (!children.flat().every((child) => directions[child])) return;
+  const up = upOf(names, children, frames);
+  if (!children.flat().every((child) => directions[child])) return up;
+  const axes = bodyAxes(up);
   const wanted = new Float64Array(3);
   const products = new Float64Array(9);
   const turn = new Float64Array(9);
@@ -63,13 +70,13 @@ export function toStance(
     }
     for (const child of own) turnVector(turn, 0, offsets, 3 * child, offsets, 3 * child);
   }
+  return up;
 }
 
 /** Frames in which the body is looked at. */
 const MAX_FRAMES = 256;
 
-/** Left, up and forward as columns: along the axes of the file. */
-function bodyAxes(names: readonly string[], children: readonly (readonly number[])[], frames: JointFrameSet) {
+function upOf(names: readonly string[], children: readonly (readonly number[])[], frames: JointFrameSet): BodyUp {
   const up = new Float64Array(3);
   const { positions } = frames;
   const count = Math.min(frames.count, MAX_FRAMES);
@@ -83,10 +90,14 @@ function bodyAxes(names: readonly string[], children: readonly (readonly number[
     }
   });
   const sizes = up.map(Math.abs);
-  const along = sizes.indexOf(Math.max(...sizes));
+  const axis = sizes[1] >= sizes[0] && sizes[1] >= sizes[2] ? 1 : sizes[2] >= sizes[0] ? 2 : 0;
+  return { axis, sign: up[axis] < 0 ? -1 : 1 };
+}
+
+/** Left, up and forward as columns: along the axes of the file. */
+function bodyAxes({ axis: along, sign }: BodyUp): Float64Array {
   const left = along === 0 ? 1 : 0;
   const axes = new Float64Array(9);
-  const sign = up[along] < 0 ? -1 : 1;
   axes[left] = 1;
   axes[3 + along] = sign;
   // Left × up.

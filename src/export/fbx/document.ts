@@ -1,5 +1,6 @@
 /** The objects of an FBX file with their connections, and what is around them. */
 import { CUSTOM_RATE, RATES, TICKS_PER_SECOND } from '../../formats/fbx/constants.ts';
+import type { Space } from '../../model/space.ts';
 import {
   CREATION_TIME,
   double,
@@ -51,7 +52,7 @@ const FIRST_ID = 1_000_000;
 
 /** How lengths and axes are meant. */
 export interface FbxSpace {
-  readonly up: 'y' | 'z';
+  readonly up: Space['up'];
   /** Centimetres per unit. */
   readonly centimetres: number;
 }
@@ -205,7 +206,8 @@ function settings(
   takes: readonly ListedTake[],
   framesPerSecond: number | undefined,
 ): FbxOut {
-  const isUp = up === 'y';
+  const isUp = up !== 'z';
+  const sign = up === 'y' ? 1 : -1;
   const mode =
     framesPerSecond === undefined
       ? 0
@@ -221,13 +223,13 @@ function settings(
       record('Version', [int(1000)]),
       properties(
         intProperty('UpAxis', isUp ? 1 : 2),
-        intProperty('UpAxisSign', 1),
+        intProperty('UpAxisSign', up === '-y' ? -1 : 1),
         intProperty('FrontAxis', isUp ? 2 : 1),
-        intProperty('FrontAxisSign', isUp ? 1 : -1),
+        intProperty('FrontAxisSign', sign),
         intProperty('CoordAxis', 0),
         intProperty('CoordAxisSign', 1),
         intProperty('OriginalUpAxis', isUp ? 1 : 2),
-        intProperty('OriginalUpAxisSign', 1),
+        intProperty('OriginalUpAxisSign', up === '-y' ? -1 : 1),
         numberProperty('UnitScaleFactor', centimetres),
         numberProperty('OriginalUnitScaleFactor', centimetres),
         property('DefaultCamera', ['KString', '', ''], text('Producer Perspective')),

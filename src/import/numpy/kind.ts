@@ -12,6 +12,8 @@ export interface ReadMotion {
   readonly space?: FileSpace;
   /** Of a space whose ground, or all but this, is guessed. */
   readonly up?: 'y' | 'z';
+  /** Whether y points down, as in pictures: then the rest is guessed. */
+  readonly isDown?: boolean;
   /** What there is to say once all frames are written. */
   readonly told?: () => void;
 }

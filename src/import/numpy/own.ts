@@ -168,7 +168,7 @@ function spaceOf(arrays: Arrays): { readonly space?: FileSpace } {
   const meta = text === undefined ? undefined : parsed(text);
   if (meta?.raw !== true) return { space: statedSpace(1) };
   const { up, metresPerUnit, lift } = isRecord(meta.file) ? meta.file : {};
-  if ((up !== 'y' && up !== 'z') || !isNumber(metresPerUnit) || metresPerUnit <= 0) return {};
+  if ((up !== 'y' && up !== 'z' && up !== '-y') || !isNumber(metresPerUnit) || metresPerUnit <= 0) return {};
   const { space } = statedSpace(metresPerUnit);
   return { space: { space: { ...space, up, lift: isNumber(lift) ? lift : 0 }, standing: 0 } };
 }

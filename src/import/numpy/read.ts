@@ -1,6 +1,7 @@
 /** Reads `.npy` and `.npz` files by what they hold: the first kind of arrays that fits. */
 import { capturesOfFrames } from '../../evaluate/captured-frames.ts';
 import { metresPerUnit, statedSpace } from '../../evaluate/space/metres.ts';
+import { upText } from '../../evaluate/space/space.ts';
 import { guessSharedSpace } from '../../evaluate/space/space-guess.ts';
 import { stemOfName } from '../../formats/grammar.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
@@ -79,12 +80,12 @@ function unknown(arrays: Arrays): string {
 }
 
 /** As the file states it; what it doesn't is guessed, and said. */
-function spaceOf(captures: readonly Capture[], { space, up }: ReadMotion, remarks: Remarks): FileSpace {
+function spaceOf(captures: readonly Capture[], { space, up, isDown }: ReadMotion, remarks: Remarks): FileSpace {
   if (space) return space;
-  const guessed = guessSharedSpace(captures);
+  const guessed = guessSharedSpace(captures, isDown ? '-y' : undefined);
   const metres = metresPerUnit(guessed.space);
   if (!up) {
-    const used = `used ${metres} m per unit, ${guessed.space.up} up`;
+    const used = `used ${metres} m per unit, ${upText(guessed.space)}`;
     remarks.tell('unit-guessed', 'The file states neither its unit nor its up axis.', used);
     return guessed;
   }

@@ -5,7 +5,7 @@
 import { capturesOfFrames } from '../../evaluate/captured-frames.ts';
 import { pointCapture } from '../../evaluate/point-capture.ts';
 import { metresPerUnit, statedSpace } from '../../evaluate/space/metres.ts';
-import { liftOntoGround, spaceText } from '../../evaluate/space/space.ts';
+import { liftOntoGround, spaceText, upText } from '../../evaluate/space/space.ts';
 import { guessedHeight, guessSharedSpace } from '../../evaluate/space/space-guess.ts';
 import { type JointTree, treeOfLabels, treesOf } from '../../evaluate/tree-fit/known-trees.ts';
 import type { PointPaths } from '../../evaluate/tree-fit/point-paths.ts';
@@ -69,10 +69,10 @@ function capturesOf(table: PointTable, name: string, budget: Budget, remarks: Re
   }
   const paths: PointPaths = { frameCount, pointCount, width: POINT_WIDTH, values };
   budget.spend(3 * (tree.names.length + 1) * frameCount, `A take of ${tree.names.length} joints`);
-  const { joints, frames, told } = fitted(paths, tree, framesPerSecond, remarks);
+  const { joints, frames, isDown, told } = fitted(paths, tree, framesPerSecond, remarks);
   const captures = capturesOfFrames(name, joints, frames);
   told();
-  return { captures, space: spaceOf(captures, table, remarks) };
+  return { captures, space: spaceOf(captures, table, remarks, isDown) };
 }
 
 /** Labels of this many points are told. */
@@ -128,11 +128,12 @@ function upOf({ labels, values }: PointTable): Space['up'] {
 const BELIEVED = [-0.05, 0.15] as const;
 
 /** As the file states it; what it doesn't is guessed, and said. */
-function spaceOf(captures: readonly Capture[], table: PointTable, remarks: Remarks): FileSpace {
-  const up = upOf(table);
+function spaceOf(captures: readonly Capture[], table: PointTable, remarks: Remarks, isDown = false): FileSpace {
+  const axis = upOf(table);
+  const up = isDown && axis === 'y' ? '-y' : axis;
   if (table.metres === undefined) {
     const guessed = guessSharedSpace(captures, up);
-    const used = `used ${metresPerUnit(guessed.space)} m per unit, ${up} up`;
+    const used = `used ${metresPerUnit(guessed.space)} m per unit, ${upText(guessed.space)}`;
     remarks.tell('unit-guessed', 'The file states neither its unit nor its up axis.', used);
     return guessed;
   }

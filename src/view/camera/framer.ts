@@ -136,9 +136,9 @@ function quarterFaced(shown: readonly ShownCharacter[]): number {
   for (const { character, placements } of shown) {
     const { skeleton, space } = character;
     if (!skeleton) continue;
-    const isUpZ = space?.up === 'z';
-    const [across, ahead] = frontOf(skeleton, [], isUpZ ? 'z' : 'y', sideByRole);
-    const own = isUpZ ? new Vector3(across, -ahead, 0) : new Vector3(across, 0, ahead);
+    const up = space?.up ?? 'y';
+    const [across, ahead] = frontOf(skeleton, [], up, sideByRole);
+    const own = up === 'z' ? new Vector3(across, -ahead, 0) : new Vector3(across, 0, up === 'y' ? ahead : -ahead);
     const length = own.length() || 1;
     own.transformDirection(new Matrix4().fromArray(placements));
     x += own.x / length;

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { NO_TRAVEL, placementMatrix } from '../../../src/evaluate/space/placements.ts';
+import { applySpace } from '../../../src/evaluate/space/space.ts';
 
 const number = fc.double({ min: -10, max: 10, noNaN: true });
 
@@ -35,15 +36,21 @@ describe('the space of a character, in its placement', () => {
 
   it('the space of a character, in its placement comes first: z becomes up, units become metres, and the ground is where it is lifted to', () => {
     fc.assert(
-      fc.property(anywhere, anywhere, anywhere, (position, turn, point) => {
+      fc.property(anywhere, anywhere, anywhere, fc.constantFrom('y', 'z', '-y'), (position, turn, point, up) => {
         const placement = { position, turn, scale: 2 };
         const plain = new Float64Array(16);
         const out = new Float64Array(16);
+        const space = { up, unit: 'centimetres', lift: 0.75 } as const;
         placementMatrix(placement, undefined, NO_TRAVEL, plain);
-        placementMatrix(placement, { up: 'z', unit: 'centimetres', lift: 0.75 }, NO_TRAVEL, out);
+        placementMatrix(placement, space, NO_TRAVEL, out);
         const [x, y, z] = point;
         const found = new Vector3(x, y, z).applyMatrix4(new Matrix4().fromArray(out));
-        const expected = new Vector3(x / 100, z / 100 + 0.75, -y / 100).applyMatrix4(new Matrix4().fromArray(plain));
+        const turned = { y: [y, z], z: [z, -y], '-y': [-y, -z] }[up];
+        const own = new Vector3(x / 100, turned[0] / 100 + 0.75, turned[1] / 100);
+        const applied = new Float64Array(3);
+        applySpace(space, x, y, z, applied);
+        expect(new Vector3(...applied).distanceTo(own)).toBeLessThan(1e-9);
+        const expected = own.applyMatrix4(new Matrix4().fromArray(plain));
         expect(found.distanceTo(expected)).toBeLessThan(1e-9);
       }),
     );

@@ -8,6 +8,7 @@ import { hasOwnBox } from '../../../model/skeleton/axis-angle.ts';
 import { tipOf } from '../../../model/skeleton/bone-ends.ts';
 import { filePose } from '../../../model/skeleton/dofs.ts';
 import type { Joint, Skeleton } from '../../../model/skeleton/skeleton.ts';
+import type { Space } from '../../../model/space.ts';
 import { compileSkeleton, worldMatrices } from '../../kinematics.ts';
 import { LIMB_SIDES, partsOf } from '../../retarget/roles.ts';
 import { limbOf } from '../limb.ts';
@@ -34,7 +35,7 @@ export function standingFeet(
   return feet.filter((_, i) => lows[i] <= least);
 }
 
-function feetOf(skeleton: Skeleton, up: 'y' | 'z' | undefined): readonly number[] {
+function feetOf(skeleton: Skeleton, up: Space['up'] | undefined): readonly number[] {
   const { single } = partsOf(skeleton, up);
   const feet = LIMB_SIDES.flatMap((side) => {
     const leg = (['thigh', 'shin', 'foot'] as const).map((part) => single.get(`${side} ${part}`));

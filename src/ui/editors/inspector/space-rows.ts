@@ -29,7 +29,7 @@ const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
   ['CMU (1/0.45 in)', 'cmu'],
   ['Human height', 'own'],
 ];
-const UPS = { 'y up': 'y', 'z up': 'z' } as const;
+const UPS = { 'y up': 'y', 'z up': 'z', 'y down': '-y' } as const;
 const POSITIONS: Readonly<Record<string, Positions>> = { 'Replace the offset': 'replace', 'Add to it': 'add' };
 
 /** Adds the rows to an empty section. Returns a function that updates their values. */

@@ -23,6 +23,7 @@ import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 const ENDS = {
   y: perSkeleton((skeleton) => limbEnds(skeleton, 'y')),
   z: perSkeleton((skeleton) => limbEnds(skeleton, 'z')),
+  '-y': perSkeleton((skeleton) => limbEnds(skeleton, '-y')),
 } as const;
 
 /** Undefined: a press there is the camera's. Its point is the one under the pointer, in the space of the end. */
