@@ -3,10 +3,11 @@
  * each line are compared beside them. Goal: as many bytes in a second as a `.bvh`.
  */
 import { bench, describe } from 'vitest';
-import { readAmc } from '../../src/formats/acclaim/read-amc.ts';
-import { readBvh } from '../../src/formats/bvh/read.ts';
-import { Report } from '../../src/formats/report.ts';
 import { type Joint, NO_BOX, type Skeleton, UNLIMITED } from '../../src/model/skeleton/skeleton.ts';
+import { bundled } from '../helpers/bundled.ts';
+
+// As in the page: bundled, and with nothing else in its functions' memory.
+const { readAmc, readBvh, Report } = await bundled<typeof import('./amc-readers.ts')>('tests/bench/amc-readers.ts');
 
 const BYTES = 20e6;
 const BONES = 30;

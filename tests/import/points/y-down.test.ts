@@ -11,14 +11,15 @@ const folder = mkdtempSync(join(tmpdir(), 'marrow-down-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
 /** Parts of a person who stands, and lifts an arm, in MediaPipe's order: left is +x, the face +z. */
-const EYES = { eye_inner: [0.02, 1.64, 0.1], eye: [0.03, 1.64, 0.1], eye_outer: [0.05, 1.64, 0.09] } as const;
-const PAIRS = {
+type Places = Readonly<Record<string, readonly [x: number, y: number, z: number]>>;
+const EYES: Places = { eye_inner: [0.02, 1.64, 0.1], eye: [0.03, 1.64, 0.1], eye_outer: [0.05, 1.64, 0.09] };
+const PAIRS: Places = {
   ...{ ear: [0.08, 1.62, 0], mouth: [0.03, 1.55, 0.1], shoulder: [0.2, 1.42, 0], elbow: [0.25, 1.15, -0.02] },
   ...{ wrist: [0.27, 0.9, 0.05], pinky: [0.27, 0.82, 0.02], index: [0.27, 0.8, 0.07], thumb: [0.25, 0.84, 0.1] },
   ...{ hip: [0.1, 0.95, 0], knee: [0.11, 0.5, 0.03], ankle: [0.1, 0.08, 0], heel: [0.1, 0.02, -0.05] },
   foot_index: [0.12, 0.01, 0.15],
-} as const;
-const PARTS: Readonly<Record<string, readonly [x: number, y: number, z: number]>> = { ...EYES, ...PAIRS };
+};
+const PARTS: Places = { ...EYES, ...PAIRS };
 const NAMES = [
   'nose',
   ...['left', 'right'].flatMap((side) => Object.keys(EYES).map((part) => `${side}_${part}`)),
