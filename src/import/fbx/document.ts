@@ -149,8 +149,8 @@ export function documentOf(file: FbxFile): FbxDocument {
     const property = type === 'OP' ? textAt(record, 3) : undefined;
     const object = byId.get(part);
     const whole = byId.get(owner);
-    if (object && (whole || isScene(owner))) listed(parts, whole?.id ?? SCENE_ID).push({ object, property });
-    if (object && whole) listed(owners, object.id).push({ object: whole, property });
+    if (object && (whole || isScene(owner))) list(parts, whole?.id ?? SCENE_ID, { object, property });
+    if (object && whole) list(owners, object.id, { object: whole, property });
   }
   const header = section('FBXHeaderExtension');
   const definition = numberAt(childOf(childOf(header, 'OtherFlags'), 'TCDefinition')) ?? OLD_TIME_DEFINITION;
@@ -207,13 +207,11 @@ function objectOf(record: FbxRecord, id: string, templates: Templates): FbxObjec
   };
 }
 
-function listed(map: Map<string, Link[]>, key: string): Link[] {
-  let list = map.get(key);
-  if (!list) {
-    list = [];
-    map.set(key, list);
-  }
-  return list;
+function list(links: Map<string, Link[]>, id: string, link: Link): void {
+  const known = links.get(id);
+  // A list that begins empty has room for sixteen; most have one.
+  if (known) known.push(link);
+  else links.set(id, [link]);
 }
 
 /** The parts of an object that are of a kind. */
