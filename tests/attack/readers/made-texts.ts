@@ -170,6 +170,10 @@ balljoint second{offset 1 2 3}
     '{ "limbs": [ { "name": "leg", "joints": ["hip", "#7", "foot"], "tip": [0, -0, 1e-3], "orient": true, "bend": { "dof": "rx", "sign": -1 }, "note": [null] } ], "base": "a.base.anim", "flattened": { "file": "a.anim", "sha256": "00" }, "goals": [ { "limb": "leg", "space": [[0, "world"], [1, "#2"]], "channels": { "blend": 1, "tx": { "extrapolate": ["cycle", "linear"], "keys": [[0, -0, "flat", 1e3], [1, 1, "smooth", "linear"]] }, "qx": 3 } } ] }',
   ],
   [
+    'attach.json',
+    '{ "base": "a.base.anim", "flattened": { "file": "a.anim", "sha256": "00" }, "attached": [ { "character": "b", "joint": "#1", "span": [0, -0, 1e3], "offset": { "position": [0, -0, 1e-3], "rotation": [1, 2, 3], "note": null }, "tag": [1] } ], "version": 1 }',
+  ],
+  [
     'txt',
     'frame 0 time 1.5\nworld joint 0 (root):\n[1, 0, 0, 0]\n[0, 1, 0, 0]\n[0 0 1 0]\n0 0 0 1\nlocal:\n1 2 3\n4 5 6\nvertex 0: (1.0, -2e-3, nan)\n',
   ],

@@ -18,6 +18,7 @@ export const SUBJECTS = [
   'sets.json',
   'layers.json',
   'limbs.json',
+  'attach.json',
   'txt',
   'csv',
   'json',

@@ -1,28 +1,26 @@
 /** Attachments as files: what is saved is read again, whatever the order of the files, and the plain file moves the same. */
 import { describe, expect, it } from 'vitest';
+import { keyPose } from '../../../src/edit/commands/keying.ts';
+import { setDofs } from '../../../src/edit/commands/pose.ts';
+import { Store } from '../../../src/edit/store.ts';
 import { joinLayers } from '../../../src/files/open/layers.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
-import { formatOf } from '../../../src/files/readers.ts';
-import { sha256 } from '../../../src/formats/sha256.ts';
+import { SavedParts } from '../../../src/files/save/saved-parts.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
-import { byFileName, type ParsedFile } from '../../../src/model/files.ts';
+import { byFileName } from '../../../src/model/files.ts';
 import { differenceOf, sceneOf } from '../../edit/attach/attached.ts';
+import { parsed } from '../../helpers/parsed.ts';
 import { savedOf, scene, type Texts } from './attached-files.ts';
-
-function parsed(name: string, text: string): ParsedFile {
-  const bytes = new TextEncoder().encode(text);
-  const reader = formatOf(name)?.reader(name, bytes.length);
-  reader?.feed(bytes);
-  const content = reader?.end().value;
-  if (!content) throw new Error(`${name} can't be read.`);
-  return { ...content, source: { name, path: name, bytes: bytes.length }, sha256: sha256(bytes) };
-}
 
 function opened(texts: Texts, names = [...texts.keys()], into = EMPTY_DOCUMENT) {
   const files = names.map((name) => parsed(name, texts.get(name) ?? ''));
   const joined = joinLayers(files, 'edit', byFileName);
   const result = openFiles(into, joined.files);
-  return { document: result.document, diagnostics: [...joined.diagnostics, ...result.diagnostics] };
+  return {
+    document: result.document,
+    files: joined.files,
+    diagnostics: [...joined.diagnostics, ...result.diagnostics],
+  };
 }
 
 function named(document: Document, name: string): Character {
@@ -65,6 +63,23 @@ describe('the files of an attached take', () => {
       for (const time of TIMES) expect(offBy(document, before, time)).toBeLessThan(1e-12);
       expect(new Map([...savedOf(document)].sort())).toEqual(new Map([...texts].sort()));
     }
+  });
+
+  it('are saved when they were just read, until the leader moves: its plain file would be another', () => {
+    const { document, files } = opened(texts);
+    const [store, saved] = [new Store(), new SavedParts()];
+    store.replace('Open', document);
+    saved.opened(store.document, files);
+    const unsaved = () => saved.unsavedIn(store.document).map(({ name }) => name);
+    expect(unsaved()).toEqual([]);
+    const { id } = named(document, 'walker');
+    store.apply(setDofs, { characterId: id, dofs: [{ index: 3, value: 0.5 }], timeSeconds: 1 });
+    // Not by what is only tried.
+    expect(unsaved()).toEqual([]);
+    store.apply(keyPose, { characterId: id, timeSeconds: 1 });
+    expect(unsaved()).toEqual(['walker_walk.anim', 'sword_anim.anim']);
+    store.undo();
+    expect(unsaved()).toEqual([]);
   });
 
   it('are found by characters that were open before, and later', () => {
