@@ -1,8 +1,8 @@
 /**
  * Compiles takes for evaluation: all channels packed into a few typed arrays, each span as a cubic.
  *
- * An edit makes a new take of mostly the same channels, and a new channel of mostly the same keys; unchanged compiled
- * data is copied.
+ * An edit makes a new take of mostly the same channels, and a new channel of mostly the same keys; where takes are
+ * edited, `recompiled-take.ts` copies unchanged compiled data.
  */
 import { hermiteCubic } from '../math/hermite.ts';
 import { columnOf, type Samples } from '../model/takes/samples.ts';
@@ -47,33 +47,42 @@ const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
  * takes, each of which would retain megabytes for one changed channel.
  */
 const compiled = new WeakMap<Motion, WeakRef<CompiledTake>>();
-/** Where a channel was last compiled; after an edit of one channel all others are copied from there. */
-const homes = new WeakMap<KeyedChannel, { readonly take: WeakRef<CompiledTake>; readonly index: number }>();
 
-/** The take compiled last, possibly the one before an edit. */
-let latest: WeakRef<Motion> | undefined;
+/** Copies of a take that was compiled before. */
+export interface Reuse {
+  /** Copies a channel that was compiled before, as it is; false if it wasn't. */
+  channel(channel: KeyedChannel, to: CompiledTake, index: number): boolean;
+  /** Copies cubics that an edit left as they were. Returns the range of spans, end excluded, that has to be compiled. */
+  spans(channel: KeyedChannel, to: CompiledTake, index: number): readonly [from: number, end: number];
+  /** Notes what can be copied from now on. */
+  note(take: Motion, reference: WeakRef<CompiledTake>): void;
+}
+
+let reuse: Reuse | undefined;
+
+/** Makes compiling copy; see `recompiled-take.ts`. */
+export function provideReuse(code: Reuse): void {
+  reuse = code;
+}
 
 /** The compiled form of a take's own channels, without its layers; compiled again only after it was collected. */
 export function compileTake(take: Take | Motion): CompiledTake {
   const known = compiled.get(take)?.deref();
   if (known) return known;
-  const made = pack(take, latest?.deref()?.channels);
+  const made = pack(take, true);
   const reference = new WeakRef(made);
   compiled.set(take, reference);
-  latest = new WeakRef(take);
-  take.channels.forEach((channel, index) => {
-    if (channel.kind === 'keys') homes.set(channel, { take: reference, index });
-  });
+  reuse?.note(take, reference);
   return made;
 }
 
 /** Compiles channels that belong to no take (not cached). */
 export function compileChannels(channels: readonly Channel[]): CompiledTake {
-  return pack({ channels });
+  return pack({ channels }, false);
 }
 
-/** @param before the channels of a take of which these may be an edit */
-function pack(take: Motion, before?: readonly Channel[]): CompiledTake {
+/** @param isEdit it may be one of the take that was compiled last */
+function pack(take: Motion, isEdit: boolean): CompiledTake {
   const { channels, samples } = take;
   const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
   const made: CompiledTake = {
@@ -89,7 +98,9 @@ function pack(take: Motion, before?: readonly Channel[]): CompiledTake {
   let next = 0;
   channels.forEach((channel, index) => {
     made.firstKey[index] = next;
-    if (channel.kind === 'keys') compileOrCopy(channel, made, index, before?.[index]);
+    if (channel.kind === 'keys') {
+      if (!reuse?.channel(channel, made, index)) compileChannel(channel, made, index, isEdit);
+    }
     // Constant on both sides of a key at 0 s, like everything unset.
     else if (compiledKeyCount(channel) > 0) made.cubics[4 * next] = channel.kind === 'rest' ? channel.value : 0;
     next += compiledKeyCount(channel);
@@ -103,24 +114,14 @@ function compiledKeyCount(channel: Channel): number {
   return channel.kind === 'rest' && channel.value !== 0 ? 1 : 0;
 }
 
-function compileOrCopy(channel: KeyedChannel, to: CompiledTake, index: number, before?: Channel): void {
-  const home = homes.get(channel);
-  const from = home?.take.deref();
-  if (home && from) copyChannel(from, home.index, to, index);
-  else compileChannel(channel, to, index, before);
-}
-
-/**
- * Compiles one channel into its place, from `firstKey[index]`.
- * @param before the channel this may be an edit of: spans that are the same in both are copied
- */
-function compileChannel(channel: KeyedChannel, to: CompiledTake, index: number, before?: Channel): void {
+/** Compiles one channel into its place, from `firstKey[index]`. */
+function compileChannel(channel: KeyedChannel, to: CompiledTake, index: number, isEdit: boolean): void {
   const { cubics, extrapolations, beyond } = to;
   const next = to.firstKey[index];
   const { times, values } = channel;
   const last = times.length - 1;
   to.times.set(times, next);
-  const [from, end] = before?.kind === 'keys' ? copySameSpans(channel, before, to, next) : [0, last];
+  const [from, end] = (isEdit && reuse?.spans(channel, to, index)) || [0, last];
   const compileSpan = (k: number) => {
     const h = times[k + 1] - times[k];
     const m0 = slope(channel, k, channel.tangentsOut);
@@ -139,81 +140,6 @@ function compileChannel(channel: KeyedChannel, to: CompiledTake, index: number, 
   beyond[4 * index + 1] = values[last] - values[0];
   beyond[4 * index + 2] = slope(channel, 0, channel.tangentsIn);
   beyond[4 * index + 3] = slope(channel, last, channel.tangentsOut);
-}
-
-/** Shorter channels are faster to compile than to compare. */
-const LONG_CHANNEL = 512;
-
-/**
- * Copies the cubics of spans that did not change; a span depends on its two keys and their two neighbours.
- *
- *     keys      the same: head      others      the same: tail
- *     spans     0 … head − 3      [from, end)      count − tail + 1 … last − 1
- *
- * @returns the range of spans, end excluded, that has to be compiled
- */
-function copySameSpans(
-  channel: KeyedChannel,
-  before: KeyedChannel,
-  to: CompiledTake,
-  next: number,
-): readonly [number, number] {
-  const count = channel.times.length;
-  const all = [0, count - 1] as const;
-  if (count < LONG_CHANNEL || before.times.length < LONG_CHANNEL) return all;
-  const home = homes.get(before);
-  const source = home?.take.deref();
-  if (!home || !source) return all;
-  const columns = columnsOf(channel);
-  const others = columnsOf(before);
-  const most = Math.min(count, before.times.length);
-  let head = most;
-  let tail = most;
-  columns.forEach((column, c) => {
-    head = sameHead(column, others[c], head);
-    tail = sameTail(column, others[c], tail);
-  });
-  const from = Math.max(0, head - 2);
-  const end = Math.max(from, count - tail + 1);
-  const first = source.firstKey[home.index];
-  to.cubics.set(source.cubics.subarray(4 * first, 4 * (first + from)), 4 * next);
-  if (end >= count - 1) return [from, count - 1];
-  const shift = before.times.length - count;
-  const rest = source.cubics.subarray(4 * (first + end + shift), 4 * (first + count - 1 + shift));
-  to.cubics.set(rest, 4 * (next + end));
-  return [from, end];
-}
-
-type Column = Float64Array | Uint8Array;
-
-function columnsOf({ times, values, tangentsIn, tangentsOut }: KeyedChannel): readonly Column[] {
-  return [times, values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
-}
-
-/** Number of equal elements at the beginning, at most `most`. */
-function sameHead(a: Column, b: Column, most: number): number {
-  if (a === b) return most;
-  let same = 0;
-  while (same < most && a[same] === b[same]) same++;
-  return same;
-}
-
-/** Number of equal elements at the end, at most `most`. */
-function sameTail(a: Column, b: Column, most: number): number {
-  if (a === b) return most;
-  let same = 0;
-  while (same < most && a[a.length - 1 - same] === b[b.length - 1 - same]) same++;
-  return same;
-}
-
-function copyChannel(from: CompiledTake, channel: number, to: CompiledTake, index: number): void {
-  const first = from.firstKey[channel];
-  const end = from.firstKey[channel + 1];
-  const next = to.firstKey[index];
-  to.times.set(from.times.subarray(first, end), next);
-  to.cubics.set(from.cubics.subarray(4 * first, 4 * end), 4 * next);
-  to.extrapolations.set(from.extrapolations.subarray(2 * channel, 2 * channel + 2), 2 * index);
-  to.beyond.set(from.beyond.subarray(4 * channel, 4 * channel + 4), 4 * index);
 }
 
 /** Cycles need a period; without one the channel is constant. */

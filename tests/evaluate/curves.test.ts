@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileChannels, compileTake } from '../../src/evaluate/compiled-take.ts';
+import { compileChannels, compileTake, provideReuse } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel, evaluateTake } from '../../src/evaluate/curves.ts';
+import { RECOMPILED } from '../../src/evaluate/recompiled-take.ts';
 import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
 import {
   type Channel,
@@ -332,6 +333,8 @@ describe('a compiled take', () => {
     range: [0, 1] as const,
     channels: [channel([[0, 1]]), restChannel(), channel([[0, 3]])],
   };
+
+  provideReuse(RECOMPILED);
 
   it('a compiled take is made once', () => {
     expect(compileTake(take)).toBe(compileTake(take));

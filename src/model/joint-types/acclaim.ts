@@ -20,8 +20,6 @@ function plainFactors(motion: AcclaimMotion): readonly CompoundDof[] | undefined
 /** The joint of a `.asf`: the DOFs of its bone, in the file's order, about axes of its own. */
 export const ACCLAIM: JointType<AcclaimMotion> = {
   keyword: 'bone',
-  label: 'Acclaim bone',
-  summary: 'the DOFs listed in the .asf',
   format: 'asf',
   initial: { kind: 'acclaim', dofs: [], axes: [0, 0, 0], order: 'xyz', frame: 'bone' },
   parameters: {
@@ -41,13 +39,10 @@ export const ACCLAIM: JointType<AcclaimMotion> = {
   dofs: ({ dofs }) => dofs.map(dof),
   factors: plainFactors,
   turns: turnsOf,
-  formula: ({ frame }) => (frame === 'bone' ? 'C·T(t)·R·C⁻¹' : 'T(t)·C·R'),
   carriesCharacter: ({ dofs }) => (['tx', 'ty', 'tz'] as const).every((name) => dofs.includes(name)),
   mirrored(motion, across) {
     const [x, y, z] = motion.axes.map((angle, k) => (k === across ? angle : 0 - angle));
     const axes: Vec3 = [x, y, z];
     return { ...motion, axes };
   },
-  text: ({ dofs }) => (dofs.length ? `Acclaim bone, ${dofs.join(' ')}` : 'Acclaim bone without DOFs'),
-  heading: ({ dofs }) => dofs.join(' ') || 'no DOFs',
 };

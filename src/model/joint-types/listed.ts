@@ -14,8 +14,6 @@ const POINT_DOFS = dofList(...TRANSLATIONS, 'valid');
 /** The translational joint: three DOFs, tx ty tz, in units of length. */
 export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {
   keyword: 'translationaljoint',
-  label: 'Translational',
-  summary: 'moves along x y z',
   format: 'skel',
   initial: { kind: 'translational' },
   parameters: {},
@@ -26,14 +24,11 @@ export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {
   factors: () => TRANSLATIONS,
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: () => 'translationaljoint',
 };
 
 /** The fixed joint, which has no DOFs: its local matrix is its offset alone. */
 export const FIXED: JointType<MotionOf<'fixed'>> = {
   keyword: 'fixedjoint',
-  label: 'Fixed',
-  summary: 'does not move',
   format: 'skel',
   initial: { kind: 'fixed' },
   parameters: {},
@@ -44,14 +39,11 @@ export const FIXED: JointType<MotionOf<'fixed'>> = {
   factors: () => [],
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: () => 'fixedjoint',
 };
 
 /** The compound joint: DOFs chosen from `COMPOUND_DOFS`, whose one-DOF matrices are multiplied from left to right. */
 export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
   keyword: 'compoundjoint',
-  label: 'Compound',
-  summary: 'DOFs you choose, multiplied left to right',
   format: 'skel',
   initial: { kind: 'compound', dofs: [] },
   parameters: { dofs: COMPOUND },
@@ -62,14 +54,11 @@ export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
   factors: ({ dofs }) => dofs,
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: ({ dofs }) => (dofs.length ? `compoundjoint, ${dofs.join(' ')}` : 'compoundjoint without DOFs'),
 };
 
 /** The point of a capture without bones: three DOFs in units of length, and whether it is there. */
 export const POINT: JointType<MotionOf<'point'>> = {
   keyword: 'point',
-  label: 'Point',
-  summary: 'where a capture has it',
   format: 'points',
   initial: { kind: 'point' },
   parameters: {},
@@ -80,10 +69,8 @@ export const POINT: JointType<MotionOf<'point'>> = {
   dofs: () => POINT_DOFS,
   // Whether it is there is no factor.
   factors: () => undefined,
-  formula: () => 'T(t)',
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: () => 'point',
 };
 
 /** In BVH the translation comes first, wherever its channels are listed. */
@@ -96,8 +83,6 @@ function bvhFactors({ channels }: BvhMotion): readonly CompoundDof[] {
  */
 export const BVH: JointType<BvhMotion> = {
   keyword: 'bvh',
-  label: 'BVH channels',
-  summary: 'the channels listed in the .bvh',
   format: 'bvh',
   initial: { kind: 'bvh', channels: [], positions: 'replace' },
   parameters: {
@@ -116,13 +101,6 @@ export const BVH: JointType<BvhMotion> = {
   factors: bvhFactors,
   carriesCharacter: ({ channels }) => TRANSLATIONS.every((name) => channels.includes(name)),
   mirrored: (motion) => motion,
-  text({ channels, positions }) {
-    if (channels.length === 0) return 'BVH joint without channels';
-    const moves = channels.some((channel) => channel.startsWith('t'));
-    const meaning = positions === 'add' ? ', added to its offset' : ', replacing its offset';
-    return `BVH joint, channels ${channels.join(' ')}${moves ? meaning : ''}`;
-  },
-  heading: ({ channels }) => channels.join(' ') || 'no channels',
   asSkel({ channels }) {
     const turns = channels.filter((name) => name.startsWith('r'));
     const moves = TRANSLATIONS.filter((name) => channels.includes(name));

@@ -17,17 +17,9 @@ function rotations(order: EulerOrder | AxisPair): readonly Rotation[] {
   return [...order].reverse().map((axis) => `r${axis}` as Rotation);
 }
 
-/** `Rz·Ry·Rx (xyz)`: the letters alone are read as Rx·Ry·Rz. */
-function orderText(order: EulerOrder | AxisPair): string {
-  const factors = [...order].reverse().map((axis) => `R${axis}`);
-  return `${factors.join('·')} (${order})`;
-}
-
 /** The ball joint: three Euler angles rx ry rz in radians, whatever the order in which they are applied. */
 export const BALL: JointType<MotionOf<'ball'>> = {
   keyword: 'balljoint',
-  label: 'Ball',
-  summary: 'three rotations in order',
   format: 'skel',
   initial: { kind: 'ball', order: 'xyz' },
   parameters: { order: EULER_ORDER },
@@ -38,14 +30,11 @@ export const BALL: JointType<MotionOf<'ball'>> = {
   factors: ({ order }) => rotations(order),
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: ({ order }) => `balljoint, ${orderText(order)}`,
 };
 
 /** The universal joint: two rotations in radians, about the two axes of its order. */
 export const UNIVERSAL: JointType<MotionOf<'universal'>> = {
   keyword: 'universaljoint',
-  label: 'Universal',
-  summary: 'two rotations',
   format: 'skel',
   initial: { kind: 'universal', order: 'xy' },
   parameters: { order: PAIR_ORDER },
@@ -56,14 +45,11 @@ export const UNIVERSAL: JointType<MotionOf<'universal'>> = {
   factors: ({ order }) => rotations(order),
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: ({ order }) => `universaljoint, ${orderText(order)}`,
 };
 
 /** The quaternion joint: four DOFs x y z w without unit, normalised before use, so that no limits apply. */
 export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
   keyword: 'quaternionjoint',
-  label: 'Quaternion',
-  summary: 'any rotation, without gimbal lock',
   format: 'skel',
   initial: { kind: 'quaternion' },
   parameters: {},
@@ -72,10 +58,8 @@ export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
   isAxisAngle: false,
   dofs: () => QUATERNION,
   factors: () => undefined,
-  formula: () => 'R(q / |q|)',
   carriesCharacter: () => false,
   mirrored: (motion) => motion,
-  text: () => 'quaternionjoint',
 };
 
 /**
@@ -83,8 +67,6 @@ export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
  */
 export const FREE: JointType<MotionOf<'free'>> = {
   keyword: 'freejoint',
-  label: 'Free',
-  summary: 'moves along x y z and rotates like a ball joint',
   format: 'skel',
   initial: { kind: 'free', order: 'xyz' },
   parameters: { order: EULER_ORDER },
@@ -95,5 +77,4 @@ export const FREE: JointType<MotionOf<'free'>> = {
   factors: ({ order }) => ['tx', 'ty', 'tz', ...rotations(order)],
   carriesCharacter: () => true,
   mirrored: (motion) => motion,
-  text: ({ order }) => `freejoint, ${orderText(order)}`,
 };

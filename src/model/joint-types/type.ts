@@ -9,10 +9,6 @@ import type { Parameter } from './parameters.ts';
 export interface JointType<M extends Motion = Motion> {
   /** Its name in `.skel` and scripts: `hingejoint`. */
   readonly keyword: string;
-  /** Its name in the list of types; short, for narrow inspectors. */
-  readonly label: string;
-  /** Motion of such a joint, in a few words. */
-  readonly summary: string;
   /** The format that has joints of this type: those of others are converted before they are written to `.skel`. */
   readonly format: 'skel' | 'bvh' | 'asf' | 'points';
   /** The motion of a joint whose file gives only its type. */
@@ -44,10 +40,6 @@ export interface JointType<M extends Motion = Motion> {
    * those of `factors`.
    */
   turns?(motion: M): readonly CompoundDof[];
-  /**
-   * J as a formula of its DOFs and of the normalised axis a, for motions without factors: `T(t·a)`.
-   */
-  formula?(motion: M): string;
   /** Whether a root joint of this type moves the whole character by its own DOFs and needs no root translation. */
   carriesCharacter(motion: M): boolean;
   /**
@@ -56,10 +48,6 @@ export interface JointType<M extends Motion = Motion> {
    * @param across 0, 1 or 2 for x, y or z
    */
   mirrored(motion: M, across: number): M;
-  /** The type and its parameters: `hingejoint, axis 1 1 0.5`; `number` formats numbers. */
-  text(motion: M, number: (value: number) => string): string;
-  /** For a heading, if other than `text` without its "joint". */
-  heading?(motion: M): string;
   /** The equivalent `.skel` motion, for types that `.skel` lacks. */
   asSkel?(motion: M): Motion;
 }

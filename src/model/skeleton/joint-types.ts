@@ -63,11 +63,6 @@ export function turnsOf(motion: Motion): readonly CompoundDof[] | undefined {
   return jointTypeOf(motion).turns?.(motion);
 }
 
-/** The motion's matrix as a formula, for motions without factors: see `JointType.formula`. */
-export function formulaOf(motion: Motion): string | undefined {
-  return jointTypeOf(motion).formula?.(motion);
-}
-
 /** Whether a root joint with this motion moves the whole character by its own DOFs and needs no root translation. */
 export function carriesCharacter(motion: Motion): boolean {
   return jointTypeOf(motion).carriesCharacter(motion);
@@ -210,21 +205,4 @@ export function motionOfKind(kind: MotionKind, before: Motion): Motion {
   const values = parametersOf(initial).flatMap(([name, { inherit }]) => (inherit ? [[name, inherit(from)]] : []));
   // Each parameter inherits values of its own type.
   return { ...initial, ...Object.fromEntries(values) } as Motion;
-}
-
-/** `hingejoint, axis 1 1 0.5`. @param number formats numbers */
-export function motionText(motion: Motion, number: (value: number) => string): string {
-  return jointTypeOf(motion).text(motion, number);
-}
-
-/** A motion as a heading: `hinge, axis 1 1 0.5`; of motion capture only the channels. */
-export function motionHeading(motion: Motion, number: (value: number) => string): string {
-  const type = jointTypeOf(motion);
-  return (
-    type.heading?.(motion) ??
-    type
-      .text(motion, number)
-      .replace(/^(\w+)joint\b/, '$1')
-      .replace(/ \([xyz]+\)$/, '')
-  );
 }

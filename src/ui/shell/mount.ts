@@ -1,6 +1,8 @@
 /** Builds the page around a workbench and its first frame. */
 import '../styles/rest.css';
 import type { CommandInfo } from '../../edit/commands/all.ts';
+import { provideReuse } from '../../evaluate/compiled-take.ts';
+import { RECOMPILED } from '../../evaluate/recompiled-take.ts';
 import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { offerOverSamples } from '../editors/posing/auto-key-samples.ts';
@@ -67,6 +69,7 @@ export function mountWorkbench(
   { theme, setActions }: Beginnings,
   signal: AbortSignal,
 ): MountedPage {
+  provideReuse(RECOMPILED);
   // Before anything that shows actions.
   const actions = new PageActions(
     () => pageActions(wb),

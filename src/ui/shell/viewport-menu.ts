@@ -5,8 +5,9 @@
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { transformPoint } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
+import { JOINT_TEXTS } from '../../model/joint-types/texts.ts';
 import type { Selection } from '../../model/session.ts';
-import { isOffered, JOINT_TYPES, MOTION_KINDS } from '../../model/skeleton/joint-types.ts';
+import { isOffered, MOTION_KINDS } from '../../model/skeleton/joint-types.ts';
 import { jointsIn, withJointToggled } from '../../model/skeleton/selected-joints.ts';
 import { changePin, stiffen } from '../editors/ik/pin-edits.ts';
 import { selectedPin } from '../editors/ik/selected-pin.ts';
@@ -204,7 +205,7 @@ function stiffnessMenu(wb: Workbench, { character, joint }: ResolvedJoint): Menu
 function typeMenu(wb: Workbench, { skeleton, joint }: ResolvedJoint): MenuEntry {
   const { motion } = skeleton.joints[joint];
   const kinds = MOTION_KINDS.filter((kind) => kind === motion.kind || isOffered(kind));
-  const name = (kind: (typeof MOTION_KINDS)[number]) => JOINT_TYPES[kind].label;
+  const name = (kind: (typeof MOTION_KINDS)[number]) => JOINT_TEXTS[kind].label;
   return radioMenu('Type', kinds, motion.kind, name, (kind) => {
     void import('../editors/rig/rig-edits.ts').then((module) => module.setType(wb, kind));
   });

@@ -3,15 +3,14 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { formulaOf, motionText } from '../../../src/model/joint-types/texts.ts';
 import {
   dofsOf,
   factorsOf,
-  formulaOf,
   isOffered,
   JOINT_TYPES,
   MOTION_KINDS,
   motionOfKind,
-  motionText,
   parameterOf,
 } from '../../../src/model/skeleton/joint-types.ts';
 import { EULER_ORDERS, type Motion, UNLIMITED } from '../../../src/model/skeleton/skeleton.ts';

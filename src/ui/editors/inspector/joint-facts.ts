@@ -7,10 +7,11 @@ import { compileSkeleton, localMatrices } from '../../../evaluate/kinematics.ts'
 import { isVisible } from '../../../evaluate/visible-points.ts';
 import { determinant3 } from '../../../math/mat4.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
+import { motionText } from '../../../model/joint-types/texts.ts';
 import { movedVertices } from '../../../model/moved-vertices.ts';
 import { firstDofs, rootDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
-import { dofsOf, isPoint, motionText } from '../../../model/skeleton/joint-types.ts';
+import { dofsOf, isPoint } from '../../../model/skeleton/joint-types.ts';
 import { UNLIMITED } from '../../../model/skeleton/skeleton.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { shownPerUnit, withoutNoise } from '../../state/joints/angles.ts';

@@ -2,11 +2,11 @@
 
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Parameter, ParameterValues } from '../../../model/joint-types/parameters.ts';
+import { JOINT_TEXTS } from '../../../model/joint-types/texts.ts';
 import {
   axisOf,
   dofsOf,
   isOffered,
-  JOINT_TYPES,
   MOTION_KINDS,
   motionOfKind,
   parameterOf,
@@ -118,12 +118,12 @@ function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Moti
   const kinds = MOTION_KINDS.filter((kind) => isOffered(kind) || kind === made.kind);
   return choiceRow(
     'Type',
-    kinds.map((kind) => [kind, JOINT_TYPES[kind].label] as const),
+    kinds.map((kind) => [kind, JOINT_TEXTS[kind].label] as const),
     () => now()?.kind,
     (kind) => {
       const before = now();
       if (before && kind !== before.kind && isOffered(kind)) set(motionOfKind(kind, before));
     },
-    (kind) => JOINT_TYPES[kind].summary,
+    (kind) => JOINT_TEXTS[kind].summary,
   );
 }
