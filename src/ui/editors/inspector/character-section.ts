@@ -110,7 +110,7 @@ export class CharacterSection {
 
   private addTake(character: Character): void {
     if (character.driver) {
-      this.addMoved();
+      this.addMoved(movedButtons(this.wb, () => this.character?.id));
       return;
     }
     const take = shownTake(character);
@@ -118,17 +118,23 @@ export class CharacterSection {
     const { line, update } = addTakeRows(this.wb, this.section, character, take);
     this.lines.push(line);
     this.rows.push(update);
+    if (!take.attached) return;
+    const act = (label: string, tooltip: string, id: string) =>
+      button(tooltip, { class: 'plain' }, label, () => tryById(this.wb, id));
+    this.addMoved(
+      element(
+        'span',
+        { class: 'moved-buttons' },
+        act('Put down', 'Put down at the current time, where it is', 'character.putDown'),
+        act('Detach', 'Detach, so that its root has its own motion again', 'character.detach'),
+      ),
+    );
   }
 
-  /** Shows what moves it, in place of its own take. */
-  private addMoved(): void {
+  /** Shows what moves it, with what can be done about that. */
+  private addMoved(buttons: HTMLElement): void {
     const text = element('span', { class: 'moved-by' });
-    const line = element(
-      'div',
-      { class: 'moved-row' },
-      text,
-      movedButtons(this.wb, () => this.character?.id),
-    );
+    const line = element('div', { class: 'moved-row' }, text, buttons);
     contentOf(this.section).append(line);
     this.lines.push(line);
     this.rows.push(() => {

@@ -160,6 +160,7 @@ interface Shown {
   readonly hasTake: boolean;
   readonly hasSamples: boolean;
   readonly isMoved: boolean;
+  readonly isAttached: boolean;
   readonly angles: string;
 }
 
@@ -176,6 +177,7 @@ function whatIsShown(wb: Uses<'store' | 'settings'>): Shown {
     hasTake: character !== undefined && shownTake(character) !== undefined,
     hasSamples: character !== undefined && shownTake(character)?.samples !== undefined,
     isMoved: character?.driver !== undefined,
+    isAttached: character !== undefined && shownTake(character)?.attached !== undefined,
     angles: wb.settings.get().angles,
   };
 }
@@ -205,6 +207,7 @@ function sameCharacterRows(a: Shown, b: Shown): boolean {
     a.hasTake === b.hasTake &&
     a.hasSamples === b.hasSamples &&
     a.isMoved === b.isMoved &&
+    a.isAttached === b.isAttached &&
     a.angles === b.angles
   );
 }
