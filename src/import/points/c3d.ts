@@ -69,7 +69,8 @@ function layoutOf(parameters: Parameters, bytes: Uint8Array): Layout {
   const block = parameters.number('POINT', 'DATA_START') || numbers.uint16(HEAD.data);
   const start = (block - 1) * BLOCK;
   if (!(start >= BLOCK) || start >= bytes.length) {
-    fail('c3d-data', `Expected frames at block ${block}, found a file of ${blocksIn(bytes)}.`);
+    const message = `Expected frames at block ${block}, found a file of ${blocksIn(bytes)}: copy or export it again.`;
+    fail('c3d-data', message);
   }
   const size = scale < 0 ? 4 : 2;
   const width = 4 * pointCount + numbers.uint16(HEAD.analog);
@@ -111,7 +112,9 @@ function labelsIn(parameters: Parameters): readonly string[] {
 
 function rateIn(parameters: Parameters, remarks: Remarks): number {
   const rate = parameters.number('POINT', 'RATE') ?? parameters.numbers.float(HEAD.rate);
-  if (isRate(rate)) return rate;
+  // In single precision, 59.94 is 59.9399986.
+  const meant = Number(rate.toPrecision(7));
+  if (isRate(rate)) return Math.fround(meant) === rate ? meant : rate;
   const message = `Expected frames per second in POINT:RATE, found ${rate}.`;
   remarks.warn('rate-expected', message, `used ${USUAL_FRAMES_PER_SECOND}`);
   return USUAL_FRAMES_PER_SECOND;

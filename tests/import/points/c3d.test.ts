@@ -41,6 +41,15 @@ describe('a C3D', () => {
     expect(diagnostics.map(({ code }) => code)).toContain('unit-guessed');
   });
 
+  it.each([59.94, 29.97, 0.1, 1 / 3])('has the rate %d as it is meant, which is stored with 24 bits', async (rate) => {
+    const { take } = await read({ rate });
+    const [meant] = [Number(Math.fround(rate).toPrecision(7)), Math.fround(rate)].filter(
+      (r) => Math.fround(r) === Math.fround(rate),
+    );
+    expect(take.samples?.frameSeconds).toBe(1 / meant);
+    if (rate !== 1 / 3) expect(meant).toBe(rate);
+  });
+
   it('with missing or double labels calls these points after their numbers', async () => {
     const { character } = await read({ labels: ['A', '', 'A'] });
     expect(character.skeleton.joints.map(({ name }) => name)).toEqual(['A', 'point2', 'point3']);
