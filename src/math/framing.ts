@@ -50,27 +50,25 @@ export function fitEye(
   const above = half - coveredTop * tanHalfFov;
   const below = half + coveredTop * tanHalfFov;
   const side = (aspect * tanHalfFov) / margin;
-  const [ax, ay, az, bx, by, bz, cx, cy, cz] = [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
-  const right = mostAlong(boxes, side * cx + ax, side * cy + ay, side * cz + az);
-  const left = mostAlong(boxes, side * cx - ax, side * cy - ay, side * cz - az);
-  const top = mostAlong(boxes, above * cx + bx, above * cy + by, above * cz + bz);
-  const bottom = mostAlong(boxes, below * cx - bx, below * cy - by, below * cz - bz);
-  const nearest = mostAlong(boxes, cx, cy, cz);
-  const farthest = -mostAlong(boxes, -cx, -cy, -cz);
-  const middle = (nearest + farthest) / 2;
+  const right = farthest(boxes, m, 0, 1, side);
+  const left = farthest(boxes, m, 0, -1, side);
+  const top = farthest(boxes, m, 4, 1, above);
+  const bottom = farthest(boxes, m, 4, -1, below);
+  const near = farthest(boxes, m, 8, 1, 0);
+  const middle = (near - farthest(boxes, m, 8, -1, 0)) / 2;
   let z = Math.max((right + left) / (2 * side), (top + bottom) / (above + below));
-  z = Math.max(z, middle + MIN_DISTANCE * (nearest - middle));
+  z = Math.max(z, middle + MIN_DISTANCE * (near - middle));
   if (z === middle) z += 1;
   return { x: (right - left) / 2, y: (top - above * z + below * z - bottom) / 2, z, middle };
 }
 
-/** The largest a·x + b·y + c·z in boxes: at a corner of theirs that the signs tell. */
-function mostAlong(boxes: ArrayLike<number>, a: number, b: number, c: number): number {
-  const [x, y, z] = [a > 0 ? 3 : 0, b > 0 ? 4 : 1, c > 0 ? 5 : 2];
+/** The largest ±a + t·z in boxes, a along the axis at `m[axis]`: at a corner of each that the signs tell. */
+function farthest(boxes: ArrayLike<number>, m: ArrayLike<number>, axis: number, sign: number, t: number): number {
+  const [x, y, z] = [0, 1, 2].map((k) => (sign * m[axis + k] + t * m[8 + k] > 0 ? k + 3 : k));
   let most = -Infinity;
   for (let o = 0; o < boxes.length; o += 6) {
-    const along = a * boxes[o + x] + b * boxes[o + y] + c * boxes[o + z];
-    if (along > most) most = along;
+    const along = (i: number) => m[i] * boxes[o + x] + m[i + 1] * boxes[o + y] + m[i + 2] * boxes[o + z];
+    most = Math.max(most, sign * along(axis) + t * along(8));
   }
   return most;
 }
