@@ -56,6 +56,32 @@ describe('marrow export', () => {
     });
   });
 
+  it('a take with layers is the plain file beside them: its base and layers are no takes of their own', async () => {
+    const keys = (value: number) =>
+      `animation {\n range 0 1\n numchannels 6\n${`channel {\n extrapolate constant constant\n keys 1 {\n 0 ${value} flat flat\n }\n}\n`.repeat(6)}}\n`;
+    writeFileSync(join(folder, 'takes/a.skel'), 'balljoint root {\n balljoint arm {\n  offset 0 1 0\n }\n}\n');
+    const layers = {
+      base: 'wave.base.anim',
+      layers: [{ name: 'up', file: 'wave.up.anim', mode: 'additive', weight: 1 }],
+    };
+    for (const [name, text] of [
+      ['wave.anim', keys(0.5)],
+      ['wave.base.anim', keys(0)],
+      ['wave.up.anim', keys(0.5)],
+      ['wave.layers.json', JSON.stringify(layers)],
+    ]) {
+      writeFileSync(join(folder, 'takes', name), text);
+    }
+    const inputs = async () => {
+      await exported('takes', '--to', 'npz', '--out', 'out');
+      return manifest().flatMap(({ input }) => (/wave/.test(String(input)) ? [input] : []));
+    };
+    expect(await inputs()).toEqual(['takes/wave.anim']);
+    rmSync(join(folder, 'takes/wave.anim'));
+    rmSync(join(folder, 'out'), { recursive: true });
+    expect(await inputs()).toEqual(['takes/wave.base.anim', 'takes/wave.up.anim']);
+  });
+
   it('raw numbers are those of the file, in double precision if asked', async () => {
     await exported('takes/walk.bvh', '--to', 'npz', '--out', 'out', '--raw', '--float64');
     const { positions, end_positions, velocities, times, fps } = npz('out/takes/walk.npz');

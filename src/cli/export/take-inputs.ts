@@ -12,6 +12,7 @@ import { findGiven, type GivenPath, isFolder, namedPaths } from '../paths.ts';
 import { groupsIn, isNamedTable, isWhole } from '../together.ts';
 import { UsageError } from '../usage-error.ts';
 import { unpackedPath, withZipsUnpacked } from '../zips.ts';
+import { besidePlain } from './beside-plain.ts';
 
 /** A file with a take, or with several. */
 export interface TakeInput extends GivenPath {
@@ -40,9 +41,11 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
   const { files: found, problems } = withZipsUnpacked(given);
   const files = found.map((file) => (file.bytes ? { ...file, bytes: sharedAmongThreads(file.bytes) } : file));
   const named = namedPaths(args, folder);
-  const whole = files.filter((file) => isWhole(file.path) || isNamedTable(file, named));
+  const parts = besidePlain(files);
+  const takes = files.filter((file) => !parts.has(file));
+  const whole = takes.filter((file) => isWhole(file.path) || isNamedTable(file, named));
   const animations = animationsIn(
-    files.filter(({ path }) => {
+    takes.filter(({ path }) => {
       const format = formatOf(path);
       const as = format && openingOf(format.kind).as;
       return as === 'characters' || as === 'rig' || format?.kind === 'anim';
@@ -58,8 +61,8 @@ export function takeInputs(args: readonly string[], folder: string): TakeInputs 
     .map(({ file: path, message: why }) => ({ path, absolute: resolve(folder, path), why }));
   const all = [...whole, ...animations, ...damaged, ...absent].sort((a, b) => compareBytes(a.path, b.path));
   const folders = args.map((arg) => resolve(folder, arg)).filter(isFolder);
-  const parts = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || isPartOfOthers(path)));
-  return { inputs: withStems(all, folders, folder), parts };
+  const others = files.filter(({ path, bytes }) => bytes && (isBuffer(path) || isPartOfOthers(path)));
+  return { inputs: withStems(all, folders, folder), parts: others };
 }
 
 /** Whether other files are read with files of that name: textures, and skeletons of takes. */
