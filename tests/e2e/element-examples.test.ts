@@ -6,6 +6,7 @@ import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import type { MarrowViewer } from '../../src/package/viewer.ts';
 import { launchChromium } from '../helpers/chromium.ts';
@@ -19,7 +20,7 @@ const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html; charset=u
 async function onServer(
   page: string,
   made: string,
-  body: (viewers: () => Promise<readonly number[]>) => Promise<void>,
+  body: (viewers: () => Promise<readonly number[]>, tab: Page) => Promise<void>,
 ) {
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
@@ -54,7 +55,7 @@ async function onServer(
           ),
       );
       return frames.flat();
-    });
+    }, tab);
   } finally {
     await browser.close();
     server.close();
@@ -66,6 +67,19 @@ it('the example of two characters in step: the second follows the time of the fi
     await expect.poll(async () => (await times()).length).toBe(2);
     await expect.poll(async () => Math.min(...(await times()))).toBeGreaterThan(0.1);
   }));
+
+it('elements in a frame wait until the frame is seen', () =>
+  onServer(
+    '<!doctype html><div style="height:3000px"></div><iframe src="two-in-step.html" width="600" height="900"></iframe>',
+    'around.html',
+    async (times, tab) => {
+      await expect.poll(async () => (await times()).length).toBe(2);
+      const unseen = await times();
+      expect(unseen).toEqual([0, 0]);
+      await tab.locator('iframe').scrollIntoViewIfNeeded();
+      await expect.poll(async () => Math.min(...(await times()))).toBeGreaterThan(0.1);
+    },
+  ));
 
 if (spawnSync('python3', ['--version']).status === 0) {
   it('the example of a notebook: its cell plays a take', async () => {
