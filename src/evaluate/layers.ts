@@ -31,6 +31,7 @@ import { evaluateChannel, evaluateTake } from './curves.ts';
 import { compileSkeleton } from './kinematics.ts';
 import { limbRows } from './limbs/infos.ts';
 import { goalProblems, takeLimbs } from './limbs/over-pose.ts';
+import { goalPlaces } from './limbs/places.ts';
 import { posedByGoals } from './limbs/posed.ts';
 import { PieceSums, type PieceTerm } from './piece-sums.ts';
 
@@ -55,7 +56,7 @@ export interface CompiledLayer {
 export function provideLayers(): void {
   provideLayerCode({
     ...{ goalProblems, haveSameFiles, infos, limbRows, overBase, overPose, takeLimbs, unknownJoints, withMotions },
-    ...{ posedByGoals, remapGoals, takeOfChannels, withGoalChannels },
+    ...{ goalPlaces, posedByGoals, remapGoals, takeOfChannels, withGoalChannels },
   });
 }
 

@@ -70,6 +70,16 @@ export interface LimbInfo {
 /** A limb as its file has it, and, if it has a goal in the take shown, what `marrow pose` says of it. */
 export type LimbRow = LimbByName & Partial<LimbInfo>;
 
+/** Where the goal of a limb in IK is at a time, in the character's space. */
+export interface GoalPlace {
+  readonly limb: Limb;
+  readonly point: Vec3;
+  /** Absent without one. */
+  readonly pole?: Vec3;
+  /** The values with which the pole is at a point of the character's space, by the indices of `withGoalChannels`. */
+  poleAt(point: Vec3): readonly { readonly index: number; readonly value: number }[];
+}
+
 /** Limbs as their file has them. */
 export function limbsByName(limbs: readonly Limb[], skeleton: Skeleton): readonly LimbByName[] {
   const names = jointReferences(skeleton.joints);

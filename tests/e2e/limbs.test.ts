@@ -55,6 +55,21 @@ it('legs are made limbs, planted by a switch, dragged by a foot, and restored af
       await expect.poll(() => undoLabel(page)).toMatch(/^Key/);
 
       const goal = (await limbs(page))[0].goal;
+      const pole = await page.evaluate(async () => {
+        const text = String(await window.marrow.save('walker_walk.limbs.json'));
+        const { channels } = JSON.parse(text).goals[0];
+        return ['px', 'py', 'pz'].map((name): number => channels[name].keys[0][1]);
+      });
+      const knee = await onPage(page, [pole[0], pole[1], pole[2]]);
+      await page.mouse.move(knee.x, knee.y);
+      await page.mouse.down();
+      await page.mouse.move(knee.x + 25, knee.y - 4, { steps: 6 });
+      await drawn(page);
+      await page.mouse.up();
+      await expect.poll(() => undoLabel(page)).toBe('Drag pole of foot_l');
+      await expect.poll(async () => (await limbs(page))[0].goal).toEqual(goal);
+      await page.keyboard.press('k');
+      await expect.poll(() => undoLabel(page)).toMatch(/^Key/);
       await kept(page);
       await page.reload();
       await ready(page);

@@ -9,7 +9,7 @@
  * worker do.
  */
 import type { Character, Unkeyed } from '../document.ts';
-import type { LimbRow, Limbs } from '../limbs.ts';
+import type { GoalPlace, LimbRow, Limbs } from '../limbs.ts';
 import type { Skeleton } from '../skeleton/skeleton.ts';
 import type * as TakeGoals from './goals.ts';
 import type * as LayerJoints from './layer-joints.ts';
@@ -69,6 +69,8 @@ export interface LayerCode
     timeSeconds: number,
     keys: boolean,
   ): ReadonlyMap<number, number>;
+  /** The goals of limbs that are in IK. @param dofs the pose that is displayed at that time */
+  goalPlaces(character: Character, timeSeconds: number, dofs: Float64Array): GoalPlace[];
   /** All limbs of a character at a time of the transport. */
   limbRows(character: Character, timeSeconds: number): LimbRow[];
   /** All layers of a take at a time of it, from the lowest up. */

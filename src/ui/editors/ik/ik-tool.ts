@@ -23,6 +23,7 @@ import { SelectedGizmo } from '../fk/selected-gizmo.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { ikControls } from './ik-controls.ts';
+import { isOnGoal, pressGoal } from './limb-goals.ts';
 import { pinAt, selectPin, unpinByHand } from './pin-edits.ts';
 import { PinGizmo } from './pin-gizmo.ts';
 import { PinNudge } from './pin-nudge.ts';
@@ -81,7 +82,7 @@ class IkTool implements ModeTool {
 
   press(at: CanvasPointer): CanvasDrag | undefined {
     this.nudge.finish();
-    const axis = this.axes.press(at);
+    const axis = this.axes.press(at) ?? pressGoal(this.wb, at, (grip, click) => this.hand.begin(grip, at, click));
     if (axis) return axis;
     const { viewport } = this.wb;
     const ring = this.ringUnder(at, () => viewport.pointing.pick(at.clientX, at.clientY)?.joint !== undefined);
@@ -129,7 +130,7 @@ class IkTool implements ModeTool {
   hover(at: CanvasPointer | undefined): string | undefined {
     const { hand } = this;
     const { point } = hand;
-    if (this.axes.hover(at)) {
+    if (this.axes.hover(at) || (at && isOnGoal(this.wb, at))) {
       hand.show(undefined, undefined);
       return 'grab';
     }

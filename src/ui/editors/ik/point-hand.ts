@@ -10,6 +10,7 @@ import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { depthText } from './depth-text.ts';
 import type { IkGrip, PullState } from './hand-pull.ts';
 import { IkLabels } from './ik-labels.ts';
+import { paintGoals } from './limb-goals.ts';
 import { PinDrag, type PinDragEvents, type Steering } from './pin-drag.ts';
 import { selectPin } from './pin-edits.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
@@ -53,6 +54,7 @@ export class PointHand {
   enter(): void {
     const { wb, labels } = this;
     const overlay = new PinOverlay((painter) => {
+      paintGoals(wb, painter);
       const shown = paintPins(wb, painter, this.now);
       labels.show(shown, shown.length ? pinsInPicture(wb).places : []);
     });

@@ -3,6 +3,7 @@
  *
  *     the dot of the rings         the selected joint, dragged at its pivot
  *     a ring or an arrow           of the selected joint: its DOF
+ *     a goal or a pole             of a limb in IK: moves it
  *     a pin                        moves it; a handle of the selected one, along an axis or in a plane
  *     a hand, a foot, a head, or   its limb, with the reach of IK; pins hold, and feet that stand if the whole body
  *     the end of another limb      moves. Alt: in depth; touch: a second finger
@@ -21,6 +22,7 @@ import { type ResolvedJoint, selectedJoint } from '../../state/joints/selected-j
 import type { Workbench } from '../../state/workbench.ts';
 import { SelectedGizmo } from '../fk/selected-gizmo.ts';
 import { ikControls } from '../ik/ik-controls.ts';
+import { isOnGoal, pressGoal } from '../ik/limb-goals.ts';
 import { selectPin } from '../ik/pin-edits.ts';
 import { PinGizmo } from '../ik/pin-gizmo.ts';
 import { heldPoint, pinUnder, type SeenPoint } from '../ik/pins-on-screen.ts';
@@ -81,7 +83,7 @@ class PoseTool implements ModeTool {
   press(at: CanvasPointer): CanvasDrag | undefined {
     const { wb, gizmo, hand } = this;
     if (at.button !== 0) return undefined;
-    const axis = this.axes.press(at);
+    const axis = this.axes.press(at) ?? pressGoal(wb, at, (grip, click) => hand.begin(grip, at, click));
     if (axis) return axis;
     const selected = selectedJoint(wb);
     if (selected && gizmo.isOnPivot(at)) {
@@ -116,7 +118,7 @@ class PoseTool implements ModeTool {
   hover(at: CanvasPointer | undefined): string | undefined {
     const { wb, gizmo, hand } = this;
     const { point } = hand;
-    if (this.axes.hover(at)) {
+    if (this.axes.hover(at) || (at && isOnGoal(wb, at))) {
       hand.show(undefined, undefined);
       return 'grab';
     }
