@@ -26,13 +26,14 @@ import { inSpace, inSpaceFrom } from '../../limbs/spaces.ts';
 import { refuseMoved } from '../../refuse-moved.ts';
 import { freeName } from '../../rig/names.ts';
 import { boolean, filledText, index, number, oneOf, optional, record, text, tuple } from '../../schema/shape.ts';
-import { CHARACTER, indices, NOW, vector } from '../../schema/shared-shapes.ts';
+import { CHARACTER, indices, NOW, range, vector } from '../../schema/shared-shapes.ts';
 import { requireTake, withChannels, withTake } from '../../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../../unkeyed.ts';
 
 /** A limb by its index. */
 const LIMB = { ...CHARACTER, limb: index } as const;
-const LIMB_NOW = { ...NOW, limb: index } as const;
+/** At a time; the range is that of a take that has to be made. */
+const LIMB_NOW = { ...NOW, limb: index, playedRange: optional(range) } as const;
 /** The rotation DOF of the middle joint that bends, and to which side. */
 const bend = optional(record({ dof: text, sign: oneOf([1, -1]) }));
 const SETTINGS = { name: optional(filledText), tip: optional(vector), bend, orient: optional(boolean) } as const;
@@ -112,8 +113,8 @@ export const keyLimb = command({
     space: optional(filledText),
   },
   label: (document, of) => `Key limb ${limbIn(document, of)}`,
-  run: (document, { characterId, timeSeconds, limb: at, goal: place, pole, blend, space }) =>
-    changeGoal(document, characterId, at, (character, limb) => {
+  run: (document, { goal: place, pole, blend, space, timeSeconds, ...of }) =>
+    changeGoal(document, { ...of, timeSeconds }, (character, limb) => {
       const known = goalOfLimb(requireTake(character), limb);
       const now = known ?? newGoal(limb);
       const match = matchOfLimb(character, limb, now, timeSeconds);
@@ -136,8 +137,8 @@ export const switchLimb = command({
   id: 'limbs.switch',
   args: { ...LIMB_NOW, to: oneOf(['ik', 'fk']) },
   label: (document, { to, ...of }) => `Switch ${limbIn(document, of)} to ${to.toUpperCase()}`,
-  run: (document, { characterId, timeSeconds, limb: at, to }) =>
-    changeGoal(document, characterId, at, (character, limb) => {
+  run: (document, { to, timeSeconds, ...of }) =>
+    changeGoal(document, { ...of, timeSeconds }, (character, limb) => {
       const isFk = !goalOfLimb(requireTake(character), limb);
       return isFk && to === 'fk' ? character : switched(character, limb, to, timeSeconds);
     }),
@@ -152,8 +153,8 @@ export const setLimbSpace = command({
     space: filledText,
   },
   label: (document, { space, ...of }) => `Put ${limbIn(document, of)} into the space of ${cutName(space)}`,
-  run: (document, { characterId, timeSeconds, limb: at, space }) =>
-    changeGoal(document, characterId, at, (character, limb) => {
+  run: (document, { space, timeSeconds, ...of }) =>
+    changeGoal(document, { ...of, timeSeconds }, (character, limb) => {
       const goal = goalOfLimb(requireTake(character), limb);
       if (!goal) throw new CommandError(`${limb.name} has no goal in this take. Switch it to IK first.`);
       return withGoal(character, inSpace(character, limb, goal, space, timeSeconds));
@@ -244,11 +245,17 @@ function changeLimbs(
   });
 }
 
+interface OfGoal {
+  readonly characterId: string;
+  readonly limb: number;
+  readonly timeSeconds: number;
+  readonly playedRange?: readonly [number, number];
+}
+
 /** The character with another goal of a limb in its shown take, which is made if there is none. */
 function changeGoal(
   document: Document,
-  characterId: string,
-  limb: number,
+  { characterId, limb, timeSeconds, playedRange }: OfGoal,
   change: (character: Character, limb: Limb) => Character,
 ): Document {
   provideLayers();
@@ -256,7 +263,9 @@ function changeGoal(
     const list = character.limbs?.list ?? [];
     const one = list[indexIn(limb, 0, list.length, 'limb')];
     refuseMoved(character);
-    const taking = withChannels(character, [0, 1]);
+    const { timeOffsetSeconds: offset } = character;
+    const [start, end] = playedRange ?? [Math.min(0, timeSeconds), Math.max(1, timeSeconds)];
+    const taking = withChannels(character, [start + offset, end + offset]);
     const next = change(taking, one);
     if (next === taking) return character;
     const { skeleton, limbs } = next;

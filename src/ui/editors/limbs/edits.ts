@@ -71,7 +71,8 @@ export function flatten(wb: Parts): void {
 }
 
 function of({ transport }: Parts, { character }: SelectedLimbs) {
-  return { characterId: character.id, timeSeconds: transport.get().timeSeconds };
+  const { timeSeconds, range } = transport.get();
+  return { characterId: character.id, timeSeconds, playedRange: range };
 }
 
 function namesOf({ limbs }: SelectedLimbs): string {

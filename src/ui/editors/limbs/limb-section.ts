@@ -85,8 +85,8 @@ export class LimbSection {
   private limb() {
     const selected = selectedLimbs(this.wb);
     if (!selected) return undefined;
-    const { timeSeconds } = this.wb.transport.get();
-    return { characterId: selected.character.id, limb: selected.limbs[0].index, timeSeconds };
+    const { timeSeconds, range } = this.wb.transport.get();
+    return { characterId: selected.character.id, limb: selected.limbs[0].index, timeSeconds, playedRange: range };
   }
 }
 
