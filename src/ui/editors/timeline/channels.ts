@@ -64,7 +64,9 @@ const curvesOfGoals = perObject(({ list }: Goals): readonly CharacterDof[] =>
   list.flatMap(({ limb }) =>
     GOAL_CHANNELS.map((name) => {
       const unit = name.startsWith('r') ? 'angle' : /^[tp]/.test(name) ? 'length' : 'weight';
-      return { name: `${limb} ${name}`, unit, rest: 0, joint: GOAL, limit: UNLIMITED, takesLimits: false } as const;
+      // Joints have DOFs of these names, too.
+      const label = /^[tr]/.test(name) ? `${limb} goal ${name}` : `${limb} ${name}`;
+      return { name: label, unit, rest: 0, joint: GOAL, limit: UNLIMITED, takesLimits: false } as const;
     }),
   ),
 );

@@ -30,8 +30,8 @@ it('the curves of a limb’s joints are listed with those of its goal', () => {
     listedChannels(hero, { characterId: 'c1', joint }, NO_FILTER).map(({ joint: name, dof }) =>
       `${name} ${dof}`.trim(),
     );
-  expect(of(LEG[1])).toContain('leg_l ty');
-  expect(of(0)).not.toContain('leg_l ty');
+  expect(of(LEG[1])).toContain('leg_l goal ty');
+  expect(of(0)).not.toContain('leg_l goal ty');
 });
 
 it('keys of goals are among those that the transport goes to', () => {
