@@ -1,6 +1,7 @@
 /** Links: what an address opens and shows, copied and opened elsewhere, and what is asked of servers for it. */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import fc from 'fast-check';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { withPage } from '../helpers/page.ts';
@@ -92,3 +93,53 @@ it('a link to an example opens it; what can’t be is one message, and nothing e
     },
     { walking: true, query: '?sample=cube&time=x&take=dance&image=https://example.org/a.png' },
   ));
+
+/** Addresses as someone might send them who wants a page to ask elsewhere. */
+const ANY_ADDRESS = fc
+  .array(
+    fc
+      .tuple(
+        fc.constantFrom(
+          'sample',
+          'take',
+          'time',
+          'range',
+          'select',
+          'camera',
+          'show',
+          'panel',
+          'theme',
+          'embed',
+          'src',
+        ),
+        fc.oneof(
+          fc.constantFrom(
+            '//example.org/a',
+            'https://example.org/a.skel',
+            '../a.skel',
+            '..%2f..%2fa',
+            'data:,a',
+            '1e999',
+          ),
+          fc.constantFrom('javascript:fetch("/a")', '<img src=/a>', 'url(/a)', '__proto__', '%zz', '0'),
+          fc.string({ unit: 'grapheme', maxLength: 12 }).map(encodeURIComponent),
+        ),
+      )
+      .map(([name, value]) => `${name}=${value}`),
+    { minLength: 1, maxLength: 6 },
+  )
+  .map((parts) => `?${parts.join('&')}`);
+
+it('an address of any text asks for nothing but the page’s own files', () =>
+  withPage(async ({ openAnother, asked }) => {
+    for (const query of fc.sample(ANY_ADDRESS, 8)) {
+      const other = await openAnother(query);
+      await other.waitForFunction(() => window.marrow !== undefined);
+      await other.close();
+    }
+    // The list of examples is one of them.
+    const elsewhere = asked().filter(
+      (path) => !/^(assets|icons|manual)\/|^samples\/samples\.json$|^(\?.*|index\.html|[\w.-]+)?$/.test(path),
+    );
+    expect([...new Set(elsewhere)]).toEqual([]);
+  }));
