@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { provideSources } from '../../src/edit/follow/sources.ts';
 import { poseByNames, takePose } from '../../src/edit/pose/by-names.ts';
 import { openFiles } from '../../src/files/open/open-files.ts';
 import type { Character, Driver } from '../../src/model/document.ts';
@@ -119,6 +120,8 @@ it('a pose of joints without names applies to a skeleton with more of them', () 
 });
 
 describe('retargeting when a skeleton is read again', () => {
+  // Here no command makes the driver.
+  provideSources();
   const driver = (sourceId: string, own: Skeleton): Driver => ({
     sourceId,
     source: { name: 'x', skeleton: own, take: WALK, pose: [], clampsToLimits: true, timeOffsetSeconds: 0 },

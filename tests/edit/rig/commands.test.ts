@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { documentIn } from '../../../src/edit/change.ts';
 import { addJoint, createRig, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
 import { setMotion, setOffset } from '../../../src/edit/commands/rig-joint.ts';
+import { provideSources } from '../../../src/edit/follow/sources.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import { saveCharacter } from '../../../src/files/save/saving.ts';
@@ -252,6 +253,8 @@ describe('rig.remove', () => {
         options: { reference: 'rest', plantsFeet: false },
       },
     };
+    // Here no command makes the driver.
+    provideSources();
     const store = new Store(documentOf(hero, bee));
     store.apply(removeJoint, { ...of(2), children: 'too' });
     const [made, follower] = store.document.characters;
