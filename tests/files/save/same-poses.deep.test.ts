@@ -9,6 +9,7 @@ import { CommandError } from '../../../src/edit/command-error.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { framesFor } from '../../../src/evaluate/bvh-capture.ts';
+import { KINDS } from '../../../src/files/kinds.ts';
 import { type SavedFile, savedFileOf } from '../../../src/files/save/output.ts';
 import { jointPose } from '../../../src/files/save/saved-poses.ts';
 import { writeParts } from '../../../src/files/save/saving.ts';
@@ -80,7 +81,7 @@ interface Saved {
 function savedAndRead(character: Character): Saved {
   const pose = jointPose(character);
   const saved = partsOf(character).map((part) =>
-    again(savedFileOf(writeParts(`x.${part.kind}`, [{ character, part, pose }]))),
+    again(savedFileOf(writeParts(`x.${KINDS[part.kind].extensions[0]}`, [{ character, part, pose }]))),
   );
   const captures = saved.flatMap((content) => (content.kind === 'bvh' ? content.captures : []));
   const skeletons = saved.flatMap((content) => (content.kind === 'skel' ? content.skeletons : []));
