@@ -14,13 +14,16 @@ const shown = (page: Page, name: string) =>
 describe('the page', () => {
   it('the page has writers without readers, and its worker readers without writers until texts are compared', () => {
     const scripts = readdirSync(join(DIST, 'assets')).filter((file) => file.endsWith('.js'));
-    const having = (text: string) =>
-      scripts.filter((file) => readFileSync(join(DIST, 'assets', file), 'utf8').includes(text));
+    const textOf = (file: string) => readFileSync(join(DIST, 'assets', file), 'utf8');
+    const having = (text: string) => scripts.filter((file) => textOf(file).includes(text));
     const reading = having('Expected pose NAME { … }, found none.');
     const writing = having('which files belong together');
     // The page's, and the worker's.
     expect([reading.length, writing.length]).toEqual([1, 2]);
-    expect(reading[0]).toMatch(/^entry-/);
+    // That of the worker, or what it shares with its parts.
+    const [worker = ''] = scripts.filter((file) => file.startsWith('entry-'));
+    expect(worker === reading[0] || textOf(worker).includes(`./${reading[0]}`)).toBe(true);
+    expect(having(reading[0]).every((file) => !/^(index|rest|three)-/.test(file))).toBe(true);
     expect(writing).not.toContain(reading[0]);
   });
 
