@@ -212,13 +212,13 @@ export default defineConfig(({ mode }) => {
         // Properties over many cases and files, which take longer than all other tests together.
         tests('deep', DEEP, 1, { ...READ_BY_NODE, exclude: WITHOUT_FILES, testTimeout: 60_000 }),
         tests('mocked', MOCKED, 1, { testTimeout: 60_000 }),
-        // Three browsers for two cores, since each waits for a quarter of its time. A browser under load may lose an event to
-        // a frame: a second try decides, and the run names each test that needed it.
+        // Two browsers at most, since they draw in software. A browser under load may lose an event to a frame: a second
+        // try decides, and the run names each test that needed it.
         tests('browser', BROWSER, 2, {
           ...READ_BY_NODE,
           exclude: [...(firefoxPath() ? [] : ['tests/e2e/firefox.test.ts']), ...WITHOUT_FILES],
           retry: 1,
-          maxWorkers: 3,
+          maxWorkers: 2,
           testTimeout: 120_000,
           hookTimeout: 60_000,
         }),
