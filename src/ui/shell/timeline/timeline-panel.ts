@@ -56,7 +56,8 @@ class Panel implements TimelinePanel {
   private readonly built = new Map<TimelineTabName, TimelineTab>();
   private readonly asked = new Set<Place>();
   private isStarting = true;
-  private isGoneTo = false;
+  /** The tab that was clicked, which gets the focus once it is loaded, unless another one is shown before. */
+  private goneTo: TimelineTabName | undefined;
   private handsOver = false;
 
   constructor(
@@ -100,7 +101,7 @@ class Panel implements TimelinePanel {
   }
 
   goTo(): void {
-    this.isGoneTo = true;
+    this.goneTo = this.wb.timeline.view.get().tab;
     this.show();
   }
 
@@ -150,17 +151,18 @@ class Panel implements TimelinePanel {
     }
     write(head, 'hidden', !hasTools);
     if (hadFocus && !isOpen) returnFocus();
-    if (timeline.tab) this.handOver();
+    if (!isOpen) this.goneTo = undefined;
+    if (timeline.tab) this.handOver(view.tab);
   }
 
   /** The focused element was hidden, so the keyboard would be dead. A tab being loaded gets the focus when ready. */
-  private handOver(): void {
-    if (!this.handsOver && !this.isGoneTo) return;
+  private handOver(tab: TimelineTabName): void {
+    const isGoneTo = this.goneTo === tab;
+    this.goneTo = undefined;
+    if (!this.handsOver && !isGoneTo) return;
     const { activeElement } = document;
-    if (this.isGoneTo || this.element.contains(activeElement) || activeElement === document.body) {
-      focusPanel(this.element);
-    }
-    this.handsOver = this.isGoneTo = false;
+    if (isGoneTo || this.element.contains(activeElement) || activeElement === document.body) focusPanel(this.element);
+    this.handsOver = false;
   }
 }
 
