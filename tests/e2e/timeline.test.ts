@@ -142,6 +142,8 @@ it('curve editor and dope sheet are seen together, other tabs replace both, and 
 
       await page.getByRole('tab', { name: 'Takes' }).click();
       await expect.poll(() => seen(page)).toEqual(['Takes']);
+      // It has the focus once it is loaded, since it was clicked.
+      await page.locator('[data-tab="takes"] :focus').waitFor();
       const tab = page.getByRole('tab', { name: 'Curve editor' });
       await tab.focus();
       await page.keyboard.press('Enter');
