@@ -197,6 +197,8 @@ export default defineConfig(({ mode }) => {
     // Relative addresses: the built page works under any path.
     base: './',
     ...building,
+    // Examples in HTML name files that are beside them elsewhere.
+    optimizeDeps: { entries: ['index.html'] },
     worker: { format: 'es', plugins: () => [draco(), webPageScripts()] },
     plugins: [givenFiles(), draco(), policy(), webPageScripts(), ...(building.plugins ?? [])],
     test: {
