@@ -1,6 +1,7 @@
 /**
- * A take with goals of limbs or attachments as a take without, which moves the same: the DOFs of its limbs, or of the root, get keys at whole frames,
- * fewer where a smooth curve through them is within the tolerance at every frame; samples get the solved values.
+ * A take with goals of limbs or attachments as a take without, which moves the same: the DOFs of its limbs, or of the
+ * root, get keys at whole frames, fewer where a smooth curve through them is within the tolerance at every frame; samples
+ * get the solved values.
  */
 import { followingRoot } from '../../evaluate/attached.ts';
 import { inTakes } from '../../evaluate/in-takes.ts';
@@ -19,12 +20,18 @@ import { jointRotations, unroll, unrollTriples } from '../samples/rotations.ts';
 /** Part of a frame that the end of a range may be beyond the last whole frame and count as it. */
 const SAME_FRAME = 1e-6;
 
+interface SolveOptions extends FlattenOptions {
+  /** The root follows as before: only limbs are solved. */
+  readonly keepsAttachments?: boolean;
+}
+
 /** The take without goals and attachments; the same object if it has neither. */
-export function solvedTake(character: Character, take: Take, options: FlattenOptions = {}): Take {
-  const { goals, attached, ...rest } = take;
+export function solvedTake(character: Character, take: Take, options: SolveOptions = {}): Take {
+  const { goals, attached, ...plain } = take;
   const { skeleton } = character;
   if (!(goals ?? attached) || !skeleton) return take;
-  const dofs = movedDofs(character, take);
+  const rest = attached && options.keepsAttachments ? { ...plain, attached } : plain;
+  const dofs = movedDofs(character, options.keepsAttachments ? { ...plain, goals } : take);
   if (dofs.length === 0) return rest;
   const rate = options.framesPerSecond ?? frameRateOf(take) ?? USUAL_FRAMES_PER_SECOND;
   const times = wholeFrames(take.range, rate);

@@ -1,5 +1,6 @@
 /** Making limbs, and keying, switching and moving their goals. */
 import { describe, expect, it } from 'vitest';
+import { addAttachment } from '../../../src/edit/commands/beside/attach.ts';
 import {
   addLimb,
   changeLimb,
@@ -10,12 +11,15 @@ import {
   switchLimb,
 } from '../../../src/edit/commands/beside/limbs.ts';
 import { moveKeys, removeKeys } from '../../../src/edit/commands/keys.ts';
+import { reverseSamples } from '../../../src/edit/commands/samples.ts';
+import { lockFeet, mirrorTakes, setTakeSpeed } from '../../../src/edit/commands/take-edits.ts';
 import { limbInfos } from '../../../src/evaluate/limbs/infos.ts';
 import { dofCountOf } from '../../../src/evaluate/pose.ts';
 import type { Document } from '../../../src/model/document.ts';
 import { firstGoalChannel, withGoalChannels } from '../../../src/model/takes/goals.ts';
+import { character, documentOf } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
-import { HERO, heroOf, jointCalled, LEG, run, walking, withLegs, worldAt } from './walker.ts';
+import { HERO, heroOf, jointCalled, LEG, run, WALKER, walking, withLegs, worldAt } from './walker.ts';
 
 const at = (timeSeconds: number) => ({ ...HERO, timeSeconds });
 const SIZE = 2;
@@ -178,4 +182,34 @@ it('limbs.flatten leaves a take without goals that moves the same at whole frame
   expect(heroOf(plain).takes[0]).not.toHaveProperty('goals');
   expectSame(plain, held, [0, 0.1, 0.3, 0.4, 0.5, 0.8], 2e-3);
   expect(() => flattenLimbs.run(plain, HERO)).toThrow('has no goals of limbs.');
+});
+
+describe('a take with goals', () => {
+  const held = run(withLegs(), switchLimb, { ...at(0.4), limb: 0, to: 'ik' });
+  const takes = [{ ...HERO, take: 0 }];
+
+  it('is refused by what edits takes as a whole, which says what to do first', () => {
+    const flattenFirst = 'walk has limbs with goals, and this changes takes as a whole. Flatten limbs first';
+    expect(() => setTakeSpeed.run(held, { takes, factor: 2 })).toThrow(flattenFirst);
+    expect(() => mirrorTakes.run(held, { takes })).toThrow(flattenFirst);
+    expect(() => lockFeet.run(held, { takes })).toThrow(flattenFirst);
+    expect(() => reverseSamples.run(held, HERO)).toThrow(flattenFirst);
+    const plain = run(held, flattenLimbs, HERO);
+    expect(setTakeSpeed.run(plain, { takes, factor: 2 })).not.toBe(plain);
+  });
+
+  it('keeps its attachments when limbs are flattened', () => {
+    const leader = character({ id: 'c2', skeleton: WALKER, pose: heroOf(held).pose });
+    const both = documentOf(heroOf(held), leader);
+    const span = [0, 1] as const;
+    const attached = run(both, addAttachment, { ...HERO, leaderId: 'c2', joint: 0, span });
+    const plain = run(attached, flattenLimbs, HERO);
+    const [take] = heroOf(plain).takes;
+    expect(take).not.toHaveProperty('goals');
+    expect(take.attached).toBe(heroOf(attached).takes[0].attached);
+    // The root has its own keys, which show once it is detached.
+    const [root] = [heroOf(held).takes[0].channels];
+    expect(take.channels.slice(0, 6)).toEqual(root.slice(0, 6));
+    expectSame(plain, attached, [0, 0.1, 0.3, 0.4, 0.5, 0.8], 2e-3);
+  });
 });

@@ -4,14 +4,14 @@
  */
 import { provideLayers } from '../../../evaluate/layers.ts';
 import { goalProblems } from '../../../evaluate/limbs/over-pose.ts';
-import { currentValues, dofsOfLimb, GOAL_OF, goalValues, matchValues, POLE_OF } from '../../../evaluate/limbs/posed.ts';
+import { currentValues, GOAL_OF, goalValues, matchValues, POLE_OF } from '../../../evaluate/limbs/posed.ts';
 import { type Character, type Document, shownTake } from '../../../model/document.ts';
 import { limbProblem } from '../../../model/limb-problems.ts';
 import type { Limb } from '../../../model/limbs.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { firstGoalChannel, withGoals } from '../../../model/takes/goals.ts';
-import { GOAL_CHANNELS, type GoalChannel, type Take } from '../../../model/takes/take.ts';
+import { GOAL_CHANNELS, type GoalChannel } from '../../../model/takes/take.ts';
 import { indexIn } from '../../arguments.ts';
 import { changeCharacter, requireCharacter } from '../../characters.ts';
 import { command } from '../../command.ts';
@@ -161,7 +161,7 @@ export const setLimbSpace = command({
     }),
 });
 
-/** Replaces the goals of the shown take by keys of the limbs' joints at whole frames: it moves the same in FK. */
+/** Replaces the goals of the shown take by keys of the limbs' joints at whole frames: it moves the same in FK. Attachments stay. */
 export const flattenLimbs = command({
   id: 'limbs.flatten',
   args: CHARACTER,
@@ -172,22 +172,11 @@ export const flattenLimbs = command({
       refuseMoved(character);
       const take = requireTake(character);
       if (!take.goals) throw new CommandError(`${take.name} has no goals of limbs.`);
-      refuseLayers(take);
-      return withTake(withoutUnkeyed(character), character.shownTake, flattened(character, take));
+      refuseLayers(take, ['layers']);
+      const flat = solvedTake(character, take, { keepsAttachments: true });
+      return withTake(withoutUnkeyed(character), character.shownTake, flat);
     }),
 });
-
-/** The take without its goals; a root that follows a joint does so as before. */
-function flattened(character: Character, take: Take): Take {
-  const solved = solvedTake(character, take);
-  const { skeleton, limbs } = character;
-  if (!take.attached || !skeleton) return solved;
-  const { goals, ...rest } = take;
-  const own = limbs?.list.filter(({ name }) => goals?.list.some((goal) => goal.limb === name)) ?? [];
-  const moved = new Set(own.flatMap((limb) => dofsOfLimb(skeleton, limb)));
-  const channels = take.channels.map((channel, dof) => (moved.has(dof) ? solved.channels[dof] : channel));
-  return { ...rest, channels, ...(solved.samples && { samples: solved.samples }) };
-}
 
 type GivenLimb = Pick<Limb, 'joints' | 'name'> & Partial<Limb>;
 
