@@ -1,7 +1,7 @@
 /** A take with the options applied, as a take again: for files of motion rather than of numbers. */
 import { retargetBaked } from '../edit/commands/retarget.ts';
 import { withoutDriver } from '../edit/drivers.ts';
-import { withFlattenedTakes } from '../edit/layers/flatten.ts';
+import { withPlainTakes } from '../edit/limbs/plain-takes.ts';
 import { type Character, shownTake } from '../model/document.ts';
 import type { Take } from '../model/takes/take.ts';
 import { type TakeOptions, takeOf } from './take.ts';
@@ -9,12 +9,12 @@ import { type TakeOptions, takeOf } from './take.ts';
 /**
  * The character that plays the takes of another one as edited: itself, or the target of retargeting. Frames that are
  * only cropped or mirrored keep the numbers of the file.
- * @param given layers of its takes become part of them
+ * @param given layers, goals and attachments of its takes become part of them
  * @param options their `fps` is left to whoever samples the result
  * @throws CommandError, in a sentence, if nothing is left
  */
 export function withEditedTakes(given: Character, options: Omit<TakeOptions, 'fps' | 'isRaw'>): Character {
-  const source = withFlattenedTakes(given);
+  const source = withPlainTakes(given);
   const edited = source.takes.map((_, i) => editedTake({ ...source, shownTake: i }, options));
   const [first] = edited;
   if (!first) return options.target ? editedTake(source, options) : source;

@@ -120,8 +120,11 @@ function sameItems(list: readonly PartMark[], known: readonly PartMark[]): reado
   return list.length === known.length && list.every((mark, i) => mark === known[i]) ? known : list;
 }
 
-/** Whether two takes are the same to a `.bvh` or `.amc`, which stores neither playback range nor interpolation. */
+/** Whether two takes are the same to a `.bvh` or `.amc`, which stores neither playback range nor interpolation, and the files beside it. */
 function holdsTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean {
+  if (a.goals !== b.goals || a.attached !== b.attached) return false;
+  if (a.layers && b.layers) return layerCode(a).haveSameFiles(a, { ...b, range: a.range });
+  if (a.layers || b.layers) return false;
   if (!a.samples || !b.samples || a.name !== b.name || a.channels !== b.channels) return false;
   const { interpolation: _a, ...before } = a.samples;
   const { interpolation: _b, ...after } = b.samples;
@@ -135,7 +138,8 @@ function areTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean
   const { markers: _a, ...before } = a;
   const { markers: _b, ...after } = b;
   // Which of its layers is active is no part of a take's files.
-  if (a.layers && b.layers && layerCode(a).haveSameFiles(a, b)) return true;
+  const hasSameGoals = a.goals === b.goals && a.attached === b.attached;
+  if (a.layers && b.layers && hasSameGoals && layerCode(a).haveSameFiles(a, b)) return true;
   const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
   return keys.every((key) => before[key] === after[key]);
 }

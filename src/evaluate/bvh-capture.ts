@@ -92,6 +92,8 @@ export function isUntouched(
   const first = rootDofCount(skeleton);
   if (take ? take.channels.slice(0, first).some((c) => c.kind !== 'rest' || c.value !== 0) : first > 0) return false;
   if (!take) return isAtOffsets(character, skeleton);
+  // Layers are part of the samples by then.
+  if (take.goals ?? take.attached) return false;
   const { samples } = take;
   if (samples?.startSeconds !== frames.startSeconds || samples.frameSeconds !== frames.frameSeconds) return false;
   if (samples.frameCount !== frames.frameCount) return false;

@@ -5,6 +5,7 @@
  */
 import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
 import { fetchFiles } from '../io/fetch-files.ts';
+import { hasControls } from '../model/takes/take.ts';
 import { WorkerClient, WorkerError } from '../worker/client.ts';
 import type { GivenBlob, OpenOutput } from '../worker/protocol.ts';
 
@@ -52,7 +53,7 @@ async function read(given: readonly GivenBlob[]): Promise<OpenOutput> {
   const output = (await inWorker(files)) ?? (await inPage(files));
   for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
   // Takes with layers, goals or attachments can't be played before.
-  if (output.characters.some(({ takes }) => takes.some(({ layers, goals, attached }) => layers ?? goals ?? attached))) {
+  if (output.characters.some(({ takes }) => takes.some(hasControls))) {
     const { provideLayers } = await import('../evaluate/layers.ts');
     provideLayers();
   }

@@ -8,6 +8,7 @@ import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { turnedNear } from '../../math/euler.ts';
 import type { Character } from '../../model/document.ts';
 import type { Interpolation } from '../../model/takes/samples.ts';
+import { hasControls } from '../../model/takes/take.ts';
 import { type JointNodes, NODE_WIDTH, nodeWriter, type WriteNodes } from '../shared/joint-nodes.ts';
 import type { ExchangeOptions } from '../shared/options.ts';
 import type { TakeReport } from '../shared/report.ts';
@@ -133,7 +134,7 @@ function writingOf(character: Character, moved: Moved, { framesPerSecond }: Exch
   };
   const motion = takeMotion(character, all, own);
   if (!motion) return undefined;
-  const isByChannels = (character.driver ?? take.layers ?? take.goals ?? take.attached) === undefined;
+  const isByChannels = !character.driver && !hasControls(take);
   const isByFrames = framesPerSecond !== undefined;
   const frames = isByFrames ? framesOf(take.range, framesPerSecond) : within(ownFrames(character), take.range);
   if (frames && frames.frameCount > MAX_FRAMES) {

@@ -5,6 +5,7 @@
  */
 
 import { withFlattenedTakes } from '../../edit/layers/flatten.ts';
+import { withPlainTakes } from '../../edit/limbs/plain-takes.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
@@ -55,7 +56,9 @@ export function outputsOf(
   target: Target,
   options: ConversionOptions = {},
 ): readonly Output[] {
-  const characters = given.map((character) => withFlattenedTakes(character, options));
+  // Frames are evaluated, which solves goals and attachments.
+  const hasFrames = target === 'bvh' || target === 'asf' || target === 'trc';
+  const characters = given.map((one) => (hasFrames ? withFlattenedTakes : withPlainTakes)(one, options));
   if (target === 'bvh') return bvhOutputs(characters, options);
   if (target === 'asf') return acclaimOutputs(characters, options);
   if (target === 'trc') return characters.flatMap((character) => pointOutputs(character, options));

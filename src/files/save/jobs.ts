@@ -4,6 +4,7 @@ import { type Character, type Document, findCharacter } from '../../model/docume
 import { sameName } from '../../model/files.ts';
 import { fileNameOf, type Part, takeOf } from '../../model/part.ts';
 import type { Marker } from '../../model/takes/markers.ts';
+import { hasControls } from '../../model/takes/take.ts';
 import type { SavedKind } from '../kinds.ts';
 import { markersCopies } from './copies.ts';
 import { distinctNames } from './distinct-names.ts';
@@ -47,12 +48,12 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
 }
 
 /**
- * The files of a take with layers, goals or attachments around its own, the JSON last. All are made before the first is written: if one can't
- * be, none is.
+ * The files of a take with layers, goals or attachments around its own, the JSON files last. All are made before the
+ * first is written: if one can't be, none is.
  */
 function withLayers(character: Character, part: Part, own: Job): readonly Job[] {
   const take = takeOf(part);
-  if (!(take?.layers ?? take?.goals ?? take?.attached)) return [own];
+  if (!take || !hasControls(take)) return [own];
   const copies = besidePlain(character, take);
   let made: ReadonlyMap<string, Output> | undefined;
   const make = () => {
@@ -84,7 +85,8 @@ function withLayers(character: Character, part: Part, own: Job): readonly Job[] 
       return own.write(called);
     },
   };
-  return [...beside.slice(0, -1), plain, ...beside.slice(-1)];
+  const jsons = [take.layers, take.goals, take.attached].filter(Boolean).length;
+  return [...beside.slice(0, -jsons), plain, ...beside.slice(-jsons)];
 }
 
 /** The markers of a take, beside its file. @param none what it has without markers; absent: no file */

@@ -1,6 +1,6 @@
 /**
- * The files of a take with layers, goals or attachments: its base, its layers, the plain file with the flattened result, and, last,
- * the JSON that says with which bytes of the plain file it was saved.
+ * The files of a take with layers, goals or attachments: its base, its layers, the plain file with the flattened result,
+ * and, last, the JSON files that say with which bytes of the plain file they were saved.
  */
 
 import { notLeading } from '../../edit/follow/leaders.ts';
@@ -24,7 +24,7 @@ import { ATTACH_EXTENSION } from '../../model/takes/attach-file.ts';
 import { motionOf, unlayered } from '../../model/takes/layers.ts';
 import { LAYERS_EXTENSION } from '../../model/takes/layers-file.ts';
 import { LIMBS_EXTENSION, type LimbsFile } from '../../model/takes/limbs-file.ts';
-import { baseOf, type Motion, restChannel, type Take } from '../../model/takes/take.ts';
+import { baseOf, hasControls, type Motion, restChannel, type Take } from '../../model/takes/take.ts';
 import { nameBeside } from '../kinds.ts';
 import { limbsAlone } from '../open/layers.ts';
 import { openFiles } from '../open/open-files.ts';
@@ -36,13 +36,16 @@ export function layersCopies(character: Character): readonly Copy[] {
   return character.takes.flatMap((take) => filesOf(character, take));
 }
 
-/** All files of a take with layers, goals or attachments but the plain one, in the order in which they are written; none without. */
+/** All files of a take with layers, goals or attachments but the plain one, in the order of writing; none without. */
 export function besidePlain(character: Character, take: Take): readonly Copy[] {
   const plain = plainName(character, take);
   return filesOf(character, take).filter(({ name }) => name !== plain);
 }
 
-/** The take as other programs read it: without layers, goals and attachments, moving the same; with what was lost on the way. */
+/**
+ * The take as other programs read it: without layers, goals and attachments, moving the same; with what was lost on the
+ * way.
+ */
 export function plainTake(
   character: Character,
   take: Take,
@@ -136,7 +139,7 @@ function plainName(character: Character, { name }: Take): string | undefined {
 function filesOf(character: Character, take: Take): readonly Copy[] {
   const { skeleton, pose } = character;
   const { layers, goals, attached } = take;
-  if (!(layers ?? goals ?? attached)) return [];
+  if (!hasControls(take)) return [];
   const plain = plainName(character, take);
   // The base of a capture is its own file.
   const known = layers?.baseFile ?? goals?.baseFile ?? attached?.baseFile;

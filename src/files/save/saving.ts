@@ -6,6 +6,7 @@
  */
 
 import { withFlattenedTakes } from '../../edit/layers/flatten.ts';
+import { withPlainTakes } from '../../edit/limbs/plain-takes.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { partsOf } from '../../model/character-parts.ts';
 import type { Character } from '../../model/document.ts';
@@ -14,8 +15,8 @@ import { newFileName, type Part, takeOf } from '../../model/part.ts';
 import { setsByName } from '../../model/sets-by-name.ts';
 import { skelChannels } from '../../model/skeleton/skel-motion.ts';
 import { unlayered } from '../../model/takes/layers.ts';
-import { baseOf, type Take } from '../../model/takes/take.ts';
-import { KINDS, type SavedKind } from '../kinds.ts';
+import { baseOf, hasControls, type Take } from '../../model/takes/take.ts';
+import { besideOf, KINDS, type SavedKind } from '../kinds.ts';
 import { WRITERS, type Writer } from '../writers.ts';
 import { acclaimOf, bvhOf, hasOwnRate, inPose, pointsOf } from './character-files.ts';
 import { amcCopy, bvhCopy } from './copies.ts';
@@ -51,8 +52,16 @@ export function isCopy(character: Character, kind: SavedKind): boolean {
 /** Copies, which mark nothing as saved. */
 export function copiesOf(character: Character, kind: SavedKind, options: SavingOptions = {}): readonly Output[] {
   const { copies }: Writer<never> = WRITERS[kind];
-  const shown = kind === 'layers' ? character : withFlattenedTakes(character, options);
-  return copies?.(shown, haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
+  return copies?.(forCopies(character, kind, options), haveOwnRates(character) ? {} : options).map(outputOf) ?? [];
+}
+
+/** The character whose takes a format can hold. */
+function forCopies(character: Character, kind: SavedKind, options: SavingOptions): Character {
+  // Files beside those of takes say what others can't.
+  if (besideOf(kind) === 'take') return character;
+  // Frames are evaluated, which solves goals and attachments.
+  const hasFrames = kind === 'bvh' || kind === 'asf' || kind === 'amc';
+  return (hasFrames ? withFlattenedTakes : withPlainTakes)(character, options);
 }
 
 /** The parts of a character that are saved in files of a kind. */
@@ -107,7 +116,7 @@ function contentOf(
     case 'trc': {
       const [{ character }] = owned;
       const { space } = character;
-      const capture = pointsOf(character, beneathLayers(part.content.take));
+      const capture = pointsOf(character, beneathControls(part.content.take));
       return { kind: 'trc', capture, ...(space && { space: { space, standing: 0 } }) };
     }
     case 'pose':
@@ -124,7 +133,7 @@ function contentOf(
 /** A take of Acclaim bones: its own samples, or what its keys give. */
 function acclaimOutput(name: string, { character, part }: Owned, { framesPerSecond }: SavingOptions): Output {
   const { driver: _, ...own } = character;
-  const take = beneathLayers(takeOf(part));
+  const take = beneathControls(takeOf(part));
   const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
   const [made] = acclaimOf({ ...own, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
   return outputOf({ ...amcCopy(name, made.capture), diagnostics: made.diagnostics });
@@ -134,7 +143,7 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
   const captures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
     if (part.kind !== 'bvh') return [];
     // The take itself, even while another one is retargeted to the character.
-    const take = beneathLayers(part.content.take);
+    const take = beneathControls(part.content.take);
     const rate = take && hasOwnRate(take) ? undefined : framesPerSecond;
     return bvhOf({ ...character, takes: take ? [take] : [], shownTake: take ? 0 : -1 }, rate);
   });
@@ -147,7 +156,9 @@ function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }:
   return outputOf(bvhCopy(name, captures));
 }
 
-/** What the own file of a captured take holds: its layers are beside it. */
-function beneathLayers(take: Take | undefined): Take | undefined {
-  return take?.layers ? unlayered(take, baseOf(take)) : take;
+/** What the own file of a captured take holds: layers, goals and attachments are beside it. */
+function beneathControls(take: Take | undefined): Take | undefined {
+  if (!take || !hasControls(take)) return take;
+  const { goals: _goals, attached: _attached, ...own } = take;
+  return own.layers ? unlayered(own, baseOf(own)) : own;
 }

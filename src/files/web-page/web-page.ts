@@ -13,7 +13,7 @@
  * Nothing in a file can be markup: `&` and `<` are written as references, and no other sign begins any in a `<pre>`.
  */
 import { retargetBaked } from '../../edit/commands/retarget.ts';
-import { withFlattenedTakes } from '../../edit/layers/flatten.ts';
+import { withPlainTakes } from '../../edit/limbs/plain-takes.ts';
 import { provideDrivenPose } from '../../evaluate/driven-pose.ts';
 import { retargetedPose } from '../../evaluate/retarget/driving.ts';
 import type { Character } from '../../model/document.ts';
@@ -77,10 +77,10 @@ export function webPage({ characters, theme, attributes }: WebPage, scripts: Pag
   ];
 }
 
-/** With what plain files can't say: a retargeted take becomes its own, layers become part of their takes. */
+/** With what plain files can't say: a retargeted take becomes its own, layers, goals and attachments part of theirs. */
 function asFilesHold(character: Character): Character {
   provideDrivenPose(retargetedPose);
-  return withFlattenedTakes(character.driver ? retargetBaked(character) : character);
+  return withPlainTakes(character.driver ? retargetBaked(character) : character);
 }
 
 /** Characters of a text that is left as it is, to be read by people. */

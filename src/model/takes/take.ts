@@ -275,3 +275,8 @@ export function followingSamples(channels: readonly Channel[], samples: Samples 
     return { ...SAMPLED, extrapolateIn, extrapolateOut };
   });
 }
+
+/** Whether more than its own channels moves a take: layers, goals of limbs, attachments. */
+export function hasControls({ layers, goals, attached }: Partial<Take>): boolean {
+  return (layers ?? goals ?? attached) !== undefined;
+}
