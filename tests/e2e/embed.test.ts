@@ -100,9 +100,30 @@ describe('the embedded page', () => {
         await expect.poll(() => last(page, 'ready')).toMatchObject({ characters: ['crawler'] });
         await say(page, { marrow: 'open', files: ['samples/nowhere.skel'] });
         await expect.poll(async () => (await last(page, 'error'))?.message).toContain('nowhere.skel');
+        // What was open stays.
+        await expect.poll(() => frame.getByRole('img').getAttribute('aria-label')).toBe('crawler');
+        await say(page, { marrow: 'open', files: ['samples/cube.skel'] });
+        await expect.poll(() => last(page, 'ready')).toMatchObject({ characters: ['cube'] });
+        const [ready, errors] = [await heard(page, 'ready'), await heard(page, 'error')];
+        expect(ready.length).toBe(3);
+        expect(errors.length).toBe(3);
       },
       /status of 404/,
     ));
+
+  it('an origin that can’t be is told in the frame, and an address is taken for its origin', async () => {
+    await embedded('sample=walker&embed-origin=*', async (page, frame) => {
+      const told = () => frame.locator('.message').innerText();
+      await expect.poll(told).toContain('The link asks for what can’t be: embed-origin=* (expected the origin');
+      const said = await page.evaluate(() => window.heard);
+      expect(said).toEqual([]);
+    });
+    await embedded(`sample=walker&time=1&embed-origin=${encodeURIComponent(`${origin}/page`)}`, async (page) => {
+      await expect.poll(() => last(page, 'ready')).toMatchObject({ characters: ['walker'] });
+      await say(page, { marrow: 'seek', time: 0.5 });
+      await expect.poll(() => last(page, 'time')).toMatchObject({ time: 0.5, playing: false });
+    });
+  });
 
   it('the embedded page stores nothing, loads no panels before its picture, and leads to the whole page', () =>
     embedded('sample=walker&show=skin', async (_page, frame) => {

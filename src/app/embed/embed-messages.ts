@@ -2,6 +2,7 @@
  * What an embedded page and the page around it say to each other by `postMessage`. Only with the origin that the
  * address names: `embed-origin=https://course.example.edu`.
  */
+import { cutText } from '../../model/names/cut-text.ts';
 import type { CameraView } from '../../view/camera/camera.ts';
 import { numbersIn, viewOf } from '../../view/camera/view-numbers.ts';
 
@@ -47,7 +48,8 @@ export function readMessage(data: unknown): ToEmbedded | string | undefined {
     }
     case 'camera': {
       const numbers = field('view');
-      const view = Array.isArray(numbers) ? viewOf(numbersIn(numbers.join(), 6)) : undefined;
+      const isList = Array.isArray(numbers) && numbers.every(isUsual);
+      const view = isList ? viewOf(numbersIn(numbers.join(), 6)) : undefined;
       return view ? { marrow: name, view } : 'The message "camera" takes a view: six numbers, as in a link.';
     }
     case 'select': {
@@ -55,8 +57,15 @@ export function readMessage(data: unknown): ToEmbedded | string | undefined {
       return typeof joint === 'string' ? { marrow: name, joint } : 'The message "select" takes the name of a joint.';
     }
     default:
-      return `There is no message "${String(name)}"; there are seek, play, pause, open, camera and select.`;
+      // Not every object can be put into words.
+      return `There is no message ${typeof name === 'string' ? cutText(JSON.stringify(name)) : 'of that name'}; there are seek, play, pause, open, camera and select.`;
   }
+}
+
+/** An origin as browsers give it to messages, from any address there; undefined for what names none. */
+export function originOf(address: string): string | undefined {
+  const origin = URL.canParse(address) ? new URL(address).origin : 'null';
+  return origin === 'null' ? undefined : origin;
 }
 
 function isUsual(value: unknown): value is number {

@@ -7,6 +7,7 @@ import { floorOf } from '../../edit/floor.ts';
 import { intoRange, pause, play, stepFrames } from '../../edit/playback.ts';
 import { fetchFiles } from '../../io/fetch-files.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import { cutText } from '../../model/names/cut-text.ts';
 import type { Display } from '../../model/session.ts';
 import type { Uses } from '../../ui/state/workbench.ts';
 import type { ThemeName } from '../../view/theme.ts';
@@ -15,7 +16,7 @@ import { Parts } from '../../viewer/parts.ts';
 import { adoptStyle } from '../../viewer/style.ts';
 import { selectJoint } from '../link/open-link.ts';
 import type { Opener } from '../opening.ts';
-import { type FromEmbedded, readMessage, type ToEmbedded } from './embed-messages.ts';
+import { type FromEmbedded, originOf, readMessage, type ToEmbedded } from './embed-messages.ts';
 
 /** What an embedded page is made of. */
 export interface EmbeddedParts
@@ -124,15 +125,23 @@ function wordsOf({ messages }: EmbeddedParts): string {
 
 /** Follows messages of the page around, if the address names its origin, and tells it what happens. */
 function talk(wb: EmbeddedParts, opening: Promise<unknown>): void {
-  const origin = new URLSearchParams(location.search).get('embed-origin');
-  if (!origin || window.parent === window) return;
+  const named = new URLSearchParams(location.search).get('embed-origin');
+  if (!named || window.parent === window) return;
+  const origin = originOf(named);
+  if (!origin) {
+    const expected = 'expected the origin of the page around, such as https://course.example.edu';
+    wb.messages.note(
+      `The link asks for what can’t be: embed-origin=${cutText(named)} (${expected}).`,
+      'warning',
+      'until read',
+    );
+    return;
+  }
   const tell = (message: FromEmbedded) => window.parent.postMessage(message, origin);
-  const ready = () =>
-    tell({
-      marrow: 'ready',
-      characters: wb.store.document.characters.map(({ name }) => name),
-      range: wb.transport.get().range,
-    });
+  const ready = () => {
+    const characters = wb.store.document.characters.map(({ name }) => name);
+    if (characters.length > 0) tell({ marrow: 'ready', characters, range: wb.transport.get().range });
+  };
   window.addEventListener('message', (event) => {
     if (event.origin !== origin || event.source !== window.parent) return;
     const message = readMessage(event.data);
@@ -144,7 +153,8 @@ function talk(wb: EmbeddedParts, opening: Promise<unknown>): void {
     tell({ marrow: 'time', time: now.timeSeconds, playing: now.playing });
   });
   wb.messages.list.subscribe((now, before) => {
-    for (const { severity, text } of now.filter((one) => !before.includes(one))) {
+    const known = new Set(before.map(({ id }) => id));
+    for (const { severity, text } of now.filter(({ id }) => !known.has(id))) {
       if (severity !== 'info') tell({ marrow: 'error', message: text });
     }
   });
@@ -153,7 +163,7 @@ function talk(wb: EmbeddedParts, opening: Promise<unknown>): void {
 
 /** Resolves to whether something else is open. */
 async function follow(message: ToEmbedded, wb: EmbeddedParts, tell: (message: FromEmbedded) => void): Promise<boolean> {
-  const { transport, viewport, store, opener } = wb;
+  const { transport, viewport, store } = wb;
   switch (message.marrow) {
     case 'play':
       transport.update(play);
@@ -168,12 +178,23 @@ async function follow(message: ToEmbedded, wb: EmbeddedParts, tell: (message: Fr
       viewport.camera.view = message.view;
       break;
     case 'select':
-      if (!selectJoint(store, message.joint)) tell({ marrow: 'error', message: `There is no joint ${message.joint}.` });
+      if (!selectJoint(store, message.joint))
+        tell({ marrow: 'error', message: `There is no joint ${cutText(message.joint)}.` });
       break;
     case 'open':
-      store.replace('Open', { document: { ...EMPTY_DOCUMENT, charactersMade: store.document.charactersMade } });
-      await opener.open((given) => fetchFiles(message.files, document.baseURI, given));
-      return true;
+      return openInstead(message.files, wb);
   }
   return false;
+}
+
+/** What was open goes once the files are there. Resolves to whether they are. */
+async function openInstead(addresses: readonly string[], { store, opener }: EmbeddedParts): Promise<boolean> {
+  let areThere = false;
+  await opener.open(async (signal) => {
+    const files = await fetchFiles(addresses, document.baseURI, signal);
+    areThere = true;
+    store.replace('Open', { document: { ...EMPTY_DOCUMENT, charactersMade: store.document.charactersMade } });
+    return files;
+  });
+  return areThere;
 }

@@ -1,7 +1,7 @@
 /** What the page around an embedded one may say. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { readMessage } from '../../../src/app/embed/embed-messages.ts';
+import { originOf, readMessage } from '../../../src/app/embed/embed-messages.ts';
 
 describe('messages of the page around', () => {
   it('messages are read', () => {
@@ -24,9 +24,19 @@ describe('messages of the page around', () => {
       { marrow: 'select' },
       { marrow: 'dance' },
       { marrow: 7 },
+      { marrow: { toString: 1 } },
+      { marrow: 'camera', view: [{ toString: 1 }, 1, 3, 0, 1, 0] },
+      { marrow: 'x'.repeat(1e6) },
     ];
-    for (const data of wrong) expect(readMessage(data), JSON.stringify(data)).toMatch(/^The(re| message) .*\.$/);
+    for (const data of wrong) expect(readMessage(data), JSON.stringify(data)).toMatch(/^The(re| message) .{1,300}\.$/);
     for (const data of [undefined, null, 'play', 7, [], { type: 'play' }]) expect(readMessage(data)).toBeUndefined();
+  });
+
+  it('an origin is read from any address there', () => {
+    for (const address of ['https://a.example', 'https://A.example/', 'https://a.example:443/page?x#y'])
+      expect(originOf(address)).toBe('https://a.example');
+    for (const address of ['*', '/', 'null', 'a.example', 'http://', 'file:///a', 'data:,a', 'javascript:1'])
+      expect(originOf(address), address).toBeUndefined();
   });
 
   it('messages of any kind are survived', () => {
