@@ -5,7 +5,7 @@
  *
  * It reads when it is put into a page, and draws and plays while it is seen. Taken out, it gives everything back.
  */
-import { intoRange, type Playback, pause, play, stepFrames } from '../edit/playback.ts';
+import { DEFAULT_PLAYBACK, intoRange, type Playback, pause, play, stepFrames } from '../edit/playback.ts';
 import { type Diagnostic, hasErrors } from '../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, rangeOfTakes } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
@@ -64,6 +64,8 @@ export class MarrowViewer extends Base {
   /** What attributes ask for that can't be, by their names. */
   private readonly wrong = new Map<AttributeName, string>();
   private failure = '';
+  /** It plays once it is loaded, whatever `autoplay` says. */
+  private isAwaited = false;
   /** Ends with its time on the page. */
   private life: AbortController | undefined;
 
@@ -127,7 +129,7 @@ export class MarrowViewer extends Base {
   }
 
   get paused(): boolean {
-    return !this.player.playback.playing;
+    return !this.player.playback.playing && !this.isAwaited;
   }
 
   /** Names of the characters that are shown. */
@@ -173,10 +175,12 @@ export class MarrowViewer extends Base {
   }
 
   play(): void {
+    this.isAwaited = this.held !== undefined && !this.output;
     this.player.update((now) => (Number.isNaN(this.duration) ? now : play(now)));
   }
 
   pause(): void {
+    this.isAwaited = false;
     this.player.update((now) => pause(now, false));
   }
 
@@ -297,7 +301,8 @@ export class MarrowViewer extends Base {
     }
     if (hasErrors(diagnostics) || characters.length === 0) this.fail(wordsOf(diagnostics), diagnostics);
     if (characters.length === 0) return;
-    if (this.hasAttribute('autoplay') && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
+    const isAsked = this.hasAttribute('autoplay') && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    if (isAsked || this.isAwaited) this.play();
     this.tell('load', { message: '', diagnostics });
   }
 
@@ -390,6 +395,7 @@ export class MarrowViewer extends Base {
   /** Says in the place of the picture what went wrong, or under it if there is one. */
   private fail(message: string, diagnostics: readonly Diagnostic[]): void {
     this.failure = message;
+    this.isAwaited &&= this.output !== undefined;
     this.showMessage();
     this.tell('error', { message, diagnostics });
   }
@@ -415,6 +421,8 @@ export class MarrowViewer extends Base {
     this.document = EMPTY_DOCUMENT;
     this.failure = '';
     this.pause();
+    const { range, timeSeconds } = DEFAULT_PLAYBACK;
+    this.player.update((now) => ({ ...now, range, timeSeconds }));
   }
 
   private end(): void {

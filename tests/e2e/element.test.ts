@@ -174,6 +174,27 @@ describe('the element', () => {
       },
     ));
 
+  it('the element plays what it is asked to before it is loaded, and keeps no time of files that it showed before', () =>
+    withElement({ html: '<marrow-viewer></marrow-viewer>', before }, async ({ page }) => {
+      const asked = await element(page).evaluate((viewer: MarrowViewer, files) => {
+        viewer.play();
+        const empty = viewer.paused;
+        viewer.setAttribute('src', files);
+        viewer.play();
+        return [empty, viewer.paused];
+      }, WALKER);
+      expect(asked).toEqual([true, false]);
+      await expect.poll(() => timeOf(page)).toBeGreaterThan(0.05);
+      const state = await element(page).evaluate(
+        (viewer: MarrowViewer) =>
+          new Promise((resolve) => {
+            viewer.addEventListener('load', () => resolve([viewer.paused, viewer.currentTime, viewer.range]));
+            viewer.setAttribute('src', 'cube.skel');
+          }),
+      );
+      expect(state).toEqual([true, 0, [0, 2]]);
+    }));
+
   it('the element says in its place what is wrong with files and attributes', () =>
     withElement(
       {
