@@ -1,10 +1,11 @@
 /**
  * Posing a character that another's take drives. Retargeting (`retarget/`) is a separate script, since few pages need
- * it, but posing must not wait for it to load. So code that adds a driver to a document passes it on:
+ * it, but posing must not wait for it to load. So code that adds a driver to a document, or is given characters that may
+ * have one or follow one that has, passes it on:
  *
- *     provideDrivenPose(retargetedPose);
+ *     provideRetargeting();
  *
- * The commands for retargeting and the session reader do.
+ * of `retarget/driving.ts`. The commands for retargeting, the session reader and the worker's writers do.
  */
 import type { Character, Driver } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';

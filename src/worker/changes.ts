@@ -1,5 +1,6 @@
 /** The `changes` and `check` jobs: what the page changed in a text file, and what was edited in the text. */
 
+import { provideRetargeting } from '../evaluate/retarget/driving.ts';
 import { changedText, rewritten, skeletonBeside } from '../files/changes/changed-text.ts';
 import { skeletonKindFor } from '../files/kinds.ts';
 import { mapSource } from '../formats/source/map-source.ts';
@@ -8,6 +9,8 @@ import type { ChangesInput, ChangesOutput, CheckInput, CheckOutput, Progress } f
 import { textIn } from './source.ts';
 
 export async function changesOf({ file, source, owned }: ChangesInput): Promise<ChangesOutput> {
+  // Plain takes are evaluated.
+  provideRetargeting();
   const bytes = await (await textIn(file)).arrayBuffer();
   // The byte order mark is a part of the text that stays.
   const original = new TextDecoder('utf-8', { ignoreBOM: true }).decode(bytes);

@@ -1,4 +1,5 @@
 /** Writes a character for another program, with progress. Loaded on first use. */
+import { provideRetargeting } from '../evaluate/retarget/driving.ts';
 import { writeExchange } from '../export/exchange.ts';
 import type { ExchangeInput, ExchangeOutput, Progress } from './protocol.ts';
 import { fromMessage } from './settled-takes.ts';
@@ -10,6 +11,7 @@ export async function exchangeFileOf(
   { format, character, options }: ExchangeInput,
   onProgress: (progress: Progress) => void,
 ): Promise<ExchangeOutput> {
+  provideRetargeting();
   let last = performance.now();
   const { pieces, report } = await writeExchange(
     format,

@@ -2,9 +2,9 @@
  * Reads a kept session: its files through the worker as when they were opened, and its arrays from their pieces. All or
  * nothing; the document isn't touched here.
  */
-import { provideDrivenPose } from '../../evaluate/driven-pose.ts';
 import { adoptSkinFacts } from '../../evaluate/skin/bounds.ts';
 import { type KeptFile, SessionLostError, type SessionStore } from '../../io/session-store.ts';
+import type { Character } from '../../model/document.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import type { Runs } from '../../worker/client.ts';
 import type { Progress } from '../../worker/protocol.ts';
@@ -60,8 +60,8 @@ export async function readSession(
   (await import('../../edit/follow/leaders.ts')).provideLeaders();
   // `Keeper` wrote it.
   const { knownSkins, ...state } = decode(head.tree, { files, arrays, chunks }) as KeptState;
-  if (state.document.characters.some(({ driver }) => driver)) {
-    provideDrivenPose((await import('../../evaluate/retarget/driving.ts')).retargetedPose);
+  if (state.document.characters.some(isDriven)) {
+    (await import('../../evaluate/retarget/driving.ts')).provideRetargeting();
     (await import('../../edit/follow/sources.ts')).provideSources();
   }
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
@@ -78,6 +78,11 @@ export async function readSession(
       return keeper;
     },
   };
+}
+
+/** Whether retargeting moves a character, or one that it follows, which may be in the document no longer. */
+function isDriven({ driver, leaders = [] }: Character): boolean {
+  return driver !== undefined || leaders.some(isDriven);
 }
 
 /** By the id of the stored file, and by path in it. */

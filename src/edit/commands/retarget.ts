@@ -6,8 +6,7 @@
  */
 
 import { bakeTake, framesOf } from '../../evaluate/bake.ts';
-import { provideDrivenPose } from '../../evaluate/driven-pose.ts';
-import { retargetedPose } from '../../evaluate/retarget/driving.ts';
+import { provideRetargeting } from '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { frameRateOf } from '../../evaluate/samples/frame-rate.ts';
@@ -210,7 +209,7 @@ function withoutUnkeyedOverTake(character: Character): Character {
 
 /** The same object if it has that driver already. */
 function withDriver(character: Character, driver: Driver): Character {
-  provideDrivenPose(retargetedPose);
+  provideRetargeting();
   provideSources();
   return sameValue(driver, character.driver) ? character : { ...character, driver };
 }

@@ -14,8 +14,7 @@
  */
 import { retargetBaked } from '../../edit/commands/retarget.ts';
 import { withPlainTakes } from '../../edit/limbs/plain-takes.ts';
-import { provideDrivenPose } from '../../evaluate/driven-pose.ts';
-import { retargetedPose } from '../../evaluate/retarget/driving.ts';
+import { provideRetargeting } from '../../evaluate/retarget/driving.ts';
 import type { Character } from '../../model/document.ts';
 import { VERSION } from '../../model/version.ts';
 import { ownFiles, ownFolders } from '../save/own-files.ts';
@@ -79,7 +78,7 @@ export function webPage({ characters, theme, attributes }: WebPage, scripts: Pag
 
 /** With what plain files can't say: a retargeted take becomes its own, layers, goals and attachments part of theirs. */
 function asFilesHold(character: Character): Character {
-  provideDrivenPose(retargetedPose);
+  provideRetargeting();
   return withPlainTakes(character.driver ? retargetBaked(character) : character);
 }
 

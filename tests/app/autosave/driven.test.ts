@@ -2,10 +2,13 @@ import { expect, it } from 'vitest';
 import { Keeper } from '../../../src/app/autosave/keeper.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { readSession } from '../../../src/app/autosave/restore.ts';
+import { addAttachment } from '../../../src/edit/commands/beside/attach.ts';
+import { removeCharacter } from '../../../src/edit/commands/characters.ts';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { cropSamples } from '../../../src/edit/commands/samples.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
+import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, shownTake } from '../../../src/model/document.ts';
@@ -21,12 +24,12 @@ import { memoryStore } from './memory-store.ts';
 const skeleton = (name: string) => ({
   name,
   joints: [
-    { ...bvhJoint(-1, ['tx', 'ty', 'tz', 'rx']), name: 'Hips' },
+    { ...bvhJoint(-1, ['tx', 'ty', 'tz', 'rx', 'ry', 'rz']), name: 'Hips' },
     { ...bvhJoint(0, ['rx', 'ry', 'rz'], { endSites: [[0, 1, 0]] }), name: 'Head' },
   ],
 });
 const file = (name: string, nod: number): GivenBlob => {
-  const rows = Array.from({ length: 200 }, (_, f) => [0, 1, 0, 0, nod * Math.sin(f / 9), 0, 0]);
+  const rows = Array.from({ length: 200 }, (_, f) => [0, 1, 0, 0, 0, 0, nod * Math.sin(f / 9), 0, 0]);
   return { path: `${name}.bvh`, blob: new Blob([writeBvh([captureOf(skeleton(name), rows)]).text]) };
 };
 const FILES = [file('dancer', 30), file('other', 0)];
@@ -73,4 +76,25 @@ it('restores a retargeted character, which still follows edits of its source', a
   const [cropped, following] = next.document.characters;
   expect(shownTake(cropped)?.range).not.toEqual(shownTake(source)?.range);
   expect(following.driver?.source.take).toBe(shownTake(cropped));
+});
+
+it('restores a character that follows a retargeted one, removed meanwhile', async () => {
+  const origins = new Origins();
+  const given = [...FILES, file('sword', 0)];
+  const { files } = await read(given);
+  origins.learn(given, files);
+  const page = new Store();
+  page.replace('Open', openFiles(EMPTY_DOCUMENT, files));
+  const [dancer, other, sword] = page.document.characters;
+  page.apply(setRetarget, { characterId: other.id, sourceId: dancer.id });
+  page.apply(addAttachment, { characterId: sword.id, leaderId: other.id, joint: 1, span: [0, 2] });
+  page.apply(removeCharacter, { characterId: other.id });
+  const [, held] = page.document.characters;
+  const expected = poseOf(held, 1);
+  // As in a page that has loaded no code of retargeting.
+  provideDrivenPose(() => {
+    throw new Error('not provided');
+  });
+  const [, follower] = (await reloaded(page.document, origins)).characters;
+  expect(poseOf(follower, 1)).toEqual(expected);
 });

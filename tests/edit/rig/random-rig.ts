@@ -4,8 +4,7 @@ import type { Change } from '../../../src/edit/change.ts';
 import type { Command } from '../../../src/edit/command.ts';
 import { ALL_COMMANDS } from '../../../src/edit/commands/all.ts';
 import { provideSources } from '../../../src/edit/follow/sources.ts';
-import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
-import { retargetedPose } from '../../../src/evaluate/retarget/driving.ts';
+import { provideRetargeting } from '../../../src/evaluate/retarget/driving.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
@@ -34,7 +33,7 @@ import { channelOf } from '../keys/channels.ts';
 
 // Some characters are driven by another's take.
 provideSources();
-provideDrivenPose(retargetedPose);
+provideRetargeting();
 
 /** Numbers from 0 up to 1, as many as are asked for, that follow from one (a linear congruential generator). */
 export function diceOf(seed: number): Dice {

@@ -1,6 +1,5 @@
 /** Small people to put takes onto each other: the same body under other names, in other poses, units and axes. */
-import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
-import { retargetedPose } from '../../../src/evaluate/retarget/driving.ts';
+import { provideRetargeting } from '../../../src/evaluate/retarget/driving.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Driver } from '../../../src/model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../../../src/model/skeleton/dofs.ts';
@@ -11,7 +10,7 @@ import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../..
 import type { Samples } from '../../../src/model/takes/samples.ts';
 import { restChannel, SAMPLED, type Take } from '../../../src/model/takes/take.ts';
 
-provideDrivenPose(retargetedPose);
+provideRetargeting();
 
 export const PARTS = [
   'hips',

@@ -6,8 +6,7 @@ import { skelForm } from '../../../src/edit/convert/skel-form.ts';
 import { driverSource } from '../../../src/edit/follow/sources.ts';
 import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { framesFor, toBvhCapture } from '../../../src/evaluate/bvh-capture.ts';
-import { provideDrivenPose } from '../../../src/evaluate/driven-pose.ts';
-import { retargetedPose } from '../../../src/evaluate/retarget/driving.ts';
+import { provideRetargeting } from '../../../src/evaluate/retarget/driving.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
 import { writeSkel } from '../../../src/formats/skel/write.ts';
 import type { Character } from '../../../src/model/document.ts';
@@ -15,7 +14,7 @@ import { writeBvh } from '../../helpers/bvh-text.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { bytesOf, read, readAsOpened, readInPieces, told } from '../read-in-pieces.ts';
 
-provideDrivenPose(retargetedPose);
+provideRetargeting();
 
 const CHANNELS = 'CHANNELS 3 Zrotation Xrotation Yrotation';
 /** A root with a joint, whose numbers after OFFSET are given; the last is that of an End Site. */

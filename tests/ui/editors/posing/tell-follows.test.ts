@@ -1,15 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
-import { provideDrivenPose } from '../../../../src/evaluate/driven-pose.ts';
 import { HandProblem } from '../../../../src/evaluate/ik/drag/hand-problem.ts';
-import { retargetedPose } from '../../../../src/evaluate/retarget/driving.ts';
+import { provideRetargeting } from '../../../../src/evaluate/retarget/driving.ts';
 import type { Driver } from '../../../../src/model/document.ts';
 import { DEFAULT_RETARGET } from '../../../../src/model/takes/retarget.ts';
 import { tellFollows } from '../../../../src/ui/editors/posing/tell-follows.ts';
 import { leaveRefusalsBehind } from '../../../../src/ui/shell/stale-messages.ts';
 import { character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
-provideDrivenPose(retargetedPose);
+provideRetargeting();
 
 const BODY = skeleton(['root', -1], ['arm', 0], ['hand', 1], ['tail', 0]);
 /** x rotation of joints; all have three DOFs. */
