@@ -6,7 +6,8 @@
  * its followers are updated in the same step, so that undo reverts both. A leader that is removed, or loses the joint,
  * leaves them unchanged.
  */
-import { type Character, type Document, findCharacter, shownTake } from '../../model/document.ts';
+import { dofCountOf } from '../../evaluate/pose.ts';
+import { type Character, type Document, findCharacter, shownTake, type Unkeyed } from '../../model/document.ts';
 import { newCharacter } from '../../model/new-character.ts';
 import type { Attachment, Take } from '../../model/takes/take.ts';
 import { sameJoints } from '../pose/same-joints.ts';
@@ -50,7 +51,7 @@ export function leaderOf(leader: Character, follower: Character): Character {
 }
 
 function leaderMade(leader: Character, offset: number): Character {
-  const { id, name, skeleton, pose, clampsToLimits, placements, space, driver, limbs, unkeyed, leaders } = leader;
+  const { id, name, skeleton, pose, clampsToLimits, placements, space, driver, limbs, leaders } = leader;
   const take = shownTake(leader);
   const { parts: _none, ...bare } = newCharacter(id, name);
   return {
@@ -63,8 +64,19 @@ function leaderMade(leader: Character, offset: number): Character {
     ...(driver && { driver }),
     ...(limbs && { limbs }),
     ...(leaders && { leaders }),
-    ...(unkeyed && { unkeyed: { ...unkeyed, timeSeconds: unkeyed.timeSeconds + offset } }),
+    ...unkeyedOf(leader, offset),
   };
+}
+
+/** Without those of morphs, which it lacks: those of goals come after them. */
+function unkeyedOf(leader: Character, offset: number): { readonly unkeyed?: Unkeyed } {
+  const { unkeyed, morphs } = leader;
+  if (!unkeyed) return {};
+  const end = dofCountOf(leader);
+  const kept = unkeyed.dofs.flatMap((dof, i) => (dof < end - morphs.length || dof >= end ? [i] : []));
+  const dofs = kept.map((i) => unkeyed.dofs[i] - (unkeyed.dofs[i] < end ? 0 : morphs.length));
+  const values = kept.map((i) => unkeyed.values[i]);
+  return { unkeyed: { timeSeconds: unkeyed.timeSeconds + offset, dofs, values } };
 }
 
 /**

@@ -1,0 +1,81 @@
+/** What a follower contains of its leader, and what counts of that in takes. */
+import { describe, expect, it } from 'vitest';
+import { addAttachment, putDown } from '../../../src/edit/commands/beside/attach.ts';
+import { switchLimb } from '../../../src/edit/commands/beside/limbs.ts';
+import { setDofs } from '../../../src/edit/commands/pose.ts';
+import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
+import { Store } from '../../../src/edit/store.ts';
+import { bakeTake, framesOf } from '../../../src/evaluate/bake.ts';
+import { measuredFrames, trackJoints } from '../../../src/evaluate/measure/tracks.ts';
+import { dofCountOf } from '../../../src/evaluate/pose.ts';
+import { runToEnd } from '../../../src/evaluate/steps.ts';
+import type { Character, Document } from '../../../src/model/document.ts';
+import { filePose } from '../../../src/model/skeleton/dofs.ts';
+import { firstGoalChannel } from '../../../src/model/takes/goals.ts';
+import { displayedFrames } from '../../../src/review/frames.ts';
+import { character, joint, morph } from '../../helpers/builders.ts';
+import { heroOf, LEG, run, walking, withLegs } from '../limbs/walker.ts';
+import { differenceOf, sceneOf } from './attached.ts';
+
+const BONE = { name: 'ball', joints: [joint(-1, { name: 'ball' })] };
+const prop = (id: string): Character => character({ id, name: id, skeleton: BONE, pose: filePose(BONE, 0) });
+const FOOT = { characterId: 'c2', leaderId: 'c1', joint: LEG[2], span: [0, 1] as [number, number] };
+const SECONDS = 0.4;
+
+function withProps({ characters, ...rest }: Document, ...ids: readonly string[]): Document {
+  return { ...rest, characters: [...characters, ...ids.map(prop)] };
+}
+
+describe('an unkeyed change of a leader', () => {
+  it('moves its follower by goals, too, whatever morphs the leader has', () => {
+    const lifted = (document: Document) => {
+      const held = run(withLegs(document), switchLimb, { characterId: 'c1', timeSeconds: SECONDS, limb: 0, to: 'ik' });
+      const store = new Store(run(withProps(held, 'c2'), addAttachment, FOOT));
+      const before = sceneOf(store.document.characters[1], 0, SECONDS);
+      const first = firstGoalChannel(dofCountOf(heroOf(held)), 0);
+      const dofs = [2, 3].map((k) => ({ index: first + k, value: 0.3 }));
+      const weight = heroOf(held).morphs.length > 0 ? [{ index: first - 1, value: 1 }] : [];
+      store.apply(setDofs, { characterId: 'c1', dofs: [...weight, ...dofs], timeSeconds: SECONDS });
+      const after = sceneOf(store.document.characters[1], 0, SECONDS);
+      expect(differenceOf(before, after)).toBeGreaterThan(0.01);
+      return after;
+    };
+    const walker = walking();
+    const [hero] = walker.characters;
+    const smiling = { ...hero, morphs: [morph('smile'), morph('frown')], pose: [...hero.pose, 0, 0] };
+    expect(lifted({ ...walker, characters: [smiling] })).toEqual(lifted(walker));
+  });
+
+  it('is no part of what files, measures and other steps have of a follower, nor of one that follows that', () => {
+    const one = run(withProps(walking(), 'c2', 'c3'), addAttachment, FOOT);
+    const document = run(one, addAttachment, { ...FOOT, characterId: 'c3', leaderId: 'c2', joint: 0 });
+    const store = new Store(document);
+    store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 2, value: 5 }], timeSeconds: SECONDS });
+    const seen = sceneOf(store.document.characters[2], 0, SECONDS);
+    expect(differenceOf(seen, sceneOf(document.characters[2], 0, SECONDS))).toBeGreaterThan(1);
+    for (const index of [1, 2]) {
+      const [plain, shown] = [document.characters[index], store.document.characters[index]];
+      const at = { characterId: plain.id, timeSeconds: SECONDS };
+      const frames = framesOf([0, 1], 10);
+      expect(bakeTake(shown, frames)).toEqual(bakeTake(plain, frames));
+      expect(sceneOf(takeAlone(shown, shown.takes[0]), 0, SECONDS)).toEqual(
+        sceneOf(takeAlone(plain, plain.takes[0]), 0, SECONDS),
+      );
+      const tracks = (of: Character) => runToEnd(trackJoints(of, measuredFrames(of, 10) ?? frames, [0])).positions;
+      expect(tracks(shown)).toEqual(tracks(plain));
+      const frame = (of: Character) => {
+        const found = displayedFrames(of);
+        const dofs = new Float64Array(found?.dofCount ?? 0);
+        found?.write(Math.round(SECONDS * 30), dofs, new Float64Array(300));
+        return dofs;
+      };
+      expect(frame(shown)).toEqual(frame(plain));
+      expect(putDown.run(store.document, at).characters[index].takes).toEqual(
+        putDown.run(document, at).characters[index].takes,
+      );
+      const again = { ...FOOT, characterId: plain.id, joint: 0, span: [SECONDS, 1] as [number, number] };
+      const offsets = (of: Document) => addAttachment.run(of, again).characters[index].takes[0].attached;
+      expect(offsets(store.document)).toEqual(offsets(document));
+    }
+  });
+});
