@@ -10,6 +10,7 @@ import type { Character } from '../model/document.ts';
 import { shownTake } from '../model/document.ts';
 import type { Samples } from '../model/takes/samples.ts';
 import type { Take } from '../model/takes/take.ts';
+import { inTakes } from './in-takes.ts';
 import { dofCountOf, poseAt } from './pose.ts';
 
 /** Evenly spaced times. */
@@ -65,8 +66,7 @@ export function eachFrame(
   frames: Frames,
   see: (dofs: Float64Array<ArrayBuffer>, frame: number) => void,
 ): void {
-  const { unkeyed: _, ...plain } = character;
-  const played: Character = { ...plain, timeOffsetSeconds: 0 };
+  const played: Character = { ...inTakes(character), timeOffsetSeconds: 0 };
   const startSeconds = frames.startSeconds - (character.driver?.source.timeOffsetSeconds ?? 0);
   const dofs = new Float64Array(dofCountOf(played));
   for (let frame = 0; frame < frames.frameCount; frame++) {

@@ -1,7 +1,9 @@
 /** A take frame by frame, as points in metres with y up and the ground at 0. */
+
 import { playedTake } from '../evaluate/bake.ts';
 import { bareCharacter } from '../evaluate/bare-character.ts';
 import { endSitesOf, endsAt, hasStretches } from '../evaluate/end-sites.ts';
+import { inTakes } from '../evaluate/in-takes.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { PoseRotations } from '../evaluate/rotations/pose-rotations.ts';
@@ -44,11 +46,10 @@ export function takeFrames(skeleton: Skeleton, take: Take, space: Space = DEFAUL
  * these are enforced. Undefined without a skeleton or a take.
  */
 export function displayedFrames(character: Character): TakeFrames | undefined {
-  const { unkeyed: _, ...keyed } = character;
   const take = playedTake(character);
   if (!character.skeleton || !take) return undefined;
   const offset = character.driver?.source.timeOffsetSeconds ?? 0;
-  return framesOfBare({ ...keyed, timeOffsetSeconds: 0 }, character.skeleton, take, offset);
+  return framesOfBare({ ...inTakes(character), timeOffsetSeconds: 0 }, character.skeleton, take, offset);
 }
 
 /** @param offsetSeconds from the character's time to that of the take */

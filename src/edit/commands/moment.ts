@@ -1,4 +1,5 @@
 /** Keying a pose for a moment, over motion that continues. */
+import { inTakes } from '../../evaluate/in-takes.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownTake } from '../../model/document.ts';
@@ -21,7 +22,7 @@ import { index, list, number, optional, record } from '../schema/shape.ts';
 import { NOW, range } from '../schema/shared-shapes.ts';
 import { dofsIn } from '../step-names.ts';
 import { requireTake, withChannels, withTake } from '../takes.ts';
-import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
+import { unkeyedAt, withUnkeyed } from '../unkeyed.ts';
 import { withinLimit } from './pose.ts';
 
 /** Shortest easing, in seconds: less is a jump. */
@@ -120,7 +121,7 @@ function changedFor(
   }
   if (keys.length + sampled.size === 0) return { character, keys };
   const driven = new Float64Array(dofCountOf(taking));
-  if (sampled.size > 0) poseAt(withoutUnkeyed(taking), timeSeconds, driven);
+  if (sampled.size > 0) poseAt(inTakes(taking), timeSeconds, driven);
   const samples = take.samples && samplesWithMoment(take.samples, moment, sampled, (dof) => driven[dof]);
   const next = { ...take, channels, ...(samples && sampled.size > 0 && { samples }) };
   const byHand = unkeyedAt(taking, timeSeconds);

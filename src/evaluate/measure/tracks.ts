@@ -5,6 +5,7 @@
  *     rotations    relative to the parent, and from rest: R_rest⁻¹ · R_parent⁻¹ · R
  *     contacts     of feet with the ground (`foot-contacts.ts`)
  */
+
 import { backMultiply3, copy3, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Character } from '../../model/document.ts';
@@ -12,6 +13,7 @@ import { restPose } from '../../model/skeleton/dofs.ts';
 import { arePoints } from '../../model/skeleton/joint-types.ts';
 import { type Frames, MAX_FRAMES, playedTake } from '../bake.ts';
 import { contactSpans, feetOf, framesOfSpans, standingHeight } from '../foot-contacts.ts';
+import { inTakes } from '../in-takes.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { dofCountOf, poseFrom, poseSource } from '../pose.ts';
 import { framesOfTake } from '../samples/key-frames.ts';
@@ -97,8 +99,7 @@ export function* trackJoints(character: Character, frames: Frames, asked: readon
   const toScene = new Float64Array(16);
   placementMatrix(character.placements[0], space, NO_TRAVEL, toScene);
   // Changes that are not keyed hold at one time only, and are no part of the take.
-  const { unkeyed: _, ...keyed } = character;
-  const source = poseSource(keyed);
+  const source = poseSource(inTakes(character));
   const dofs = new Float64Array(dofCountOf(character));
   const point = new Float64Array(3);
   for (let f = 0; f < frameCount; f++) {

@@ -1,6 +1,8 @@
 /** A character's size: the diagonal of the box around its joints, End Sites, tips of bones and vertices. */
+
 import { playedTake } from '../../evaluate/bake.ts';
 import { endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
+import { inTakes } from '../../evaluate/in-takes.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { poseAt } from '../../evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform } from '../../evaluate/skin/deform.ts';
@@ -12,7 +14,7 @@ import type { Skin } from '../../model/skin.ts';
  * @param rest all DOFs
  */
 export function sizeOf(character: Character, skin: Skin | undefined, rest: Float64Array): number {
-  const { unkeyed: _, ...plain } = character;
+  const plain = inTakes(character);
   const size = diagonal(character, skin, rest);
   const takes = character.driver ? [playedTake(character)] : character.takes;
   const starts = takes.flatMap((take, shown) => {

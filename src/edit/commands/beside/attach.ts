@@ -3,6 +3,7 @@
  * in seconds of the take, as in its `.attach.json`.
  */
 import { followingRoot, jointInScene, offsetBetween } from '../../../evaluate/attached.ts';
+import { inTakes } from '../../../evaluate/in-takes.ts';
 import { provideLayers } from '../../../evaluate/layers.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { NO_TRAVEL, placementMatrix } from '../../../evaluate/space/placements.ts';
@@ -211,8 +212,8 @@ function attachedAt(
   if (!leader) throw new CommandError('The character that it follows is no longer there.');
   const [start] = one.span;
   // Leaders have the time of this character's take.
-  const joint = jointInScene(withoutUnkeyed(leader), one.joint, start);
-  const root = jointInScene(withoutUnkeyed(character), 0, start - character.timeOffsetSeconds);
+  const joint = jointInScene(inTakes(leader), one.joint, start);
+  const root = jointInScene(inTakes(character), 0, start - character.timeOffsetSeconds);
   const { others: unknown } = one.offset;
   const offset = { ...offsetBetween(joint, root), ...(unknown && { others: unknown }) };
   return withAttached(character, [...others, { ...one, offset }], leaders);
@@ -259,7 +260,7 @@ function keyedRoot(character: Character, held: Character, timeSeconds: number): 
   const dofs = [...root.travel, ...(root.turned?.dofs ?? [])];
   requireKeyable(take, dofs);
   const pose = new Float64Array(dofCountOf(held));
-  poseAt(withoutUnkeyed(held), timeSeconds, pose);
+  poseAt(inTakes(held), timeSeconds, pose);
   const wanted = new Map(dofs.map((dof) => [dof, pose[dof]]));
   const values = take.layers ? layerValues(character, wanted, timeSeconds) : wanted;
   const time = timeSeconds + character.timeOffsetSeconds;
