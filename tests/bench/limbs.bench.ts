@@ -1,6 +1,6 @@
 /**
- * Poses and matrices of the walking example with both legs and arms in IK, and three layers, against none. Goal: at most
- * twice the time for a whole frame, of which these are a part.
+ * Poses and matrices of the walking example with both legs and arms in IK, and three layers, against none. They are a part
+ * of a frame, whose whole `limbs-frame.bench.ts` measures.
  */
 import { bench, describe } from 'vitest';
 import { documentIn } from '../../src/edit/change.ts';

@@ -10,10 +10,10 @@ import { existsSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { bench, describe } from 'vitest';
 import { median } from '../../src/evaluate/retarget/ground.ts';
-import { findChromium } from '../helpers/chromium.ts';
 import { withPage } from '../helpers/page.ts';
 import { bareCrowd } from './bare-crowd.ts';
 import { capture } from './capture.ts';
+import { drawNothing, hasChromium, meter } from './page-meter.ts';
 
 const CHARACTERS = 50;
 const JOINTS = 70;
@@ -22,13 +22,12 @@ const FRAME_SECONDS = 1 / 120;
 /** Bare loops per frame of a measurement with them. */
 const LOOPS = 4;
 const WINDOWS = 9;
-const WINDOW_MS = 1500;
 /** Another build of the page, measured alternately with the one in `dist/`. */
 const COMPARED = process.env.MARROW_COMPARED;
 
 const take = capture(7, { joints: JOINTS, frames: FRAMES, frameSeconds: FRAME_SECONDS });
 
-/** Waits for the crowd, and installs bare loops: `window.bareLoops` of them per frame. */
+/** Waits for the crowd, and installs bare loops: `window.bareLoops` of them a frame. */
 async function awaitCrowd(page: Page): Promise<void> {
   await page.waitForFunction((count) => window.marrow?.characters().length === count, CHARACTERS);
   // Panels are created when the page is idle.
@@ -39,28 +38,17 @@ async function awaitCrowd(page: Page): Promise<void> {
       const make = new Function(`return ${source}`)();
       const rows = Float64Array.from(motion);
       const bare = make({ ...given, values: Array.from({ length: characters }, () => rows.slice()) }, 'slerp');
-      const seen = Object.assign(window, { bareLoops: 0, frames: 0 });
+      const wanted = () => Number(Reflect.get(window, 'bareLoops') ?? 0);
       let tick = 0;
       const frame = () => {
-        seen.frames++;
         // Just over two frames of samples per screen frame: never at a frame, never twice in the same one.
-        for (let i = 0; i < seen.bareLoops; i++) bare(((tick++ * 2.003 + 0.31) % (frames - 2)) * given.frameSeconds);
+        for (let i = 0; i < wanted(); i++) bare(((tick++ * 2.003 + 0.31) % (frames - 2)) * given.frameSeconds);
         requestAnimationFrame(frame);
       };
       requestAnimationFrame(frame);
     },
     [bareCrowd.toString(), crowd, take.rows.flat(), CHARACTERS, FRAMES] as const,
   );
-}
-
-/** Draws one instance per call, and no pixels. Runs in the page before its own script. */
-function drawNothing(): void {
-  const { prototype } = WebGL2RenderingContext;
-  const draw = prototype.drawElementsInstanced;
-  prototype.drawElementsInstanced = function (mode, count, type, offset) {
-    this.enable(this.RASTERIZER_DISCARD);
-    draw.call(this, mode, count, type, offset, 1);
-  };
 }
 
 class Measured {
@@ -81,39 +69,6 @@ class Measured {
     const bare = median(this.bare);
     const ratio = median(this.page.map((ms, i) => ms / this.bare[i]));
     return `${page.toFixed(2)} ms of script a frame, a bare loop ${bare.toFixed(2)} ms: ${ratio.toFixed(2)} times`;
-  }
-}
-
-/** Milliseconds of script per frame, over a period of playback with so many bare loops each. */
-async function meter(page: Page): Promise<(loops: number) => Promise<number>> {
-  const session = await page.context().newCDPSession(page);
-  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
-  const script = async () => {
-    const { metrics } = await session.send('Performance.getMetrics');
-    return 1000 * (metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? Number.NaN);
-  };
-  const frames = () => page.evaluate(() => Number(Reflect.get(window, 'frames')));
-  return async (loops) => {
-    await page.evaluate((count) => {
-      Object.assign(window, { bareLoops: count });
-      window.marrow.play();
-    }, loops);
-    await page.waitForTimeout(200);
-    const before = { ms: await script(), frames: await frames() };
-    await page.waitForTimeout(WINDOW_MS);
-    const ms = (await script()) - before.ms;
-    const count = (await frames()) - before.frames;
-    await page.evaluate(() => window.marrow.pause());
-    return ms / count;
-  };
-}
-
-function hasChromium(): boolean {
-  try {
-    findChromium();
-    return true;
-  } catch {
-    return false;
   }
 }
 
