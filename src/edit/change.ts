@@ -7,6 +7,8 @@ export interface Change {
   readonly document: Document;
   /** Keys that are selected after it, at their new positions; absent: those that were, if they still exist. */
   readonly keys?: readonly ChannelKeys[];
+  /** The same of several characters, by id, instead. */
+  readonly keysOf?: ReadonlyMap<string, readonly ChannelKeys[]>;
   /** The character, and its joint, that was changed. */
   readonly selected?: SelectedJoint;
   /** Number of locked DOFs that would have been changed, and were left alone; absent for none. */

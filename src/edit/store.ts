@@ -9,9 +9,9 @@
 import { dofCountOf } from '../evaluate/pose.ts';
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownTake } from '../model/document.ts';
-import type { ChannelKeys, Selection } from '../model/session.ts';
+import type { ChannelKeys, SelectedPart, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
-import { othersKept } from '../model/skeleton/selected-joints.ts';
+import { othersKept, withEachPart } from '../model/skeleton/selected-joints.ts';
 import { withCurvesOfGoals } from '../model/takes/layer-code.ts';
 import { type Channel, keysOf, type Take } from '../model/takes/take.ts';
 import { type Change, documentIn, type Edit, isChange, type SelectedJoint } from './change.ts';
@@ -290,10 +290,16 @@ function lockedIn(change: Document | Change): number {
 
 /** A document with the selection after a change: as specified by the change, otherwise what still exists. */
 function stateAfter(before: State, change: Document | Change, document: Document): State {
-  const { keys, selected }: Partial<Change> = isChange(change) ? change : {};
-  const kept = selectionKept(before, document, keys);
+  const { keys, keysOf, selected }: Partial<Change> = isChange(change) ? change : {};
+  const { selection } = before;
+  const kept = withEachPart(selection, (part) => {
+    const { characterId } = part;
+    const isActive = characterId === selection.characterId;
+    const own = keysOf ? characterId && keysOf.get(characterId) : isActive ? keys : undefined;
+    return partKept(before.document, part, document, own || undefined, keysOf !== undefined);
+  });
   const about = selected && document !== before.document ? withJoint(kept, selected) : kept;
-  return { document, selection: withoutLostJoints(about, before.document, document) };
+  return { document, selection: withEachPart(about, (part) => withoutLostJoints(part, before.document, document)) };
 }
 
 /** The same object if that joint, and no vertex, is already selected. Keys stay selected for the same character. */
@@ -305,37 +311,42 @@ function withJoint(selection: Selection, { characterId, joint }: SelectedJoint):
 }
 
 /** If the active joint was removed, its character stays selected; others stay while they are the same joints. */
-function withoutLostJoints(selection: Selection, before: Document, document: Document): Selection {
-  const { characterId, joint } = selection;
-  if (characterId === undefined || joint === undefined) return selection;
+function withoutLostJoints(part: SelectedPart, before: Document, document: Document): SelectedPart {
+  const { characterId, joint } = part;
+  if (characterId === undefined || joint === undefined) return part;
   const skeleton = findCharacter(document, characterId)?.skeleton;
   if (!skeleton || joint >= skeleton.joints.length) return { characterId };
-  const { others, ...alone } = selection;
+  const { others, ...alone } = part;
   const was = findCharacter(before, characterId)?.skeleton;
-  if (!others) return selection;
+  if (!others) return part;
   const kept = was ? othersKept(others, was, skeleton) : [];
-  if (kept === others) return selection;
+  if (kept === others) return part;
   return kept.length ? { ...alone, others: kept } : alone;
 }
 
-/** @param keys that the change selects */
-function selectionKept(
-  { document: before, selection }: State,
+/**
+ * @param keys of its character that the change selects
+ * @param ofSeveral whether the change says so of each character
+ */
+function partKept(
+  before: Document,
+  part: SelectedPart,
   document: Document,
   keys: Edit['keys'] | undefined,
-): Selection {
-  const { characterId } = selection;
+  ofSeveral: boolean,
+): SelectedPart {
+  const { characterId } = part;
   // Nothing of a removed character stays selected.
-  if (characterId === undefined) return selection;
+  if (characterId === undefined) return part;
   if (!findCharacter(document, characterId)) return NOTHING_SELECTED;
   const was = takeOf(before, characterId);
   const now = takeOf(document, characterId);
-  const isOther = document !== before && was === now;
+  const isOther = document !== before && was === now && !ofSeveral;
   // If nothing changed, they may belong to a character other than the selected one.
-  if (keys && !isOther && hasKeys(now, keys)) return withSelectedKeys(selection, keys);
-  if (!selection.keys || was === now) return selection;
-  const kept = selection.keys.filter(({ channel }) => hasSameKeys(was?.channels[channel], now?.channels[channel]));
-  return kept.length === selection.keys.length ? selection : withSelectedKeys(selection, kept);
+  if (keys && !isOther && hasKeys(now, keys)) return withSelectedKeys(part, keys);
+  if (!part.keys || was === now) return part;
+  const kept = part.keys.filter(({ channel }) => hasSameKeys(was?.channels[channel], now?.channels[channel]));
+  return kept.length === part.keys.length ? part : withSelectedKeys(part, kept);
 }
 
 function hasKeys(take: Take | undefined, keys: readonly ChannelKeys[]): boolean {
@@ -356,10 +367,10 @@ function takeOf(document: Document, characterId: string): Take | undefined {
   return take && withCurvesOfGoals(take, dofCountOf(character));
 }
 
-/** The selection with these keys; the same object if they are equal. */
-export function withSelectedKeys(selection: Selection, keys: readonly ChannelKeys[]): Selection {
-  if (sameKeys(selection.keys ?? [], keys)) return selection;
-  const { keys: _before, ...rest } = selection;
+/** A part, or a selection, with these keys; the same object if they are equal. */
+export function withSelectedKeys(part: SelectedPart, keys: readonly ChannelKeys[]): SelectedPart {
+  if (sameKeys(part.keys ?? [], keys)) return part;
+  const { keys: _before, ...rest } = part;
   return keys.length ? { ...rest, keys } : rest;
 }
 

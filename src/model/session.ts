@@ -3,8 +3,8 @@
  * visits; the transport's time is neither.
  */
 
-/** The selected character, joint and keys; indices into the character's own lists. */
-export interface Selection {
+/** The selected joints and keys of one character, by indices into its own lists. */
+export interface SelectedPart {
   readonly characterId?: string;
   /** Which instance of the character was picked; absent if that does not matter, as in a list. */
   readonly placement?: number;
@@ -15,6 +15,12 @@ export interface Selection {
   readonly vertex?: number;
   /** Keys of the take that the character shows; absent if none is selected. */
   readonly keys?: readonly ChannelKeys[];
+}
+
+/** The active character with what is selected of it, and of others. */
+export interface Selection extends SelectedPart {
+  /** What is selected of other characters, in the order of selection, each character once. Absent: nothing. */
+  readonly beside?: readonly SelectedPart[];
 }
 
 /** Some of a channel's keys. Lists of these contain each channel once, ascending, with at least one key each. */

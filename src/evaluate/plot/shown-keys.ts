@@ -1,5 +1,5 @@
 /**
- * The keys that the transport shows and steps through: those of the selected character's take, or of all shown takes;
+ * The keys that the transport shows and steps through: those of the selected characters' takes, or of all shown takes;
  * if joints are selected, their own keys are the ones that count.
  *
  * Transport times are take times minus the character's offset. Nothing is merged or sorted beforehand: for a take with
@@ -10,7 +10,7 @@ import { type Character, type Document, findCharacter, rangeOfTakes, shownTake }
 import type { Selection } from '../../model/session.ts';
 import { firstDofs } from '../../model/skeleton/dofs.ts';
 import { dofsOf } from '../../model/skeleton/joint-types.ts';
-import { jointsIn } from '../../model/skeleton/selected-joints.ts';
+import { jointsIn, partOf, partsOf } from '../../model/skeleton/selected-joints.ts';
 import { withCurvesOfGoals } from '../../model/takes/layer-code.ts';
 import type { Channel } from '../../model/takes/take.ts';
 import { dofCountOf } from '../pose.ts';
@@ -27,14 +27,16 @@ export interface ShownChannel {
 
 /** Only channels with keys. */
 export function shownKeys(document: Document, selection: Selection): ShownChannel[] {
-  const selected = findCharacter(document, selection.characterId);
-  const characters = selected && shownTake(selected) ? [selected] : document.characters;
+  const parts = partsOf(selection);
+  const selected = parts.flatMap(({ characterId }) => findCharacter(document, characterId) ?? []);
+  const playing = selected.filter(shownTake);
+  const characters = playing.length ? playing : document.characters;
   const shown: ShownChannel[] = [];
   for (const character of characters) {
     const own = shownTake(character);
     if (!own) continue;
     const take = withCurvesOfGoals(own, dofCountOf(character));
-    const isMeant = meantChannels(character, character === selected ? jointsIn(selection) : [], take.channels);
+    const isMeant = meantChannels(character, jointsIn(partOf(selection, character.id) ?? {}), take.channels);
     const silent = silentChannels(character);
     take.channels.forEach((channel, i) => {
       if (channel.kind === 'keys' && i >= silent)

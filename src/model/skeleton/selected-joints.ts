@@ -1,53 +1,42 @@
 /**
- * The selected joints as an ordered set, whose last one is active. They belong to one character: a joint of another one
- * replaces them.
+ * What is selected: of each character its joints, as an ordered set, whose last one is active; the character whose joint
+ * was selected last is active, too. `joint-selection.ts` has the rules of selecting.
  */
-import type { Selection } from '../session.ts';
+import type { SelectedPart, Selection } from '../session.ts';
 import type { Skeleton } from './skeleton.ts';
-
-/** A joint, and the instance at which it was picked. */
-export interface JointPick {
-  readonly characterId: string;
-  readonly placement?: number;
-  /** Index. */
-  readonly joint: number;
-}
 
 const NONE: readonly number[] = [];
 
-/** In the order of selection, the active one last. */
-export function jointsIn({ joint, others = NONE }: Selection): readonly number[] {
+/** The joints of a part, or of the active character, in the order of selection, the active one last. */
+export function jointsIn({ joint, others = NONE }: SelectedPart): readonly number[] {
   return joint === undefined ? NONE : [...others, joint];
 }
 
-/**
- * The selection of several joints of one character.
- * @param joints the last one becomes active; repeated ones count where they come last; none: only the character
- */
-export function withJoints({ characterId, placement }: Omit<JointPick, 'joint'>, joints: readonly number[]): Selection {
-  const each = [...new Set([...joints].reverse())].reverse();
-  const joint = each.at(-1);
-  const others = each.slice(0, -1);
-  return {
-    characterId,
-    ...(placement !== undefined && { placement }),
-    ...(joint !== undefined && { joint }),
-    ...(others.length > 0 && { others }),
-  };
+/** The part of a character; undefined if nothing of it is selected. */
+export function partOf(selection: Selection, characterId: string | undefined): SelectedPart | undefined {
+  return selection.characterId === characterId
+    ? selection
+    : selection.beside?.find((part) => part.characterId === characterId);
 }
 
-/** Adds a joint, which becomes active, or removes it; then the one selected before it is active. */
-export function withJointToggled(selection: Selection, pick: JointPick): Selection {
-  const before = selection.characterId === pick.characterId ? jointsIn(selection) : NONE;
-  const { joint } = pick;
-  return withJoints(pick, before.includes(joint) ? before.filter((j) => j !== joint) : [...before, joint]);
+/** The parts of all characters, the active one last: at least one, which may be empty. */
+export function partsOf({ beside = [], ...active }: Selection): readonly SelectedPart[] {
+  return [...beside, active];
 }
 
-/** One of the selected joints becomes active, and all stay selected; another one is selected alone. */
-export function withJointActive(selection: Selection, pick: JointPick): Selection {
-  const before = selection.characterId === pick.characterId ? jointsIn(selection) : NONE;
-  const { joint } = pick;
-  return withJoints(pick, before.includes(joint) ? [...before, joint] : [joint]);
+/** The selection of these parts, the active one last. Those without a character are left out. */
+export function selectionOf(parts: readonly SelectedPart[]): Selection {
+  const beside = parts.filter((part) => part.characterId !== undefined);
+  const active = beside.pop();
+  return beside.length ? { ...active, beside } : { ...active };
+}
+
+/** A selection whose parts have changed; the same object if none did. */
+export function withEachPart(selection: Selection, change: (part: SelectedPart) => SelectedPart): Selection {
+  if (!selection.beside) return change(selection);
+  const before = partsOf(selection);
+  const after = before.map(change);
+  return after.every((part, i) => part === before[i]) ? selection : selectionOf(after);
 }
 
 /**

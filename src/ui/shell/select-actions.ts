@@ -1,7 +1,7 @@
 /** Actions that select joints from those selected. */
 
 import { NOTHING_SELECTED } from '../../model/session.ts';
-import { withJoints } from '../../model/skeleton/selected-joints.ts';
+import { withJoints } from '../../model/skeleton/joint-selection.ts';
 import type { Joint } from '../../model/skeleton/skeleton.ts';
 import { currentCharacter } from '../state/actions/action.ts';
 import { needs, needsCharacter, needsJoint, needsSkeleton } from '../state/actions/needs.ts';

@@ -7,8 +7,9 @@ import { transformPoint } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import { JOINT_TEXTS } from '../../model/joint-types/texts.ts';
 import type { Selection } from '../../model/session.ts';
+import { withJointToggled } from '../../model/skeleton/joint-selection.ts';
 import { isOffered, MOTION_KINDS } from '../../model/skeleton/joint-types.ts';
-import { jointsIn, withJointToggled } from '../../model/skeleton/selected-joints.ts';
+import { jointsIn, partOf, partsOf } from '../../model/skeleton/selected-joints.ts';
 import { changePin, stiffen } from '../editors/ik/pin-edits.ts';
 import { selectedPin } from '../editors/ik/selected-pin.ts';
 import type { CanvasPointer } from '../editors/viewport/canvas-tools.ts';
@@ -93,9 +94,9 @@ export function viewportEntries(wb: Workbench, subject: MenuSubject, before?: Se
 /** A finger has no Shift or Ctrl. */
 function addingEntries(wb: Uses<'store'>, { character, joint }: ResolvedJoint, before?: Selection): MenuEntry[] {
   const { selection } = wb.store;
-  const isOne = jointsIn(selection).length > 1;
+  const isOne = partsOf(selection).flatMap(jointsIn).length > 1;
   const from = isOne ? selection : before;
-  const isOther = from?.characterId === character.id && !jointsIn(from).includes(joint) && jointsIn(from).length > 0;
+  const isOther = from && from.joint !== undefined && !jointsIn(partOf(from, character.id) ?? {}).includes(joint);
   if (!from || !(isOne || isOther)) return [];
   const { placement } = selection;
   const pick = { characterId: character.id, joint, ...(placement !== undefined && { placement }) };

@@ -45,16 +45,16 @@ export class JointMarkers {
 
   /**
    * @param count placements of the active joint's character; 0 for none
-   * @param others selected joints besides the active one
+   * @param others number of dots for the other selected joints, of all characters
    */
   show(count: number, withBox: boolean, others: number): void {
     this.edges.resize(count);
     this.axes.resize(count);
     resizeDots(this.dots, count);
-    resizeDots(this.otherDots, count * others);
+    resizeDots(this.otherDots, others);
     this.edges.mesh.visible = withBox && count > 0;
     this.axes.mesh.visible = this.dots.visible = count > 0;
-    this.otherDots.visible = count * others > 0;
+    this.otherDots.visible = others > 0;
   }
 
   /** Sets the marks of one placement to a joint with the scene matrix `world[o …]`. */

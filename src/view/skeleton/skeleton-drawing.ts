@@ -16,8 +16,15 @@ import {
   type Vector3,
 } from 'three';
 import { axesMatrix, boxMatrix } from '../../evaluate/shapes/joint-shapes.ts';
-import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../../model/session.ts';
+import {
+  DEFAULT_DISPLAY,
+  type Display,
+  NOTHING_SELECTED,
+  type Selection,
+  type SkinStyle,
+} from '../../model/session.ts';
 import { areBoxesOversized, areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../../model/skeleton/boxes.ts';
+import { jointsIn, partOf } from '../../model/skeleton/selected-joints.ts';
 import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from '../scene/thick-lines.ts';
 import type { StageTheme } from '../theme.ts';
 import { ballGeometry, boneGeometry, LEVELS, levelFor } from './bone-levels.ts';
@@ -60,6 +67,13 @@ function boxEdges(): number[] {
 /** Opacity of bones and axes shown through a skin. */
 const COVERED_OPACITY = 0.55;
 
+/** The selected joints of a skeleton, without the active one. */
+interface OtherJoints {
+  readonly joints: readonly number[];
+  /** Index of the dot of the first one. */
+  readonly first: number;
+}
+
 export class SkeletonDrawing {
   readonly object = new Group();
   /** In the order of their instances. */
@@ -79,8 +93,8 @@ export class SkeletonDrawing {
   private withBones: readonly boolean[] = [];
   private scratch = new Float64Array(0);
   private selection: Selection = {};
-  /** Of the selected character; the active joint excluded. */
-  private others: readonly number[] = [];
+  /** Per entry of `drawn`. */
+  private others: readonly OtherJoints[] = [];
   private hovered: JointRef | undefined;
   private theme: StageTheme | undefined;
   private display: Display = DEFAULT_DISPLAY;
@@ -147,10 +161,16 @@ export class SkeletonDrawing {
       // The balls' part of the shadow isn't noticeable.
       kind.mesh.castShadow = kind.mesh.receiveShadow && !(level > 0 && kind === balls);
     }
-    const marked = this.selected;
-    const { others = [] } = selection;
-    this.others = others.filter((joint) => marked !== undefined && joint < marked.nodes.jointCount);
-    this.markers.show(marked?.placementCount ?? 0, display.boxes !== 'hidden', this.others.length);
+    let dots = 0;
+    this.others = this.drawn.map(({ characterId, nodes, placementCount }) => {
+      const { joint } = characterId === selection.characterId ? selection : NOTHING_SELECTED;
+      const all = jointsIn(partOf(selection, characterId) ?? NOTHING_SELECTED);
+      const joints = all.filter((one) => one !== joint && one < nodes.jointCount);
+      const first = dots;
+      dots += joints.length * placementCount;
+      return { joints, first };
+    });
+    this.markers.show(this.selected?.placementCount ?? 0, display.boxes !== 'hidden', dots);
     this.paint();
   }
 
@@ -219,13 +239,14 @@ export class SkeletonDrawing {
     if (isMarked) {
       if (missing?.[joint]) this.markers.hide(p);
       else this.markers.fill(p, joints[joint], sizes, scale, world, 16 * joint);
-      const { others } = this;
-      for (let k = 0; k < others.length; k++) {
-        const o = 3 * (first + others[k]);
-        const slot = p * others.length + k;
-        if (missing?.[others[k]]) this.markers.hideOther(slot);
-        else this.markers.fillOther(slot, positions[o], positions[o + 1], positions[o + 2]);
-      }
+    }
+    const others = this.others[d];
+    for (let k = 0; k < others.joints.length; k++) {
+      const other = others.joints[k];
+      const o = 3 * (first + other);
+      const slot = others.first + p * others.joints.length + k;
+      if (missing?.[other]) this.markers.hideOther(slot);
+      else this.markers.fillOther(slot, positions[o], positions[o + 1], positions[o + 2]);
     }
   }
 
@@ -352,12 +373,11 @@ export class SkeletonDrawing {
       selectedTooLine: rawColor(theme.selectedToo),
       hoveredLine: rawColor(theme.hovered),
     };
-    for (const drawn of this.drawn) {
+    this.drawn.forEach((drawn, d) => {
       const { characterId, firstInstance, placementCount, nodes, tint } = drawn;
       const ownLine = tint ? rawColor(theme[tint]) : line;
-      const isSelected = characterId === selection.characterId;
-      const active = isSelected ? selection.joint : undefined;
-      const others = new Set(isSelected ? this.others : []);
+      const active = characterId === selection.characterId ? selection.joint : undefined;
+      const others = new Set(this.others[d].joints);
       for (let p = 0; p < placementCount; p++) {
         const under = hovered?.characterId === characterId && hovered.placement === p ? hovered.joint : undefined;
         const markOf = (joint: number) => {
@@ -377,7 +397,7 @@ export class SkeletonDrawing {
           bones.paint(i, colors[boneMark ?? tint ?? 'bone'], 1);
         }
       }
-    }
+    });
     for (const kind of [edges, faces, balls, bones]) kind.painted();
   }
 }

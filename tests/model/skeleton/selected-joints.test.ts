@@ -1,14 +1,14 @@
 /** The rules of selecting several joints. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { NOTHING_SELECTED } from '../../../src/model/session.ts';
+import { NOTHING_SELECTED, type Selection } from '../../../src/model/session.ts';
 import {
-  jointsIn,
-  othersKept,
+  withCharacterToggled,
   withJointActive,
   withJoints,
   withJointToggled,
-} from '../../../src/model/skeleton/selected-joints.ts';
+} from '../../../src/model/skeleton/joint-selection.ts';
+import { jointsIn, othersKept, partsOf, selectionOf } from '../../../src/model/skeleton/selected-joints.ts';
 import { skeleton } from '../../ui/builders.ts';
 
 const joints = fc.uniqueArray(fc.nat(30), { maxLength: 12 });
@@ -53,10 +53,45 @@ describe('selected joints', () => {
     );
   });
 
-  it('a joint of another character replaces the selected joints', () => {
+  it('a joint of another character is added as one of the same is, and dragged alone', () => {
     const other = { characterId: 'c2', placement: 1, joint: 5 };
-    expect(withJointToggled(of(1, 2), other)).toEqual(other);
+    const both = withJointToggled(of(1, 2), other);
+    expect(both).toEqual({ ...other, beside: [of(1, 2)] });
     expect(withJointActive(of(1, 2), other)).toEqual(other);
+    expect(withJointToggled(both, other)).toEqual(of(1, 2));
+    expect(withJointActive(both, pick(1))).toEqual({ ...of(2, 1), beside: [other] });
+    expect(withJointToggled(both, pick(1))).toEqual({ ...other, beside: [of(2)] });
+    expect(withJointToggled({ characterId: 'c1' }, other)).toEqual(other);
+  });
+
+  it('joints of several characters are a set of each, whatever is toggled; the last added one is active', () => {
+    const picks = fc.array(fc.record({ characterId: fc.constantFrom('a', 'b', 'c'), joint: fc.nat(4) }));
+    fc.assert(
+      fc.property(picks, (each) => {
+        let selection: Selection = NOTHING_SELECTED;
+        const expected = new Set<string>();
+        for (const one of each) {
+          selection = withJointToggled(selection, one);
+          const name = `${one.characterId} ${one.joint}`;
+          if (!expected.delete(name)) {
+            expected.add(name);
+            expect(selection).toMatchObject(one);
+          }
+        }
+        const parts = partsOf(selection);
+        const found = parts.flatMap((part) => jointsIn(part).map((joint) => `${part.characterId} ${joint}`));
+        expect(found.sort()).toEqual([...expected].sort());
+        expect(new Set(parts.map(({ characterId }) => characterId)).size).toBe(parts.length);
+        expect(selectionOf(parts)).toEqual(selection);
+      }),
+    );
+  });
+
+  it('a character is added to the selection, and removed with its joints', () => {
+    const both = withCharacterToggled(of(1), 'c2');
+    expect(both).toEqual({ characterId: 'c2', beside: [of(1)] });
+    expect(withCharacterToggled(both, 'c1')).toEqual({ characterId: 'c2' });
+    expect(withCharacterToggled(of(1), 'c1')).toEqual(NOTHING_SELECTED);
   });
 
   it('dragging a selected joint makes it active and keeps the others; any other joint is selected alone', () => {

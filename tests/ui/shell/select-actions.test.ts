@@ -1,6 +1,7 @@
 /** Selecting joints from those selected, by actions and keys. */
 import { expect, it } from 'vitest';
-import { jointsIn, withJoints } from '../../../src/model/skeleton/selected-joints.ts';
+import { withJoints } from '../../../src/model/skeleton/joint-selection.ts';
+import { jointsIn } from '../../../src/model/skeleton/selected-joints.ts';
 import { listedChannels } from '../../../src/ui/editors/timeline/channels.ts';
 import { actionsOf, tryAction } from '../../../src/ui/state/actions/action.ts';
 import { addsToSelection, selectHit } from '../../../src/ui/state/joints/select-joints.ts';

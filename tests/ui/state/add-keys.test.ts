@@ -44,7 +44,7 @@ describe('keys outside a cycle', () => {
     ['inside', 0.8],
     ['lengthen', 3],
   ] as const)('%s is one step once it is answered', (how, length) => {
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     expect(wb.dialog.get()).toBe('outsideCycle');
     // Seen already, and no step yet.
     expect(period(channels()[0])).toBe(3);
@@ -63,7 +63,7 @@ describe('keys outside a cycle', () => {
   it('for a moment is one step too, eased over whole frames, and the first answer', () => {
     wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 2 });
     const posed = wb.store.document.characters[0];
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     asked().moment?.show({ easeIn: 0.3, easeOut: 0.51 });
     expect(wb.store.undoLabel).not.toContain('moment');
     asked().moment?.answer({ easeIn: 0.3, easeOut: 0.51 });
@@ -105,11 +105,11 @@ describe('keys outside a cycle', () => {
   });
 
   it('change nothing when the dialog is closed, nor when the document changes meanwhile', () => {
-    keyNow(wb, 'c1');
+    keyNow(wb, [{ character: wb.store.document.characters[0] }]);
     wb.dialog.set(undefined);
     expect(wb.store.document.characters[0]).toBe(dancer);
     expect(wb.timeline.cycleQuestion.get()).toBeUndefined();
-    keyNow(wb, 'c1');
+    keyNow(wb, [{ character: wb.store.document.characters[0] }]);
     const question = asked();
     wb.store.apply(keyPose, { characterId: 'c1', dofs: [2], timeSeconds: 3 });
     const after = wb.store.document;
@@ -119,10 +119,10 @@ describe('keys outside a cycle', () => {
   });
 
   it('keys inside the cycle or on channels that don’t repeat raise no question', () => {
-    keyNow(wb, 'c1', [2]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [2] }]);
     expect(wb.timeline.cycleQuestion.get()).toBeUndefined();
     wb.transport.update((p) => ({ ...p, timeSeconds: -0.4 }));
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     expect(wb.timeline.cycleQuestion.get()).toBeUndefined();
     expect(wb.store.undoLabel).toBe('Key tx of hips');
   });
@@ -148,7 +148,7 @@ describe('keys outside a cycle', () => {
 
   it('keys outside a cycle go where it was said once for all', () => {
     runAction(wb, 'timeline.outsideCycle.inside');
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     insertAtPlayhead(wb, [1]);
     expect(wb.timeline.cycleQuestion.get()).toBeUndefined();
     expect(channels().slice(0, 2).map(period)).toEqual([0.8, 0.8]);
@@ -182,7 +182,7 @@ const plain = (text: CycleText): CycleText => JSON.parse(JSON.stringify(text).re
 
 describe('what is asked', () => {
   it('names the channel, its cycle and what each answer does, in times of the transport', () => {
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     expect(plain(cycleText(asked(), [0, 6.4]))).toEqual({
       about: 'hips tx repeats every 0.8 s. A key at 2 s would make it repeat every 3 s.',
       answers: {
@@ -194,14 +194,14 @@ describe('what is asked', () => {
   });
 
   it('speaks of several channels at once', () => {
-    keyNow(wb, 'c1');
+    keyNow(wb, [{ character: wb.store.document.characters[0] }]);
     expect(plain(cycleText(asked(), [0, 6.4])).about).toBe(
       'hips tx and 1 more channel repeat every 0.8 s. A key at 2 s would make them repeat every 3 s.',
     );
   });
 
   it('offers no repeats as keys where there would be endlessly many', () => {
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     const { answers } = cycleText(asked(), [0, 1e308]);
     expect(Object.keys(answers)).toEqual(['inside', 'lengthen']);
     expect(answers.inside).toBe(cycleText(asked(), [0, 6.4]).answers.inside);

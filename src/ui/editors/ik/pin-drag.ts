@@ -8,7 +8,7 @@
  */
 import type { Vec3 } from '../../../math/vec3.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { withJointActive } from '../../../model/skeleton/selected-joints.ts';
+import { withJointActive } from '../../../model/skeleton/joint-selection.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS, LONG_PRESS_MS } from '../viewport/canvas-tools.ts';
 import { HandPull, type IkGrip, type PullState } from './hand-pull.ts';

@@ -98,7 +98,8 @@ export function toggleKey(
   if (!character?.skeleton) return;
   const each = [...dofs].sort((a, b) => a - b);
   if (each.every((dof) => dofState(wb, character, dof) === 'locked')) toggleLocks(wb, characterId, each);
-  else if (each.every((dof) => dofState(wb, character, dof) === 'keyed')) deleteKeysNow(wb, character, each);
+  else if (each.every((dof) => dofState(wb, character, dof) === 'keyed'))
+    deleteKeysNow(wb, [{ character, dofs: each }]);
   // Refused if the joint is retargeted from another character.
-  else attempt(wb.messages, () => keyNow(wb, characterId, each));
+  else attempt(wb.messages, () => keyNow(wb, [{ character, dofs: each }]));
 }

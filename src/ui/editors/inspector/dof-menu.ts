@@ -85,12 +85,12 @@ export function dofEntries(
     item(
       'Key at current time',
       character.skeleton !== undefined && each.every((one) => one >= silentChannels(character)),
-      () => keyNow(wb, id, each),
+      () => keyNow(wb, [{ character, dofs: each }]),
     ),
     item(
       `Delete ${keys} at current time`,
       each.some((one) => isKeyedNow(wb, character, one)),
-      () => deleteKeysNow(wb, character, each),
+      () => deleteKeysNow(wb, [{ character, dofs: each }]),
     ),
     item('Delete all keys', hasKeys, () => deleteAllKeys(wb, character, each)),
     { kind: 'line' },

@@ -1,7 +1,7 @@
 /** The left panel: characters and their parts, and below them files and messages. */
-import { type Character, type Document, findCharacter } from '../../../model/document.ts';
+import { type Document, findCharacter } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
-import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { jointsIn, partOf, partsOf } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter, tryById } from '../../state/actions/action.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { splitter } from '../../state/panels/splitter.ts';
@@ -124,12 +124,13 @@ class Outliner {
   }
 
   /** Whether any were collapsed. */
-  private foldOthers({ characters }: Document, character: Character | undefined): boolean {
+  private foldOthers({ characters }: Document, selection: Selection): boolean {
     const { unfolded, folds } = this;
-    if (!character || unfolded.of === character.id) return false;
+    const { characterId } = selection;
+    if (characterId === undefined || (unfolded.of && partOf(selection, unfolded.of))) return false;
     const isAny = unfolded.keys.size > 0 && !isFew(characters);
     if (isAny) for (const key of unfolded.keys) folds.delete(key);
-    unfolded.of = character.id;
+    unfolded.of = characterId;
     unfolded.keys.clear();
     return isAny;
   }
@@ -139,8 +140,14 @@ class Outliner {
     const character = findCharacter(document, selection.characterId);
     const meant = character ? undefined : currentCharacter(this.wb);
     tree.mean(meant && characterKey(meant.id));
-    let opened = this.foldOthers(document, character);
-    const above = character && selection.joint !== undefined ? keysAbove(character, selection.joint) : [];
+    const parts = partsOf(selection).flatMap((part) => {
+      const of = findCharacter(document, part.characterId);
+      return of ? { character: of, part } : [];
+    });
+    let opened = this.foldOthers(document, selection);
+    const above = parts.flatMap(({ character: of, part }) =>
+      part.joint === undefined ? [] : keysAbove(of, part.joint),
+    );
     for (const key of above) {
       if (folds.get(key) === true) continue;
       folds.set(key, true);
@@ -148,9 +155,10 @@ class Outliner {
       opened = true;
     }
     if (opened) this.show();
-    if (!character) tree.select([]);
-    else if (selection.joint === undefined) tree.select([characterKey(character.id)]);
-    else tree.select(jointsIn(selection).map((joint) => jointKey(character.id, joint)));
+    const keys = parts.flatMap(({ character: { id }, part }) =>
+      part.joint === undefined ? characterKey(id) : jointsIn(part).map((joint) => jointKey(id, joint)),
+    );
+    tree.select(keys);
   }
 
   private onKey(event: KeyboardEvent): void {

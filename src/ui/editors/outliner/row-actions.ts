@@ -1,7 +1,7 @@
 /** What is done to rows of the outliner: selecting, activating, renaming. */
 import { renameCharacter, showSkin, showTake } from '../../../edit/commands/characters.ts';
 import { renameTake } from '../../../edit/commands/take.ts';
-import { withJoints, withJointToggled } from '../../../model/skeleton/selected-joints.ts';
+import { withCharacterToggled, withJointsOfAll, withJointToggled } from '../../../model/skeleton/joint-selection.ts';
 import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { OutlineRow } from './outline-rows.ts';
@@ -15,21 +15,20 @@ export function isSelected(wb: Uses<'store'>, { kind, characterId, index }: Outl
   return kind === 'joint' && selectedJointsOf(wb, characterId).includes(index);
 }
 
-/** Only joints can be selected together. */
-export function toggleSelected(wb: Uses<'store'>, row: OutlineRow): void {
+/** Joints and characters can be selected together. */
+export function toggleSelected({ store }: Uses<'store'>, row: OutlineRow): void {
   const { kind, characterId, index } = row;
-  if (kind === 'joint') wb.store.select(withJointToggled(wb.store.selection, { characterId, joint: index }));
-  else select(wb, row);
+  if (kind === 'joint') store.select(withJointToggled(store.selection, { characterId, joint: index }));
+  else if (kind === 'character') store.select(withCharacterToggled(store.selection, characterId));
+  else select({ store }, row);
 }
 
-/** The joints among these rows that belong to the character of the last one. */
+/** The joints among these rows, of all characters. */
 export function selectRange(wb: Uses<'store'>, rows: readonly OutlineRow[]): void {
   const last = rows.at(-1);
   if (last?.kind === 'joint') {
-    const { characterId } = last;
-    const joints = rows.filter((row) => row.kind === 'joint' && row.characterId === characterId);
-    const indices = joints.map(({ index }) => index);
-    wb.store.select(withJoints({ characterId }, indices));
+    const joints = rows.filter(({ kind }) => kind === 'joint');
+    wb.store.select(withJointsOfAll(joints.map(({ characterId, index }) => ({ characterId, joint: index }))));
   } else if (last) select(wb, last);
 }
 

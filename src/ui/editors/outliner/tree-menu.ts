@@ -2,7 +2,8 @@
 import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
-import { withJointToggled } from '../../../model/skeleton/selected-joints.ts';
+import { withJointToggled } from '../../../model/skeleton/joint-selection.ts';
+import { jointsIn, partsOf } from '../../../model/skeleton/selected-joints.ts';
 import { findAction, tryById } from '../../state/actions/action.ts';
 import { jointsText, selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
@@ -29,12 +30,13 @@ export function jointEntries(
 ): readonly MenuEntry[] {
   const selected = selectedJointsOf(wb, character.id);
   const isSelected = selected.includes(joint);
+  const count = partsOf(wb.store.selection).flatMap(jointsIn).length;
   const toggle = () => wb.store.select(withJointToggled(wb.store.selection, { characterId: character.id, joint }));
   const of: OfJoints = {
     ...{ wb, character, joint, rename },
     joints: isSelected ? selected : [joint],
     // A finger has no Shift or Ctrl.
-    adding: selected.length > (isSelected ? 1 : 0) ? [item(isSelected ? REMOVE : ADD, toggle)] : [],
+    adding: count > (isSelected ? 1 : 0) ? [item(isSelected ? REMOVE : ADD, toggle)] : [],
     select() {
       if (!isSelected) wb.store.select({ characterId: character.id, joint });
     },

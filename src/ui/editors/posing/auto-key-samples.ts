@@ -11,7 +11,7 @@ export function offerOverSamples(wb: Uses<'store' | 'transport' | 'timeline' | '
       const { id, unkeyed } = character;
       if (!unkeyed || findCharacter(before.document, id)?.unkeyed === unkeyed) continue;
       const dofs = unkeyed.dofs.filter((dof) => isSampled(character, dof));
-      if (dofs.length > 0) keyNow(wb, id, dofs);
+      if (dofs.length > 0) keyNow(wb, [{ character, dofs }]);
     }
   });
 }

@@ -9,7 +9,7 @@ import { dofCountOf } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import { NEW_KEY_TANGENTS, TANGENTS } from '../../../model/takes/tangent-kinds.ts';
-import { currentCharacter } from '../../state/actions/action.ts';
+import { currentCharacter, selectedCharacters } from '../../state/actions/action.ts';
 import { NO_JOINT, needs, needsSkeleton } from '../../state/actions/needs.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
 import { askForMoment } from '../../state/add-keys.ts';
@@ -17,7 +17,7 @@ import { selectedJointsOf, selectedJointsText } from '../../state/joints/selecte
 import type { Action, Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { needsTake } from '../timeline/key-actions.ts';
-import { deleteKeysNow, dofsOfJoints, keyNow, keysNow } from './pose-edits.ts';
+import { deleteKeysNow, dofsOfJoints, keyNow, keysNow, type OfCharacter } from './pose-edits.ts';
 
 const takeInView = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
@@ -42,7 +42,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys',
     shortcuts: ['Shift+K'],
     refuses: needsSkeleton,
-    run: (wb) => withCharacter(wb, (character) => keyAndTell(wb, character)),
+    run: (wb) => keyEach(wb, ofEach(wb)),
   },
   {
     id: 'key.joint',
@@ -52,7 +52,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys',
     shortcuts: ['Ctrl+Alt+K'],
     refuses: needsSkeleton,
-    run: (wb) => withJoints(wb, (character, dofs) => keyAndTell(wb, character, dofs)),
+    run: (wb) => withJoints(wb, (each) => keyEach(wb, each)),
   },
   {
     id: 'key.forMoment',
@@ -78,7 +78,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     section: 1,
     shortcuts: ['Alt+K'],
     refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
-    run: (wb) => withCharacter(wb, (character) => deleteKeysNow(wb, character)),
+    run: (wb) => deleteKeysNow(wb, ofEach(wb)),
   },
   {
     id: 'key.deleteJointHere',
@@ -89,7 +89,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     section: 1,
     shortcuts: ['Alt+Shift+K'],
     refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
-    run: (wb) => withJoints(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
+    run: (wb) => withJoints(wb, (each) => deleteKeysNow(wb, each)),
   },
   {
     id: 'key.dropUnkeyed',
@@ -205,16 +205,24 @@ function withCharacter(wb: Uses<'store'>, run: (character: Character) => void): 
   if (character) run(character);
 }
 
+/** All DOFs, of each selected character. */
+function ofEach(wb: Uses<'store'>): readonly OfCharacter[] {
+  return selectedCharacters(wb).map((character) => ({ character }));
+}
+
 /** A shortcut that silently does nothing without a selected joint would be confusing. */
-function withJoints(
-  wb: Uses<'store' | 'messages'>,
-  run: (character: Character, dofs: readonly number[]) => void,
-): void {
-  const character = currentCharacter(wb);
-  if (!character) return;
-  const joints = selectedJointsOf(wb, character.id);
-  if (joints.length === 0) wb.messages.note(NO_JOINT);
-  else run(character, dofsOfJoints(character, joints));
+function withJoints(wb: Uses<'store' | 'messages'>, run: (each: readonly OfCharacter[]) => void): void {
+  const each = jointsOfEach(wb);
+  if (each.length === 0) wb.messages.note(NO_JOINT);
+  else run(each);
+}
+
+/** The DOFs of the selected joints, of each selected character. */
+function jointsOfEach(wb: Uses<'store'>): readonly OfCharacter[] {
+  return selectedCharacters(wb).flatMap((character) => {
+    const joints = selectedJointsOf(wb, character.id);
+    return joints.length ? { character, dofs: dofsOfJoints(character, joints) } : [];
+  });
 }
 
 /** What was changed by hand; if nothing was, the selected joints as they are. Neither keys what nobody has touched. */
@@ -223,19 +231,19 @@ function keyChanged(
 ): void {
   const character = currentCharacter(wb);
   if (!character) return;
-  const posed = posedDofs(character, wb.posing.opened.get(character.id), wb.transport.get().timeSeconds);
-  if (posed.length) {
-    keyAndTell(wb, character, posed);
-    return;
-  }
-  const joints = selectedJointsOf(wb, character.id);
-  if (joints.length > 0) {
-    keyAndTell(wb, character, dofsOfJoints(character, joints));
+  const { timeSeconds } = wb.transport.get();
+  const posed = selectedCharacters(wb).flatMap((one) => {
+    const dofs = posedDofs(one, wb.posing.opened.get(one.id), timeSeconds);
+    return dofs.length ? { character: one, dofs } : [];
+  });
+  const each = posed.length ? posed : jointsOfEach(wb);
+  if (each.length) {
+    keyEach(wb, each);
     return;
   }
   // No selection would help: the command says what moves the character, and what to do.
   if (silentChannels(character) > 0) {
-    keyAndTell(wb, character);
+    keyEach(wb, [{ character }]);
     return;
   }
   const isCaptured = shownTake(character)?.channels.every(({ kind }) => kind === 'samples');
@@ -246,18 +254,18 @@ function keyChanged(
 }
 
 /** A key that is there already looks like one that was not made. */
-function keyAndTell(
+function keyEach(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
-  character: Character,
-  dofs?: readonly number[],
+  each: readonly OfCharacter[],
 ): void {
-  if (dofs?.length === 0) {
-    const many = selectedJointsOf(wb, character.id).length > 1;
+  const some = each.filter(({ dofs }) => dofs?.length !== 0);
+  if (some.length === 0) {
+    const many = each.length > 1 || selectedJointsOf(wb, each[0].character.id).length > 1;
     wb.messages.note(many ? 'The selected joints have no DOFs to key.' : 'The selected joint has no DOFs to key.');
     return;
   }
   const before = wb.store.document;
-  const isOffered = keyNow(wb, character.id, dofs);
+  const isOffered = keyNow(wb, some);
   if (isOffered || wb.store.document !== before) return;
   wb.messages.note(`These values are already keyed at ${shown(wb.transport.get().timeSeconds)} s.`);
 }
@@ -271,8 +279,7 @@ function unkeyedNow(wb: Uses<'store' | 'transport'>): ReadonlyMap<number, number
 }
 
 function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {
-  const character = currentCharacter(wb);
-  return character !== undefined && keysNow(wb, character).length > 0;
+  return selectedCharacters(wb).some((character) => keysNow(wb, character).length > 0);
 }
 
 /** In seconds of the character's takes. */

@@ -5,6 +5,7 @@
 import { keyPose } from '../../../edit/commands/keying.ts';
 import { removeKeys } from '../../../edit/commands/keys.ts';
 import { setDofs } from '../../../edit/commands/pose.ts';
+import { onEachCharacter } from '../../../edit/in-turn.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { findKey } from '../../../edit/keys/same-time.ts';
 import { keysAtTime } from '../../../edit/keys/selection.ts';
@@ -60,38 +61,53 @@ export function standStillToPose(
   if (plays) pausePlayback(wb);
 }
 
+/** Some DOFs of a character; without `dofs` all of them. */
+export interface OfCharacter {
+  readonly character: Character;
+  readonly dofs?: readonly number[];
+}
+
 /**
- * Keys DOFs as shown; all of them by default. Stops playback. For sampled ones, which take no single keys, it offers to
- * convert them.
+ * Keys DOFs as shown, as one step. Stops playback. For sampled ones, which take no single keys, it offers to convert
+ * them.
  *
  * @returns whether it offers that
  */
 export function keyNow(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
-  characterId: string,
-  dofs?: readonly number[],
+  each: readonly OfCharacter[],
 ): boolean {
   pausePlayback(wb);
   const { timeSeconds } = wb.transport.get();
   const options = keyOptions(wb);
-  const character = findCharacter(wb.store.document, characterId);
-  const sampled = sampledDofs(character, dofs);
-  if (character && !sampled && wb.settings.get().display.stepped && silentChannels(character) === 0) {
+  const found = each.flatMap(({ character: { id }, dofs }) => {
+    const character = findCharacter(wb.store.document, id);
+    return character ? { character, dofs, sampled: sampledDofs(character, dofs) } : [];
+  });
+  const keyed = found.filter(({ sampled }) => !sampled || sampled.keyable);
+  const label = `Key pose of ${keyed.length} characters`;
+  const isHeld = ({ character, sampled }: (typeof found)[number]) => !sampled && silentChannels(character) === 0;
+  if (keyed.length > 0 && wb.settings.get().display.stepped && keyed.every(isHeld)) {
     // What is keyed is what is shown.
-    const held = heldValues(character, timeSeconds, dofs);
-    addKeys(wb, setDofs, (outsideCycle) => ({
-      characterId,
-      dofs: held,
-      timeSeconds,
-      key: { ...options, ...(outsideCycle && { outsideCycle }) },
-    }));
-  } else if (!sampled || sampled.keyable) {
-    addKeys(wb, keyPose, (outsideCycle) => ({ characterId, dofs, timeSeconds, ...options, outsideCycle }));
+    addKeys(wb, onEachCharacter(setDofs, label), (outsideCycle) =>
+      keyed.map(({ character, dofs }) => ({
+        characterId: character.id,
+        dofs: heldValues(character, timeSeconds, dofs),
+        timeSeconds,
+        key: { ...options, ...(outsideCycle && { outsideCycle }) },
+      })),
+    );
+  } else if (keyed.length > 0) {
+    addKeys(wb, onEachCharacter(keyPose, label), (outsideCycle) =>
+      keyed.map(({ character, dofs }) => ({ characterId: character.id, dofs, timeSeconds, ...options, outsideCycle })),
+    );
   }
-  if (!sampled) return false;
+  const last = found.findLast(({ sampled }) => sampled);
+  if (!last?.sampled) return false;
+  const { character, sampled } = last;
   const load = () => import('./key-samples.ts');
   void onDemand(wb.messages, 'Keying samples', load).then((module) => {
-    module?.offerToConvert(wb, characterId, sampled.dofs, options);
+    module?.offerToConvert(wb, character.id, sampled.dofs, options);
   });
   return true;
 }
@@ -106,12 +122,12 @@ function heldValues(character: Character, timeSeconds: number, dofs?: readonly n
 
 /** Those of a character's DOFs that are sampled, and whether any others take keys; undefined if none are. */
 function sampledDofs(
-  character: Character | undefined,
+  character: Character,
   dofs: readonly number[] | undefined,
 ): { readonly dofs: readonly number[]; readonly keyable: boolean } | undefined {
-  const take = character && shownTake(character);
+  const take = shownTake(character);
   // Retargeted joints are refused, whatever their own take has.
-  if (!character || !take || silentChannels(character) > 0) return undefined;
+  if (!take || silentChannels(character) > 0) return undefined;
   const given = dofs ?? [...take.channels.keys()];
   const sampled = given.filter((dof) => isSampled(character, dof));
   return sampled.length > 0 ? { dofs: sampled, keyable: sampled.length < given.length } : undefined;
@@ -130,11 +146,13 @@ export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: read
   return silent ? keys.filter(({ channel }) => channel >= silent) : keys;
 }
 
-/** Deletes them. A channel without any key left keeps its value. */
-export function deleteKeysNow(wb: Uses<'store' | 'transport'>, character: Character, dofs?: readonly number[]): void {
-  const keys = keysNow(wb, character, dofs);
-  if (keys.length)
-    wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: takeTime(wb, character) });
+/** Deletes them, as one step. A channel without any key left keeps its value. */
+export function deleteKeysNow(wb: Uses<'store' | 'transport'>, each: readonly OfCharacter[]): void {
+  const args = each.flatMap(({ character, dofs }) => {
+    const keys = keysNow(wb, character, dofs);
+    return keys.length ? { characterId: character.id, keys, timeSeconds: takeTime(wb, character) } : [];
+  });
+  if (args.length) wb.store.apply(onEachCharacter(removeKeys, `Delete keys of ${args.length} characters`), args);
 }
 
 /** Deletes every key of these DOFs, which keep their values. */

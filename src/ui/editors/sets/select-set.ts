@@ -2,7 +2,8 @@
 import { CommandError } from '../../../edit/command-error.ts';
 import { boolean, index, optional, record } from '../../../edit/schema/shape.ts';
 import type { Character } from '../../../model/document.ts';
-import { jointsIn, withJoints } from '../../../model/skeleton/selected-joints.ts';
+import { withJoints } from '../../../model/skeleton/joint-selection.ts';
+import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 

@@ -1,9 +1,10 @@
 /**
  * Box selection of joints: Ctrl (Cmd) and a drag that begins beside the characters, in any mode. The joints inside are
- * added to the selection, those of the current character if there are any; Escape restores it.
+ * added to the selection, those of the current character last; Escape restores it.
  */
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
-import { jointsIn, withJoints } from '../../../model/skeleton/selected-joints.ts';
+import { withJointsOfAll } from '../../../model/skeleton/joint-selection.ts';
+import { jointsIn, partOf } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { element, write } from '../../widgets/dom.ts';
@@ -65,12 +66,11 @@ function drag(wb: Workbench, from: CanvasPointer, clicked: (at: CanvasPointer) =
       }
       place(frame, viewportElement, from, at);
       const found = jointsInBox(seen, from, at, before.characterId ?? currentCharacter(wb)?.id);
-      if (!found) store.select(before);
-      else {
-        const own = found.characterId === before.characterId ? jointsIn(before) : [];
-        const added = found.joints.filter((joint) => !own.includes(joint));
-        store.select(added.length ? withJoints(found, [...own, ...added]) : before);
-      }
+      const added = found.filter(({ characterId, joint }) => {
+        const part = partOf(before, characterId);
+        return !part || !jointsIn(part).includes(joint);
+      });
+      store.select(added.length ? withJointsOfAll(added, before) : before);
     },
     end(at) {
       frame.remove();
@@ -83,27 +83,18 @@ function drag(wb: Workbench, from: CanvasPointer, clicked: (at: CanvasPointer) =
   };
 }
 
-/**
- * The joints between two corners, of one character: the preferred one if it has any there.
- *
- * @returns undefined if there are none
- */
+/** The joints between two corners, those of the preferred character last. */
 export function jointsInBox(
   seen: readonly SeenJoint[],
   a: Corner,
   b: Corner,
   preferred: string | undefined,
-): { readonly characterId: string; readonly joints: readonly number[] } | undefined {
+): readonly SeenJoint[] {
   const isWithin = (value: number, from: number, to: number) =>
     value >= Math.min(from, to) && value <= Math.max(from, to);
   const inside = seen.filter(({ x, y }) => isWithin(x, a.clientX, b.clientX) && isWithin(y, a.clientY, b.clientY));
-  const of = inside.find(({ characterId }) => characterId === preferred) ?? inside[0];
-  if (!of) return undefined;
-  const { characterId } = of;
-  return {
-    characterId,
-    joints: inside.filter((one) => one.characterId === characterId).map(({ joint }) => joint),
-  };
+  const isLast = ({ characterId }: SeenJoint) => characterId === preferred;
+  return [...inside.filter((one) => !isLast(one)), ...inside.filter(isLast)];
 }
 
 /** Those of visible characters in front of the camera, at the instances that are edited. */

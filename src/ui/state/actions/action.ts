@@ -1,6 +1,7 @@
 /** Finds, inspects and runs the page's actions. */
 
 import { type Character, findCharacter } from '../../../model/document.ts';
+import { partsOf } from '../../../model/skeleton/selected-joints.ts';
 import type { Action, Uses } from '../workbench.ts';
 
 /** All current actions. */
@@ -34,6 +35,14 @@ export function reasonNot({ actions }: Uses<'actions'>, action: Action): string 
 export function currentCharacter({ store }: Uses<'store'>): Character | undefined {
   const { document, selection } = store;
   return findCharacter(document, selection.characterId) ?? document.characters[0];
+}
+
+/** The selected characters, the active one last; without any the default one. */
+export function selectedCharacters(wb: Uses<'store'>): readonly Character[] {
+  const { document, selection } = wb.store;
+  const found = partsOf(selection).flatMap(({ characterId }) => findCharacter(document, characterId) ?? []);
+  const { [0]: first } = document.characters;
+  return found.length || !first ? found : [first];
 }
 
 /**

@@ -6,7 +6,7 @@
 
 import { findCharacter } from '../../../model/document.ts';
 import { NOTHING_SELECTED, type Selection } from '../../../model/session.ts';
-import { type JointPick, withJointActive, withJointToggled } from '../../../model/skeleton/selected-joints.ts';
+import { type JointPick, withJointActive, withJointToggled } from '../../../model/skeleton/joint-selection.ts';
 import type { Hit } from '../../../view/picking/picking.ts';
 import type { Uses } from '../workbench.ts';
 

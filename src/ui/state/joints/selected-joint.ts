@@ -1,7 +1,7 @@
 /** The selected joints, for menus, tools and panels. */
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
-import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { jointsIn, partOf, partsOf } from '../../../model/skeleton/selected-joints.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import type { Uses } from '../workbench.ts';
@@ -40,7 +40,7 @@ export interface ResolvedJoints {
   readonly joints: readonly number[];
 }
 
-/** All of them. */
+/** Those of the active character. */
 export function selectedJoints(wb: Uses<'store'>): ResolvedJoints | undefined {
   const active = selectedJoint(wb);
   if (!active) return undefined;
@@ -48,10 +48,11 @@ export function selectedJoints(wb: Uses<'store'>): ResolvedJoints | undefined {
   return { character, skeleton, joints: jointsIn(wb.store.selection).filter((j) => skeleton.joints[j]) };
 }
 
-/** Their indices, if they belong to that character; the active one last. */
+/** The indices of those of that character; its active one last. */
 export function selectedJointsOf(wb: Uses<'store'>, characterId: string): readonly number[] {
-  const selected = selectedJoints(wb);
-  return selected?.character.id === characterId ? selected.joints : [];
+  const part = partOf(wb.store.selection, characterId);
+  const active = part && resolvedJoint(wb, characterId, part.joint);
+  return active ? jointsIn(part).filter((j) => active.skeleton.joints[j]) : [];
 }
 
 /** `leg_l`, or `3 joints`. */
@@ -59,8 +60,11 @@ export function jointsText(skeleton: Skeleton | undefined, joints: readonly numb
   return joints.length === 1 ? jointName(skeleton, joints[0]) : plural(joints.length, 'joint');
 }
 
-/** `leg_l`, `3 joints`, or `selected joint` if none is. */
+/** `leg_l`, `3 joints`, `3 joints of 2 characters`, or `selected joint` if none is. */
 export function selectedJointsText(wb: Uses<'store'>): string {
   const selected = selectedJoints(wb);
+  const each = partsOf(wb.store.selection).map(jointsIn);
+  const { length } = each.filter((joints) => joints.length > 0);
+  if (length > 1) return `${plural(each.flat().length, 'joint')} of ${plural(length, 'character')}`;
   return selected ? jointsText(selected.skeleton, selected.joints) : 'selected joint';
 }

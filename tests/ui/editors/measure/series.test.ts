@@ -3,7 +3,7 @@ import { setRetarget } from '../../../../src/edit/commands/retarget.ts';
 import { trackJoints } from '../../../../src/evaluate/measure/tracks.ts';
 import { runToEnd } from '../../../../src/evaluate/steps.ts';
 import type { Character } from '../../../../src/model/document.ts';
-import { withJoints } from '../../../../src/model/skeleton/selected-joints.ts';
+import { withJoints } from '../../../../src/model/skeleton/joint-selection.ts';
 import {
   emptyText,
   type Measured,

@@ -1,6 +1,6 @@
 /** Actions on all selected joints: keys, poses, pins and the skeleton, each in one step. */
 import { describe, expect, it } from 'vitest';
-import { withJoints } from '../../../../src/model/skeleton/selected-joints.ts';
+import { withJoints } from '../../../../src/model/skeleton/joint-selection.ts';
 import { keysOf } from '../../../../src/model/takes/take.ts';
 import { actionLabel, actionsOf } from '../../../../src/ui/state/actions/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';

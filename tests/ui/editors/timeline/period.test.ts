@@ -35,7 +35,7 @@ beforeEach(() => {
 
 describe('another period', () => {
   it('another period is said of whatever makes it: keying, auto-key, typed times, deleted and added keys', () => {
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     expect(said()).toBe('hips tx now repeats every 3 s instead of every 2 s.');
     wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [3] }], timeSeconds: 0 });
     expect(said()).toBe('hips tx now repeats every 2 s instead of every 3 s.');
@@ -51,7 +51,7 @@ describe('another period', () => {
   });
 
   it('another period is said of several channels at once', () => {
-    keyNow(wb, 'c1');
+    keyNow(wb, [{ character: wb.store.document.characters[0] }]);
     expect(said()).toBe('2 channels, including hips tx, now repeat every 3 s instead of every 2 s.');
   });
 
@@ -89,7 +89,7 @@ describe('another period', () => {
   });
 
   it('another period is not said of undo and redo, nor of files that are read again', () => {
-    keyNow(wb, 'c1', [0]);
+    keyNow(wb, [{ character: wb.store.document.characters[0], dofs: [0] }]);
     said();
     wb.store.undo();
     wb.store.redo();

@@ -10,18 +10,18 @@ const seen: readonly SeenJoint[] = [
 const at = (clientX: number, clientY: number) => ({ clientX, clientY });
 
 it('a box selects the joints inside, whichever corner it began at', () => {
-  const all = { characterId: 'a', joints: [0, 1] };
-  expect(jointsInBox(seen, at(5, 5), at(25, 25), 'a')).toEqual(all);
-  expect(jointsInBox(seen, at(25, 5), at(5, 25), 'a')).toEqual(all);
-  expect(jointsInBox(seen, at(20, 20), at(15, 30), 'a')).toEqual({ characterId: 'a', joints: [1] });
+  const all = seen.slice(0, 3);
+  expect(jointsInBox(seen, at(5, 5), at(25, 25), 'b')).toEqual(all);
+  expect(jointsInBox(seen, at(25, 5), at(5, 25), 'b')).toEqual(all);
+  expect(jointsInBox(seen, at(20, 20), at(15, 30), 'a')).toEqual([seen[1]]);
 });
 
-it('a box selects joints of one character only: of the current one, else of the first', () => {
-  expect(jointsInBox(seen, at(0, 0), at(99, 99), 'b')).toEqual({ characterId: 'b', joints: [0, 3] });
-  expect(jointsInBox(seen, at(0, 0), at(99, 99), undefined)).toEqual({ characterId: 'a', joints: [0, 1] });
-  expect(jointsInBox(seen, at(80, 80), at(99, 99), 'a')).toEqual({ characterId: 'b', joints: [3] });
+it('a box selects joints of all characters, those of the current one last, so that it stays active', () => {
+  expect(jointsInBox(seen, at(0, 0), at(99, 99), 'b')).toEqual(seen);
+  expect(jointsInBox(seen, at(0, 0), at(99, 99), 'a')).toEqual([seen[2], seen[3], seen[0], seen[1]]);
+  expect(jointsInBox(seen, at(80, 80), at(99, 99), 'a')).toEqual([seen[3]]);
 });
 
 it('a box without joints selects nothing', () => {
-  expect(jointsInBox(seen, at(30, 30), at(60, 60), 'a')).toBeUndefined();
+  expect(jointsInBox(seen, at(30, 30), at(60, 60), 'a')).toEqual([]);
 });

@@ -1,0 +1,96 @@
+/** What is done to joints of several selected characters. */
+import { beforeEach, describe, expect, it } from 'vitest';
+import { removeCharacter } from '../../src/edit/commands/characters.ts';
+import { setDofs } from '../../src/edit/commands/pose.ts';
+import { nextKey, previousKey, shownKeys } from '../../src/evaluate/plot/shown-keys.ts';
+import { shownTake } from '../../src/model/document.ts';
+import { keysOf } from '../../src/model/takes/take.ts';
+import { runAction } from '../../src/ui/state/actions/action.ts';
+import { selectedJointsText } from '../../src/ui/state/joints/selected-joint.ts';
+import type { Workbench } from '../../src/ui/state/workbench.ts';
+import { OFFSET, withTwoCharacters } from './two-characters.ts';
+
+let wb: Workbench;
+const timesOf = (character: number, channel: number) => {
+  const one = wb.store.document.characters[character];
+  return [...keysOf(shownTake(one)?.channels[channel]).times];
+};
+const seek = (timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds }));
+
+beforeEach(() => {
+  wb = withTwoCharacters();
+});
+
+describe('keys of the selected joints of several characters', () => {
+  it.each(['key.changed', 'key.joint'])('%s keys those of each in one step, at the time of its own take', (id) => {
+    const before = wb.store.document;
+    seek(0.3);
+    runAction(wb, id);
+    expect(wb.store.undoLabel).toBe('Key pose of 2 characters');
+    expect(timesOf(0, 6)).toEqual([0, 0.3, 1]);
+    expect(timesOf(1, 6)).toEqual([0.5, 0.3 + OFFSET, 1]);
+    expect(timesOf(0, 0)).toEqual([0, 1, 2]);
+    expect(wb.store.selection.beside?.[0].keys?.[0]).toEqual({ channel: 6, indices: [1] });
+    expect(wb.store.selection.keys?.[0]).toEqual({ channel: 6, indices: [1] });
+    wb.store.undo();
+    expect(wb.store.document).toEqual(before);
+    expect(wb.store.undoLabel).toBeUndefined();
+  });
+
+  it('what was changed by hand is keyed, of either, and nothing else', () => {
+    seek(0.3);
+    wb.store.apply(setDofs, { characterId: 'walker', dofs: [{ index: 3, value: 1 }], timeSeconds: 0.3 });
+    runAction(wb, 'key.changed');
+    expect([timesOf(0, 3), timesOf(0, 6), timesOf(1, 6)]).toEqual([
+      [0.3, 1],
+      [0, 1],
+      [0.5, 1],
+    ]);
+  });
+
+  it('the whole pose is keyed of each', () => {
+    seek(0.3);
+    runAction(wb, 'key.pose');
+    expect([timesOf(0, 3), timesOf(1, 3)]).toEqual([
+      [0.3, 1],
+      [0.5, 0.8],
+    ]);
+  });
+
+  it('keys at the current time are deleted of each in one step', () => {
+    seek(0);
+    runAction(wb, 'key.deleteJointHere');
+    expect([timesOf(0, 6), timesOf(1, 6)]).toEqual([[1], [1]]);
+    expect([timesOf(0, 0), timesOf(1, 1)]).toEqual([
+      [0, 1, 2],
+      [0.5, 1.5],
+    ]);
+    wb.store.undo();
+    runAction(wb, 'key.deleteHere');
+    expect([timesOf(0, 0), timesOf(1, 1)]).toEqual([[1, 2], [1.5]]);
+  });
+
+  it('the transport steps through the keys of all of them', () => {
+    const keys = shownKeys(wb.store.document, wb.store.selection);
+    expect(keys.filter(({ meant }) => meant)).toHaveLength(2);
+    expect(nextKey(keys, 0)).toBe(1 - OFFSET);
+    expect(nextKey(keys, 1 - OFFSET)).toBe(1);
+    expect(previousKey(keys, 1)).toBe(1 - OFFSET);
+  });
+});
+
+describe('the selection of several characters', () => {
+  it('its joints are counted with their characters', () => {
+    expect(selectedJointsText(wb)).toBe('2 joints of 2 characters');
+  });
+
+  it('a removed character leaves it, and undo brings it back', () => {
+    const before = wb.store.selection;
+    wb.store.apply(removeCharacter, { characterId: 'walker' });
+    expect(wb.store.selection).toEqual({ characterId: 'flyer', joint: 1 });
+    wb.store.undo();
+    expect(wb.store.selection).toEqual(before);
+    wb.store.apply(removeCharacter, { characterId: 'flyer' });
+    expect(wb.store.selection).toEqual({ characterId: 'walker', joint: 1 });
+  });
+});
