@@ -184,6 +184,20 @@ describe('attachments', () => {
     expect(get(down, 'c2').takes[0]).toEqual(MOVED);
   });
 
+  it('are put down at their end as they are held there, and never later', () => {
+    const attached = expectEdit(SCENE, addAttachment, GRIP);
+    const putAt = (timeSeconds: number) => expectEdit(attached, putDown, { characterId: 'c2', timeSeconds });
+    const down = get(putAt(1.5), 'c2');
+    expect(down.takes[0].attached).toEqual(get(attached, 'c2').takes[0].attached);
+    const held = sceneOf(get(attached, 'c2'), 0, 1.5 - 1e-9);
+    expect(difference(sceneOf(down, 0, 1.5), held)).toBeLessThan(1e-6);
+    const refusal = 'Sword is attached to joint1 of Walker from 0.5 to 1.5 s only. Put it down in between.';
+    expect(() => putAt(1.6)).toThrow(refusal);
+    const both = expectEdit(attached, addAttachment, { ...GRIP, joint: 0, span: [1.5, 2] });
+    const first = { characterId: 'c2', index: 0, timeSeconds: 1.5 };
+    expect(() => putDown.run(both, first)).toThrow(refusal);
+  });
+
   it('make a take of a character that has none, as long as that of the leader', () => {
     const after = expectEdit(documentOf(HERO, SWORD), addAttachment, GRIP);
     expect(get(after, 'c2').takes).toMatchObject([{ name: 'sword_anim', range: [0, 2] }]);

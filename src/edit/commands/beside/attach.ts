@@ -107,7 +107,7 @@ export const removeAttachment = command({
 
 /**
  * Puts the character down at a time: it is attached no longer, and its root is keyed where it is, as a step, so that
- * nothing jumps; later keys stay. At the start of the attachment, that is removed.
+ * nothing jumps; later keys stay. At the start of the attachment, that is removed; after its end it is refused.
  */
 export const putDown = command({
   id: 'attach.putDown',
@@ -123,17 +123,16 @@ export const putDown = command({
       const found = at ?? list.findLastIndex(({ span }) => span[0] <= time);
       if (found < 0) throw new CommandError(`${character.name} is not attached at that time.`);
       const one = list[indexIn(found, 0, list.length, 'attachment')];
-      const [start] = one.span;
-      const next = list[found + 1]?.span[0] ?? Number.POSITIVE_INFINITY;
-      if (time < start || time >= next)
-        throw new CommandError(`${character.name} is not attached to ${leadingJoint(character, one)} at that time.`);
+      const [start, end] = one.span;
+      // At its very end it is let go anyway, and is keyed where it was.
+      if (time < start || time > end || time === list[found + 1]?.span[0])
+        throw new CommandError(
+          `${character.name} is attached to ${leadingJoint(character, one)} from ${start} to ${end} s only. Put it down in between.`,
+        );
       if (time === start) return withAttached(character, list.toSpliced(found, 1), []);
-      const held = withAttached(character, list.with(found, { ...one, span: [start, next] }), []);
-      return keyedRoot(
-        withAttached(character, list.with(found, { ...one, span: [start, time] }), []),
-        held,
-        timeSeconds,
-      );
+      const held = withAttached(character, [{ ...one, span: [start, Number.POSITIVE_INFINITY] }], []);
+      const left = list.with(found, { ...one, span: [start, time] });
+      return keyedRoot(time < end ? withAttached(character, left, []) : character, held, timeSeconds);
     }),
 });
 
