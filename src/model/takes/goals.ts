@@ -64,7 +64,7 @@ export function withGoalChannel(goal: Goal, name: GoalChannel, channel: Channel)
   return { ...goal, channels: Object.fromEntries(inOrder) };
 }
 
-/** The take with other goals; without any if there are none and nothing else of its file is known. */
+/** The take with other goals. What else its file says goes with the last of them, as with the last layer. */
 export function withGoals(take: Take, list: readonly Goal[]): Take {
   const { goals, ...rest } = take;
   return list.length > 0 ? { ...rest, goals: { ...goals, list } } : rest;

@@ -184,6 +184,24 @@ describe('attachments', () => {
     expect(get(down, 'c2').takes[0]).toEqual(MOVED);
   });
 
+  it('keep what else their file says when their span changes', () => {
+    const attached = expectEdit(SCENE, addAttachment, GRIP);
+    const facts = { baseFile: 'sword.anim', ofFlattened: { by: 'x' }, others: { author: 'y' } };
+    const { characters, ...rest } = attached;
+    const known = characters.map((one): Character => {
+      const takes = one.takes.map((take) =>
+        take.attached ? { ...take, attached: { ...take.attached, ...facts } } : take,
+      );
+      return { ...one, takes };
+    });
+    const moved = expectEdit({ ...rest, characters: known }, changeAttachment, {
+      characterId: 'c2',
+      index: 0,
+      span: [1, 2],
+    });
+    expect(get(moved, 'c2').takes[0].attached).toMatchObject({ ...facts, list: [{ span: [1, 2] }] });
+  });
+
   it('are put down at their end as they are held there, and never later', () => {
     const attached = expectEdit(SCENE, addAttachment, GRIP);
     const putAt = (timeSeconds: number) => expectEdit(attached, putDown, { characterId: 'c2', timeSeconds });

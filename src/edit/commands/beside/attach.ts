@@ -59,7 +59,9 @@ export const addAttachment = command({
       const known = shownTake(taken)?.attached?.list ?? [];
       const list = known.flatMap((one) => before(span, one, taken));
       const placed = atPlaceOf(taken, leader);
-      return attachedAt(placed, list, { leaderId, joint, span, offset: NO_OFFSET }, [leaderOf(leader, placed)]);
+      const leaders = [leaderOf(leader, placed)];
+      const one = startingWhere(placed, { leaderId, joint, span, offset: NO_OFFSET }, leaders);
+      return withAttached(placed, [...list, one], leaders);
     });
   },
 });
@@ -83,9 +85,9 @@ export const changeAttachment = command({
       const next = others.find((other) => other.span[0] < span[1] && other.span[1] > span[0]);
       if (next) throw new CommandError(`It would overlap the attachment from ${next.span[0]} to ${next.span[1]} s.`);
       const moved = { ...one, span };
-      return span[0] === one.span[0]
-        ? withAttached(character, list.with(at, moved), [])
-        : attachedAt(withAttached(character, others, []), others, moved, character.leaders ?? []);
+      if (span[0] === one.span[0]) return withAttached(character, list.with(at, moved), []);
+      const free = withAttached(character, others, []);
+      return withAttached(character, [...others, startingWhere(free, moved, character.leaders ?? [])], []);
     }),
 });
 
@@ -197,25 +199,19 @@ function before([start, end]: readonly [number, number], one: Attachment, charac
 }
 
 /**
- * With an attachment that begins where the root is then.
- * @param others the attachments besides that
- * @param leaders those that it needs besides the character's own
+ * An attachment with the offset by which it begins where the root is then.
+ * @param character without it
+ * @param leaders its own is among them
  */
-function attachedAt(
-  character: Character,
-  others: readonly Attachment[],
-  one: Attachment,
-  leaders: readonly Character[],
-): Character {
-  const leader = [...leaders, ...(character.leaders ?? [])].find(({ id }) => id === one.leaderId);
+function startingWhere(character: Character, one: Attachment, leaders: readonly Character[]): Attachment {
+  const leader = leaders.find(({ id }) => id === one.leaderId);
   if (!leader) throw new CommandError('The character that it follows is no longer there.');
   const [start] = one.span;
   // Leaders have the time of this character's take.
   const joint = jointInScene(inTakes(leader), one.joint, start);
   const root = jointInScene(inTakes(character), 0, start - character.timeOffsetSeconds);
-  const { others: unknown } = one.offset;
-  const offset = { ...offsetBetween(joint, root), ...(unknown && { others: unknown }) };
-  return withAttached(character, [...others, { ...one, offset }], leaders);
+  const { others } = one.offset;
+  return { ...one, offset: { ...offsetBetween(joint, root), ...(others && { others }) } };
 }
 
 /**
