@@ -28,7 +28,7 @@ export function limbInfos(character: Character, timeSeconds: number): LimbInfo[]
   const all = takeLimbs(goals, limbs, skeleton);
   const takeSeconds = timeSeconds + character.timeOffsetSeconds;
   const matches = new Map<CompiledLimb, LimbMatch>();
-  all.solve(takeSeconds, dofs, clampsToLimits, dofs.length, shownUnkeyed(character, timeSeconds), (limb, _, space) => {
+  all.solve(takeSeconds, dofs, clampsToLimits, dofs.length, shownUnkeyed(character, timeSeconds), (limb, space) => {
     matches.set(limb, matchOf(all, limb, dofs, space));
   });
   const world = new Float64Array(16 * all.compiled.jointCount);

@@ -1,12 +1,13 @@
 /** The goals of limbs that a pose reaches, for posing in IK and for switching to it. */
 import { type Character, shownTake } from '../../model/document.ts';
 import type { LimbMatch } from '../../model/limbs.ts';
-import type { Goal } from '../../model/takes/take.ts';
+import { perObject } from '../../model/per-object.ts';
+import type { Goal, Goals } from '../../model/takes/take.ts';
 import { worldMatrices } from '../kinematics.ts';
 import { dofCountOf, poseAt, shownUnkeyed } from '../pose.ts';
 import { writeAnglesNear, writeQuaternion } from '../rotations/euler-orders.ts';
 import { matchOf } from './match.ts';
-import { spaceJointAt, TakeLimbs } from './over-pose.ts';
+import { spaceJointAt, takeLimbs } from './over-pose.ts';
 import { RX } from './target.ts';
 
 /** A goal's values for a pose. */
@@ -36,11 +37,10 @@ export function matchPose(
   const { skeleton, limbs, timeOffsetSeconds } = character;
   const found = new Map<string, PoseMatch>();
   if (!skeleton || !limbs) return found;
-  const all = new TakeLimbs({ list: goals }, limbs, skeleton);
+  const all = takeLimbs(goalsOf(goals), limbs, skeleton);
   const time = timeSeconds + timeOffsetSeconds;
-  // For the values of the goals; the pose that they lead to is not meant.
   const byHand = goals === shownTake(character)?.goals?.list ? shownUnkeyed(character, timeSeconds) : undefined;
-  all.solve(time, pose.slice(), false, pose.length, byHand);
+  all.evaluate(time, pose.length, byHand);
   worldMatrices(all.compiled, pose, all.world);
   for (const limb of all.limbs) {
     const match = matchOf(all, limb, pose, spaceJointAt(limb, time));
@@ -55,6 +55,9 @@ export function matchPose(
   }
   return found;
 }
+
+/** Compiled once for a list of goals: a drag asks at every move of the pointer. */
+const goalsOf = perObject((list: readonly Goal[]): Goals => ({ list }));
 
 /** The displayed pose of a character. @param timeSeconds of the transport */
 export function shownPose(character: Character, timeSeconds: number): Float64Array {

@@ -19,7 +19,7 @@ const STRAIGHT = 1e-9;
 
 /**
  * Matches IK to the pose of a limb.
- * @param dofs a pose, with the matrices that the limb needs computed (`TakeLimbs.solve`)
+ * @param dofs a pose, with the matrices of `TakeLimbs.world` computed
  * @param space the joint in whose space the goal is; -1 for the character's
  */
 export function matchOf(all: TakeLimbs, limb: CompiledLimb, dofs: Float64Array, space: number): LimbMatch {

@@ -23,7 +23,7 @@ import { type Chain, closedChain } from './bend.ts';
 import { solveClosed } from './closed.ts';
 import { type GoalOfLimb, orderedGoals } from './order.ts';
 import { type PinnedLimb, pinnedLimb, solvePinned } from './pinned.ts';
-import { BEND, newTarget, type Target, writeTarget, writeTip } from './target.ts';
+import { BEND, newTarget, writeTarget, writeTip } from './target.ts';
 
 /** Farther beyond a limit than this is no rounding; radians and lengths. */
 const AT_LIMIT = 1e-9;
@@ -54,9 +54,9 @@ export class TakeLimbs {
   /** In the order in which they are solved. */
   readonly limbs: readonly CompiledLimb[];
   readonly compiled: CompiledSkeleton;
-  /** The matrices of joints that limbs need, during `solve`. */
+  /** The matrices of joints that limbs need, during `solve`; scratch besides. */
   readonly world: Float64Array;
-  /** All channels of all goals, at the time of the last `solve`. */
+  /** All channels of all goals, at the time of the last `evaluate` or `solve`. */
   readonly values: Float64Array;
   private readonly curves: CompiledTake;
   /** Where the channels of all goals, in the order of the take, are among `values`; -1 for goals that are not reached. */
@@ -95,8 +95,8 @@ export class TakeLimbs {
    * Moves the limbs of a pose to their goals, in place. Allocates nothing, but when a limb first needs the solver of pins.
    * @param dofs the character's, within its limits
    * @param count their number; `dofs` may be longer
-   * @param unkeyed values of goals set by hand at that time, among others, by the indices of `withGoalChannels`
-   * @param before called before each limb is solved, with its target
+   * @param unkeyed as for `evaluate`
+   * @param before called before each limb is solved, with the joint of its goal's space
    */
   solve(
     timeSeconds: number,
@@ -104,28 +104,34 @@ export class TakeLimbs {
     clamps: boolean,
     count = dofs.length,
     unkeyed?: Unkeyed,
-    before?: (limb: CompiledLimb, target: Target, space: number) => void,
+    before?: (limb: CompiledLimb, space: number) => void,
   ): void {
-    evaluateTake(this.curves, timeSeconds, this.values);
-    if (unkeyed) this.setByHand(unkeyed, count);
+    this.evaluate(timeSeconds, count, unkeyed);
     for (const limb of this.limbs) {
       for (let i = 0; i < limb.stale.length; i++) this.writeWorld(limb.stale[i], dofs);
       const blend = this.values[limb.at];
       if (!(blend > 0) && !before) continue;
       const space = spaceJointAt(limb, timeSeconds);
+      before?.(limb, space);
+      if (!(blend > 0)) continue;
       writeTarget(this.values, limb.at, this.world, space, this.target);
       this.target.hasPole = limb.hasPole;
       const bend = Number.isNaN(limb.sign) ? this.values[limb.at + BEND] : limb.sign;
       this.target.bend = bend >= 0 ? 1 : -1;
-      before?.(limb, this.target, space);
-      if (blend > 0) this.move(limb, Math.min(1, blend), dofs, clamps);
+      this.move(limb, Math.min(1, blend), dofs, clamps);
     }
   }
 
-  private setByHand({ dofs, values }: Unkeyed, count: number): void {
-    for (let i = 0; i < dofs.length; i++) {
-      const at = this.places[dofs[i] - count];
-      if (at >= 0) this.values[at] = values[i];
+  /**
+   * Writes the channels of all goals at a time to `values`.
+   * @param count number of the character's DOFs
+   * @param unkeyed values of goals set by hand at that time, among others, by the indices of `withGoalChannels`
+   */
+  evaluate(timeSeconds: number, count: number, unkeyed: Unkeyed | undefined): void {
+    evaluateTake(this.curves, timeSeconds, this.values);
+    for (let i = 0; unkeyed && i < unkeyed.dofs.length; i++) {
+      const at = this.places[unkeyed.dofs[i] - count];
+      if (at >= 0) this.values[at] = unkeyed.values[i];
     }
   }
 

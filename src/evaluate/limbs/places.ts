@@ -3,11 +3,12 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, shownTake } from '../../model/document.ts';
 import type { GoalPlace } from '../../model/limbs.ts';
 import { firstGoalChannel } from '../../model/takes/goals.ts';
+import { worldMatrices } from '../kinematics.ts';
 import { shownUnkeyed } from '../pose.ts';
 import { intoSpace } from './match.ts';
-import { takeLimbs } from './over-pose.ts';
+import { spaceJointAt, takeLimbs } from './over-pose.ts';
 import { POLE_OF } from './posed.ts';
-import { PX } from './target.ts';
+import { newTarget, PX, writeTarget } from './target.ts';
 
 /**
  * The places of the goals of limbs that are in IK at a time.
@@ -15,17 +16,20 @@ import { PX } from './target.ts';
  * @param dofs the pose that is displayed then
  */
 export function goalPlaces(character: Character, timeSeconds: number, dofs: Float64Array): GoalPlace[] {
-  const { skeleton, limbs, driver, clampsToLimits, timeOffsetSeconds } = character;
+  const { skeleton, limbs, driver, timeOffsetSeconds } = character;
   const goals = shownTake(character)?.goals;
   if (!skeleton || !limbs || !goals || driver) return [];
-  const found: GoalPlace[] = [];
   const all = takeLimbs(goals, limbs, skeleton);
-  const byHand = shownUnkeyed(character, timeSeconds);
-  const pose = dofs.slice();
-  all.solve(timeSeconds + timeOffsetSeconds, pose, clampsToLimits, dofs.length, byHand, (one, target, space) => {
-    if (!(all.values[one.at] > 0)) return;
-    const { limb } = one;
-    const frame = space < 0 ? new Float64Array() : all.world.slice(16 * space, 16 * space + 16);
+  const { world, values } = all;
+  const time = timeSeconds + timeOffsetSeconds;
+  all.evaluate(time, dofs.length, shownUnkeyed(character, timeSeconds));
+  // Limbs are not solved again: where one is only partly IK's, so would what is in its space be twice.
+  worldMatrices(all.compiled, dofs, world);
+  return all.limbs.flatMap((one): GoalPlace | [] => {
+    if (!(values[one.at] > 0)) return [];
+    const space = spaceJointAt(one, time);
+    writeTarget(values, one.at, world, space, target);
+    const frame = space < 0 ? new Float64Array() : world.slice(16 * space, 16 * space + 16);
     const first = firstGoalChannel(dofs.length, goals.list.indexOf(one.goal)) + PX;
     const poleAt = (point: Vec3) => {
       const own = space < 0 ? point : intoSpace(frame, 0, point);
@@ -33,7 +37,9 @@ export function goalPlaces(character: Character, timeSeconds: number, dofs: Floa
     };
     const [x, y, z] = target.point;
     const [px, py, pz] = target.pole;
-    found.push({ limb, point: [x, y, z], ...(one.hasPole && { pole: [px, py, pz] }), poleAt });
+    return { limb: one.limb, point: [x, y, z], ...(one.hasPole && { pole: [px, py, pz] }), poleAt };
   });
-  return found;
 }
+
+/** Scratch; never escapes. */
+const target = newTarget();

@@ -2,6 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { limbInfos } from '../../../src/evaluate/limbs/infos.ts';
+import { matchPose } from '../../../src/evaluate/limbs/match-pose.ts';
+import { goalPlaces } from '../../../src/evaluate/limbs/places.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { between, channelOf } from '../../edit/keys/channels.ts';
@@ -136,6 +138,45 @@ describe('limbs', () => {
           expect([...poseOf(crabWith(pose, goals))].every(Number.isFinite)).toBe(true);
         },
       ),
+    );
+  });
+
+  it('are looked up once for all poses that are matched to them', () => {
+    const pose = [...poseOf(crabWith([], []))];
+    let asked = 0;
+    const goals = new Proxy([goalOfMatch('leg', matchFor(pose, 'leg'))], {
+      get(list, key, receiver) {
+        asked++;
+        return Reflect.get(list, key, receiver);
+      },
+    });
+    const crab = crabWith(pose, []);
+    const match = () => matchPose(crab, goals, 0, Float64Array.from(pose)).get('leg')?.goal;
+    const first = match();
+    expect(asked).toBeGreaterThan(0);
+    asked = 0;
+    expect(match()).toEqual(first);
+    expect(asked).toBe(0);
+  });
+
+  it('have their handles where they go, in the space of a limb that is only partly in IK, too', () => {
+    fc.assert(
+      fc.property(poses, poses, between(0.1, 0.9), (pose, other, blend) => {
+        const leg = goalOfMatch('leg', matchFor(withLimbOf(pose, other, 'leg'), 'leg'));
+        const part = { ...leg, channels: { ...leg.channels, blend: { curve: blend } } };
+        const point = [0.1, 0.4, 0.2];
+        const wing = goalOf('wing', { tx: point[0], ty: point[1], tz: point[2] }, 'toe');
+        const both = crabWith(pose, [part, wing], free);
+        const dofs = poseOf(both);
+        const toe = 16 * CRAB.joints.findIndex(({ name }) => name === 'toe');
+        const world = worldOf(dofs);
+        const places = goalPlaces(both, 0, dofs);
+        expect(places.map(({ limb }) => limb.name)).toEqual(['leg', 'wing']);
+        for (let k = 0; k < 3; k++) {
+          const meant = point.reduce((sum, part, c) => sum + part * world[toe + 4 * c + k], world[toe + 12 + k]);
+          expect(places[1].point[k]).toBeCloseTo(meant, 9);
+        }
+      }),
     );
   });
 
