@@ -340,6 +340,7 @@ function sameTake(a: CurrentTake | undefined, b: CurrentTake | undefined): boole
     a.character.id === b.character.id &&
     a.character.skeleton === b.character.skeleton &&
     a.character.morphs === b.character.morphs &&
+    a.character.limbs === b.character.limbs &&
     a.character.driver?.source.name === b.character.driver?.source.name &&
     sameRows(a.take, b.take)
   );

@@ -2,7 +2,7 @@
  * The handles of limbs in IK: a square at the goal, which is dragged as any end of a limb, and a point at the pole, on a
  * line from the middle joint. Where a goal is out of reach, a line leads to it from the limb's end.
  */
-import { ZERO } from '../../../math/vec3.ts';
+import { transformPoint, ZERO } from '../../../math/vec3.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import type { GoalPlace } from '../../../model/limbs.ts';
 import { layerCode } from '../../../model/takes/layer-code.ts';
@@ -42,12 +42,13 @@ export function paintGoals(wb: Uses<'store' | 'viewport' | 'transport'>, painter
   for (const { seen, place } of seenGoals(wb)) {
     const { limb, point, pole } = place;
     const [, middle] = limb.joints;
-    const at = inOwn(seen, point);
+    const at = transformPoint(seen.toWorld, point);
     painter.line(inWorld(seen, limb.joints[limb.joints.length - 1], limb.tip), at, 'pin', 2, true);
     painter.mark(at, { shape: limb.orient ? 'square' : 'round', color: 'pin', size: GOAL_SIZE });
     if (!pole) continue;
-    painter.line(inWorld(seen, middle, ZERO), inOwn(seen, pole), 'pin', 1, true);
-    painter.mark(inOwn(seen, pole), { shape: 'dot', color: 'pin', size: POLE_SIZE });
+    const toPole = transformPoint(seen.toWorld, pole);
+    painter.line(inWorld(seen, middle, ZERO), toPole, 'pin', 1, true);
+    painter.mark(toPole, { shape: 'dot', color: 'pin', size: POLE_SIZE });
   }
 }
 
@@ -62,7 +63,7 @@ function handleUnder(wb: Uses<'store' | 'viewport' | 'transport'>, at: CanvasPoi
     { goal, isPole: false, point: goal.place.point },
     ...(goal.place.pole ? [{ goal, isPole: true, point: goal.place.pole }] : []),
   ]);
-  const places = handles.map(({ goal, point }) => wb.viewport.eye.toScreen(inOwn(goal.seen, point)));
+  const places = handles.map(({ goal, point }) => wb.viewport.eye.toScreen(transformPoint(goal.seen.toWorld, point)));
   const near = at.pointerType === 'touch' ? NEAR_TOUCH : NEAR;
   const found = nearestOnScreen(places, { x: at.clientX, y: at.clientY }, near);
   return found < 0 ? undefined : handles[found];
@@ -84,9 +85,4 @@ export function pressGoal(
   const select = { characterId: seen.character.id, placement: seen.placement, joint: joints[joints.length - 1] };
   if (found.isPole) return new PoleDrag(wb, found.goal, at, () => wb.store.select(select));
   return begin({ ...select, point: tip }, () => wb.store.select(select));
-}
-
-function inOwn({ toWorld }: SeenSkeleton, [x, y, z]: GoalPlace['point']): GoalPlace['point'] {
-  const part = (k: number) => toWorld[k] * x + toWorld[4 + k] * y + toWorld[8 + k] * z + toWorld[12 + k];
-  return [part(0), part(1), part(2)];
 }

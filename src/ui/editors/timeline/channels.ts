@@ -6,7 +6,7 @@ import { dofCountOf } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import type { Morph } from '../../../model/morph.ts';
-import { perObject, perPair } from '../../../model/per-object.ts';
+import { perPair } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
 import { coupleOf } from '../../../model/skeleton/couples.ts';
 import {
@@ -51,17 +51,18 @@ export type ListSettings = Pick<TimelineView, 'list' | 'pinned' | 'filter'>;
 
 const dofLists = perPair((skeleton: Skeleton, morphs: readonly Morph[]) => characterDofs(skeleton, morphs));
 
-/** The DOFs of a character, cached per skeleton; after them the curves of the goals of its shown take. */
+/** The DOFs of a character, after them the curves of the goals of its shown take; cached where it has a skeleton. */
 export function dofsFor(character: Character): readonly CharacterDof[] {
   const { skeleton, morphs } = character;
   const dofs = skeleton ? dofLists(skeleton, morphs) : characterDofs(skeleton, morphs);
   const goals = shownTake(character)?.goals;
-  return goals ? [...dofs, ...curvesOfGoals(goals)] : dofs;
+  return goals ? withCurves(dofs, goals) : dofs;
 }
 
-/** As DOFs of no joint. */
-const curvesOfGoals = perObject(({ list }: Goals): readonly CharacterDof[] =>
-  list.flatMap(({ limb }) =>
+/** With curves of goals as DOFs of no joint. */
+const withCurves = perPair((dofs: readonly CharacterDof[], { list }: Goals): readonly CharacterDof[] => [
+  ...dofs,
+  ...list.flatMap(({ limb }) =>
     GOAL_CHANNELS.map((name) => {
       const unit = name.startsWith('r') ? 'angle' : /^[tp]/.test(name) ? 'length' : 'weight';
       // Joints have DOFs of these names, too.
@@ -69,7 +70,7 @@ const curvesOfGoals = perObject(({ list }: Goals): readonly CharacterDof[] =>
       return { name: label, unit, rest: 0, joint: GOAL, limit: UNLIMITED, takesLimits: false } as const;
     }),
   ),
-);
+]);
 /** In place of a joint: DOFs that are curves of goals. */
 export const GOAL = -2;
 

@@ -136,6 +136,8 @@ export function keyedChannels(character: Character, filter: string): number[] {
 export function sameRows(a: Take, b: Take): boolean {
   if (a === b) return true;
   if (a.channels.length !== b.channels.length || a.attached !== b.attached) return false;
+  // Rows have the names of limbs.
+  if (a.goals?.list.some(({ limb }, g) => limb !== b.goals?.list[g]?.limb)) return false;
   const isSame = a.layers === b.layers;
   return a.channels.every((c, i) => (isSame && c === b.channels[i]) || isAnimated(a, i) === isAnimated(b, i));
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Character } from '../../../../src/model/document.ts';
 import { restChannel } from '../../../../src/model/takes/take.ts';
+import { dofsFor } from '../../../../src/ui/editors/timeline/channels.ts';
 import {
   allFolds,
   dopeRows,
@@ -141,4 +142,20 @@ it('tells what is followed, on the joint too if it has nothing else', () => {
   const each = ['rx', 'ry', 'rz'].map((dof) => [dof, 'hips rx']);
   expect(coupledBy(3)).toEqual([['', undefined], ['knee', 'hips rx'], ...each]);
   expect(coupledBy(1).slice(1)).toEqual([['knee', undefined], each[0], ['ry', undefined], ['rz', undefined]]);
+});
+
+describe('goals of limbs', () => {
+  const goals = (limb: string) => ({ list: [{ limb, space: 'world', channels: {} }] });
+  const moved = { ...take([0, 1], key), goals: goals('leg') };
+
+  it('have their rows anew when a limb gets another name', () => {
+    expect(sameRows(moved, { ...moved, goals: goals('leg') })).toBe(true);
+    expect(sameRows(moved, { ...moved, goals: goals('left leg') })).toBe(false);
+  });
+
+  it('are listed as channels once, however often these are asked for', () => {
+    const one = { ...everyKeyed, takes: [moved] };
+    expect(dofsFor(one).at(-1)?.name).toBe('leg bend');
+    expect(dofsFor({ ...one, name: 'another' })).toBe(dofsFor(one));
+  });
 });
