@@ -50,8 +50,10 @@ interface OpenGesture extends Gesture {
 }
 
 type Listener = (now: State, before: State) => void;
-/** @param locked number of locked DOFs that the step has left alone */
-type StepListener = (now: State, before: State, locked: number) => void;
+/** What a change says of itself. */
+type Told = Pick<Change, 'done' | 'locked'>;
+/** @param told by the change that made the step */
+type StepListener = (now: State, before: State, told: Told) => void;
 
 /** A document with its selection and history. All changes go through it, and listeners hear of each. */
 export class Store {
@@ -133,7 +135,7 @@ export class Store {
     const change = command.run(before.document, args);
     const next = this.stateAfter(before, change);
     this.step(command.label(before.document, args), next);
-    this.tellStep(next, before, lockedIn(change));
+    this.tellStep(next, before, toldBy(change));
   }
 
   /**
@@ -173,7 +175,7 @@ export class Store {
     this.settle();
     const before = this.present;
     let previewed = before.selection;
-    let locked = 0;
+    let told: Told = {};
     const close = (end: (called?: string) => void) => (called?: string) => {
       if (!isOpen()) return;
       this.gesture = undefined;
@@ -193,7 +195,7 @@ export class Store {
         if (!isOpen()) return;
         const next = this.stateAfter({ document: before.document, selection }, change);
         previewed = next.selection;
-        locked = lockedIn(change);
+        told = toldBy(change);
         this.become(next);
       },
       commit: close((called = label) => {
@@ -201,7 +203,7 @@ export class Store {
         if (after.document === before.document) return;
         this.history.remember(called, before, after);
         this.become(after);
-        this.tellStep(after, before, locked);
+        this.tellStep(after, before, told);
       }),
       cancel: close(() => this.become(before)),
     };
@@ -254,9 +256,9 @@ export class Store {
     this.become(next);
   }
 
-  private tellStep(next: State, before: State, locked: number): void {
+  private tellStep(next: State, before: State, told: Told): void {
     if (next.document === before.document) return;
-    tellAll(this.stepListeners, next, before, locked);
+    tellAll(this.stepListeners, next, before, told);
   }
 
   private become(next: State): void {
@@ -284,8 +286,8 @@ function tellAll<A extends readonly unknown[]>(listeners: ReadonlySet<(...args: 
   if (thrown) throw thrown.error;
 }
 
-function lockedIn(change: Document | Change): number {
-  return isChange(change) ? (change.locked ?? 0) : 0;
+function toldBy(change: Document | Change): Told {
+  return isChange(change) ? change : {};
 }
 
 /** A document with the selection after a change: as specified by the change, otherwise what still exists. */

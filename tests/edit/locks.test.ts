@@ -190,7 +190,7 @@ describe('locked DOFs', () => {
   it('a step tells its listeners how many it has left alone, after a drag too', () => {
     const store = new Store(locked(still));
     const heard: number[] = [];
-    store.onStep((_now, _before, count) => heard.push(count));
+    store.onStep((_now, _before, { locked = 0 }) => heard.push(locked));
     store.apply(setDofs, { ...NOW, dofs: all.map((dof) => ({ ...dof, value: 1 })) });
     const drag = store.begin('Rotate');
     drag.preview(

@@ -47,7 +47,7 @@ export const keyForMoment = command({
   label: (document, { characterId, dofs, timeSeconds }) => {
     const character = requireCharacter(document, characterId);
     const indices = dofs?.map((dof) => dof.index) ?? [...unkeyedAt(character, timeSeconds).keys()];
-    return `Key ${dofsIn(character, indices)} for a moment`;
+    return `Key ${ofMoment(character, indices)}`;
   },
   run(document, { characterId, dofs, timeSeconds, easeIn, easeOut, playedRange }): Document | Edit {
     if (!(easeIn >= MIN_EASE && easeOut >= MIN_EASE && easeIn + easeOut < Infinity)) {
@@ -65,9 +65,14 @@ export const keyForMoment = command({
     const baked = playedRange ? ([playedRange[0] + offset, playedRange[1] + offset] as const) : own;
     const { character: changed, keys } = changedFor(character, values, moment, timeSeconds, baked);
     const next = changeCharacter(document, characterId, () => changed);
-    return { document: next, keys, ...(locked > 0 && { locked }) };
+    const done = `Keyed ${ofMoment(character, [...wanted.keys()])}.`;
+    return { document: next, keys, done, ...(locked > 0 && { locked }) };
   },
 });
+
+function ofMoment(character: Character, dofs: readonly number[]): string {
+  return `${dofsIn(character, dofs)} for a moment`;
+}
 
 function valuesOf(
   character: Character,

@@ -10,21 +10,16 @@ import { channelName, namedChannel } from './channels.ts';
 
 /** Watches steps until ended. Undo isn't reported: it restores what was there. */
 export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): () => void {
-  return store.onStep(({ document }, { document: before }) => {
+  return store.onStep(({ document }, { document: before }, { done }) => {
     for (const character of document.characters) {
       const was = findCharacter(before, character.id);
       const text =
         was && was !== character && [changedPeriods(was, character), keyedEnds(was, character)].join(' ').trim();
       if (!text) continue;
-      messages.note(`${keyedForMoment(store.undoLabel)}${text}`);
+      messages.note(done ? `${done} ${text}` : text);
       return;
     }
   });
-}
-
-/** `Keyed upper_arm_l rz for a moment. `, before what became of its cycle; empty for other steps. */
-function keyedForMoment(label: string | undefined): string {
-  return label?.endsWith(' for a moment') ? `${label.replace(/^Key /, 'Keyed ')}. ` : '';
 }
 
 /** Changes of the shown take by a step. */

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { setExtrapolation } from '../../../../src/edit/commands/extrapolation.ts';
 import { addKey, moveKeys, removeKeys, setKeys } from '../../../../src/edit/commands/keys.ts';
+import { keyForMoment } from '../../../../src/edit/commands/moment.ts';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { addJoint, removeJoint } from '../../../../src/edit/commands/rig.ts';
 import { setMotion } from '../../../../src/edit/commands/rig-joint.ts';
@@ -53,6 +54,18 @@ describe('another period', () => {
   it('another period is said of several channels at once', () => {
     keyNow(wb, [{ character: wb.store.document.characters[0] }]);
     expect(said()).toBe('2 channels, including hips tx, now repeat every 3 s instead of every 2 s.');
+  });
+
+  it('another period is said after what a pose for a moment has keyed, whatever the step is called', () => {
+    const args = { characterId: 'c1', dofs: [{ index: 0, value: 1 }], timeSeconds: 0, easeIn: 0.1, easeOut: 0.1 };
+    const tried = wb.store.begin('Try');
+    tried.preview(keyForMoment.run(tried.base, args));
+    tried.commit();
+    expect(said()).toBe('Keyed tx of hips for a moment. hips tx now repeats every 2.1 s instead of every 2 s.');
+    const drag = wb.store.begin('Move for a moment');
+    drag.preview(moveKeys.run(drag.base, { characterId: 'c1', keys: [{ channel: 1, indices: [1] }], seconds: 1 }));
+    drag.commit();
+    expect(said()).toBe('hips ty now repeats every 3 s instead of every 2 s.');
   });
 
   it('another period is said at the end of a drag, and not while it lasts nor when it is given up', () => {
