@@ -31,18 +31,19 @@ export interface GoalOrder {
 export function orderedGoals({ list }: Goals, limbs: readonly Limb[], skeleton: Skeleton): GoalOrder {
   const problems: GoalProblem[] = [];
   const found = list.flatMap((goal, index): GoalOfLimb[] => {
-    const path = `goals[${index}]`;
     const limb = limbs.find(({ name }) => name === goal.limb);
     if (!limb) {
-      problems.push({ code: 'goal-without-limb', message: `${path}.limb: there is no limb "${goal.limb}".` });
+      const message = `there is no limb "${goal.limb}".`;
+      problems.push({ code: 'goal-without-limb', goal: index, path: 'limb', message });
       return [];
     }
     const spaces = jointsOfSpaces(goal, limb, skeleton);
     const unknown = spaces.indexOf(undefined);
     if (unknown >= 0) {
       const name = spacesOf(goal)[unknown][1];
-      const where = typeof goal.space === 'string' ? `${path}.space` : `${path}.space[${unknown}]`;
-      problems.push({ code: 'limb-joint-unknown', message: `${where}: ${skeleton.name} has no joint "${name}".` });
+      const path = typeof goal.space === 'string' ? 'space' : `space[${unknown}]`;
+      const message = `${skeleton.name} has no joint "${name}".`;
+      problems.push({ code: 'limb-joint-unknown', goal: index, path, message });
       return [];
     }
     const known = spaces.flatMap((joint) => joint ?? []);
@@ -68,7 +69,7 @@ function ring(left: readonly GoalOfLimb[]): GoalProblem {
     left.length === 1
       ? `the goal of ${goal.limb} is in a space that ${goal.limb} moves`
       : `the goals of ${left.map((one) => one.goal.limb).join(', ')} wait for each other`;
-  return { code: 'limb-cycle', message: `goals[${index}].space: ${why}.` };
+  return { code: 'limb-cycle', goal: index, path: 'space', message: `${why}.` };
 }
 
 /** Undefined for joints that there are not. */

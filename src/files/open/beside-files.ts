@@ -82,11 +82,12 @@ const GIVE: { readonly [K in 'markers' | 'sets' | 'limbs']: Give<K> } = {
     };
     const { takes, limbs = { list: [] } } = given.character;
     const problems = layerCode(takes[take]).goalProblems(goals, limbs, skeleton);
-    const told = problems.map(({ code, message }) =>
-      code === 'limb-cycle'
-        ? withoutPlace('error', code, message, called)
-        : withoutPlace('warning', code, message, called, 'left out'),
-    );
+    const told = problems.map(({ code, goal, path, message }) => {
+      const text = `goals[${goal}].${path}: ${message}`;
+      return code === 'limb-cycle'
+        ? withoutPlace('error', code, text, called)
+        : withoutPlace('warning', code, text, called, 'left out');
+    });
     const diagnostics = [...(given.diagnostics ?? []), ...told];
     if (hasErrors(told)) return { character, diagnostics };
     const withGoals = { ...given.character, takes: takes.with(take, { ...takes[take], goals }) };

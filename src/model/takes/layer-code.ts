@@ -35,7 +35,11 @@ export interface LayersOverBase {
 /** Something that is wrong with the goals of a take. */
 export interface GoalProblem {
   readonly code: 'goal-without-limb' | 'limb-joint-unknown' | 'limb-cycle';
-  /** A sentence that begins with the path of the value. */
+  /** The index of the goal. */
+  readonly goal: number;
+  /** Within the goal: `space[1]`. */
+  readonly path: string;
+  /** A sentence. */
   readonly message: string;
 }
 

@@ -260,13 +260,8 @@ function changeGoal(
     const { skeleton, limbs } = next;
     const goals = shownTake(next)?.goals;
     const at = goals?.list.findIndex((goal) => goal.limb === one.name) ?? -1;
-    const problem =
-      skeleton &&
-      limbs &&
-      goals &&
-      goalProblems(goals, limbs, skeleton).find(({ message }) => message.startsWith(`goals[${at}]`));
-    if (problem)
-      throw new CommandError(`${cutName(one.name)}: ${problem.message.slice(problem.message.indexOf(':') + 2)}`);
+    const problem = skeleton && limbs && goals && goalProblems(goals, limbs, skeleton).find(({ goal }) => goal === at);
+    if (problem) throw new CommandError(`${cutName(one.name)}: ${problem.message}`);
     return withoutByHand(next, at);
   });
 }
