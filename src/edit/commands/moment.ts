@@ -80,7 +80,7 @@ function valuesOf(
   dofs: readonly { readonly index: number; readonly value: number }[] | undefined,
 ): ReadonlyMap<number, number> {
   const all = characterDofs(character.skeleton, character.morphs);
-  // Goals have no moment.
+  // Only DOFs are keyed for a moment: values of goals stay unkeyed.
   if (!dofs) return new Map([...unkeyedAt(character, timeSeconds)].filter(([dof]) => dof < all.length));
   return new Map(
     dofs.map(({ index: dof, value }) => {
@@ -131,6 +131,6 @@ function changedFor(
   const next = { ...take, channels, ...(samples && sampled.size > 0 && { samples }) };
   const byHand = unkeyedAt(taking, timeSeconds);
   for (const [dof, value] of byHand)
-    if (values.has(dof) || isOnCurve(channels[dof], moment.at, value)) byHand.delete(dof);
+    if (values.has(dof) || (dof < driven.length && isOnCurve(channels[dof], moment.at, value))) byHand.delete(dof);
   return { character: withUnkeyed(withTake(taking, taking.shownTake, next), timeSeconds, byHand), keys };
 }

@@ -11,6 +11,8 @@ import {
   switchLimb,
 } from '../../../src/edit/commands/beside/limbs.ts';
 import { moveKeys, removeKeys } from '../../../src/edit/commands/keys.ts';
+import { keyForMoment } from '../../../src/edit/commands/moment.ts';
+import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { reverseSamples } from '../../../src/edit/commands/samples.ts';
 import { lockFeet, mirrorTakes, setTakeSpeed } from '../../../src/edit/commands/take-edits.ts';
 import { limbInfos } from '../../../src/evaluate/limbs/infos.ts';
@@ -212,4 +214,16 @@ describe('a take with goals', () => {
     expect(take.channels.slice(0, 6)).toEqual(root.slice(0, 6));
     expectSame(plain, attached, [0, 0.1, 0.3, 0.4, 0.5, 0.8], 2e-3);
   });
+});
+
+it('values of goals stay unkeyed when DOFs are keyed for a moment', () => {
+  const [{ takes, ...hero }] = walking().characters;
+  // Without channels beyond the DOFs.
+  const [take] = takes.map((one) => ({ ...one, channels: one.channels.slice(0, dofCountOf({ takes, ...hero })) }));
+  const walk = documentOf({ ...hero, takes: [take] });
+  const held = run(withLegs(walk), switchLimb, { ...at(0.4), limb: 0, to: 'ik' });
+  const goal = { index: firstGoalChannel(dofCountOf(heroOf(held)), 0) + 1, value: 0.3 };
+  const posed = run(held, setDofs, { ...at(0.4), dofs: [{ index: 1, value: 2 }, goal] });
+  const keyed = run(posed, keyForMoment, { ...at(0.4), easeIn: 0.1, easeOut: 0.1 });
+  expect(heroOf(keyed).unkeyed).toMatchObject({ dofs: [goal.index], values: [goal.value] });
 });

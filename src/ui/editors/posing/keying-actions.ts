@@ -273,7 +273,7 @@ function keyEach(
 function unkeyedNow(wb: Uses<'store' | 'transport'>): ReadonlyMap<number, number> {
   const character = currentCharacter(wb);
   const all = character ? unkeyedAt(character, wb.transport.get().timeSeconds) : [];
-  // Goals of limbs have no moment.
+  // As `keyForMoment`, which leaves goals of limbs unkeyed.
   const count = character ? dofCountOf(character) : 0;
   return new Map([...all].filter(([dof]) => dof < count));
 }
