@@ -185,14 +185,10 @@ class AttachedRoot {
   }
 }
 
-const compiled = perPair((attached: Attachments, character: Character) => {
+/** The last part of posing by an attached take: the root goes where it is attached, then limbs to their goals. Cached. */
+export const overPose = perPair((take: Take, character: Character): OverPose => {
   const { skeleton } = character;
-  return skeleton && new AttachedRoot(attached, character, skeleton);
-});
-
-/** The last part of posing by an attached take: the root goes where it is attached, then limbs go to their goals. Cached. */
-export function overPose(take: Take, attached: Attachments, character: Character): OverPose {
-  const root = compiled(attached, character);
+  const root = take.attached && skeleton && new AttachedRoot(take.attached, character, skeleton);
   const limbs = limbsOf(take, character);
   return {
     solve(timeSeconds, dofs, clamps, count, unkeyed) {
@@ -200,4 +196,4 @@ export function overPose(take: Take, attached: Attachments, character: Character
       limbs?.solve(timeSeconds, dofs, clamps, count, unkeyed);
     },
   };
-}
+});

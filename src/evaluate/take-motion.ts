@@ -54,7 +54,7 @@ export function limbsOf(
  * @throws Error for a take with either whose code was not provided
  */
 export function overPoseOf(take: Take | undefined, character: Character): OverPose | undefined {
-  return take?.attached ? layerCode(take).overPose(take, take.attached, character) : limbsOf(take, character);
+  return take?.attached ? layerCode(take).overPose(take, character) : limbsOf(take, character);
 }
 
 /**

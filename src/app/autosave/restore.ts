@@ -55,7 +55,7 @@ export async function readSession(
   const chunks = await readChunks(id, store, content.chunks);
   const arrays = await readArrays(id, store, [head.tree, ...[...chunks.values()].flat()]);
   options.signal.throwIfAborted();
-  // The history may have layers where the document has none.
+  // Takes may have layers, goals or attachments.
   (await import('../../evaluate/layers.ts')).provideLayers();
   (await import('../../edit/follow/leaders.ts')).provideLeaders();
   // `Keeper` wrote it.

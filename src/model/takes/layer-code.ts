@@ -1,12 +1,11 @@
 /**
- * What pages without layers, goals of limbs and attachments do with takes of others: nothing, since the code for that
- * (`layers.ts`, `goals.ts`) is a separate script. Takes can't wait for it to load, so code that brings any into a document passes it on
- * before:
+ * The code of layers, goals of limbs and attachments (`layers.ts` and `goals.ts` here, and in `evaluate/`), for what has to
+ * do without: it is a separate script, which pages whose takes have none of these never load. Takes can't wait for it to
+ * load, so code that brings any into a document, or is given one that may have some, passes it on before:
  *
  *     provideLayers();
  *
- * of `evaluate/layers.ts`. The opener, the session reader, the commands for layers, the joining of files, and the
- * worker do.
+ * of `evaluate/layers.ts`.
  */
 import type { Character, Unkeyed } from '../document.ts';
 import type { GoalPlace, LimbRow, Limbs } from '../limbs.ts';
@@ -14,7 +13,7 @@ import type { Skeleton } from '../skeleton/skeleton.ts';
 import type * as TakeGoals from './goals.ts';
 import type * as LayerJoints from './layer-joints.ts';
 import type * as Layers from './layers.ts';
-import type { Attachments, Goals, LayerSettings, Motion, Take } from './take.ts';
+import type { Goals, LayerSettings, Motion, Take } from './take.ts';
 
 /** A layer at a time. */
 export interface LayerInfo extends Omit<LayerSettings, 'weight' | 'ofWeight' | 'others'> {
@@ -64,8 +63,8 @@ export interface LayerCode
   goalProblems(goals: Goals, limbs: Limbs, skeleton: Skeleton): readonly GoalProblem[];
   /** Cached. */
   takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): OverPose;
-  /** Puts the root where the take attaches it, and then its limbs to its goals. */
-  overPose(take: Take, attached: Attachments, character: Character): OverPose;
+  /** Puts the root where the take attaches it, and then its limbs to its goals. Cached. */
+  overPose(take: Take, character: Character): OverPose;
   /** What sets DOFs of limbs in IK, as values of their goals. */
   posedByGoals(
     character: Character,

@@ -7,7 +7,7 @@ import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { bakeTake, framesOf } from '../../../src/evaluate/bake.ts';
 import { measuredFrames, trackJoints } from '../../../src/evaluate/measure/tracks.ts';
-import { dofCountOf } from '../../../src/evaluate/pose.ts';
+import { dofCountOf, poseSource } from '../../../src/evaluate/pose.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
@@ -78,4 +78,9 @@ describe('an unkeyed change of a leader', () => {
       expect(offsets(store.document)).toEqual(offsets(document));
     }
   });
+});
+
+it('what moves a follower is compiled once', () => {
+  const [, follower] = run(withProps(walking(), 'c2'), addAttachment, FOOT).characters;
+  expect(poseSource(follower).over).toBe(poseSource(follower).over);
 });

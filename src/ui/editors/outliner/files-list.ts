@@ -96,7 +96,8 @@ function fileRow({ source, why }: ListedFile): HTMLElement {
     cutLabel(source.name),
     element(
       'span',
-      { class: 'detail' }, // A take with layers or goals has a plain file, which may not be there yet.
+      { class: 'detail' },
+      // Beside the files of a take that more than its channels moves there is a plain one, which may be missing.
       source.bytes > 0 ? bytes(source.bytes) : 'made on save',
     ),
     why && element('span', { class: 'why' }, `Unused: ${why}`),
