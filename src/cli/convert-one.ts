@@ -11,7 +11,7 @@ import type { Format } from '../files/readers.ts';
 import { bvhOf, type NamedCapture, skelOf, withoutBones } from '../files/save/character-files.ts';
 import { outputsOf, refusal, TARGETS, type Target } from '../files/save/conversion.ts';
 import { acclaimCopies, acclaimRootsCopies, bvhCopy, type ConversionOptions } from '../files/save/copies.ts';
-import { plainFiles } from '../files/save/layers.ts';
+import { haveControls, plainFiles } from '../files/save/layers.ts';
 import { type Output, outputOf } from '../files/save/output.ts';
 import { copiesOf, isCopy, writeParts } from '../files/save/saving.ts';
 import { unitNotKept } from '../files/save/unit-not-kept.ts';
@@ -66,7 +66,8 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const boneless = files.some(hasPoints) ? charactersOf(files, options).flatMap((c) => bonesObstacle(c) ?? []) : [];
   if (boneless.length > 0) return { refusal: refusal('bones-missing', boneless[0], out) };
   if (isBesideTakes(out) || skeletonKindFor(out)) return acclaimOf(files, format, out, options);
-  const fitting = files.filter((file) => file.kind === kind);
+  // Where goals or attachments move a take, its frames are those of the character.
+  const fitting = kind === 'bvh' && haveControls(files) ? [] : files.filter((file) => file.kind === kind);
   if (fitting.length > 1)
     return {
       refusal: tooMany(

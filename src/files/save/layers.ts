@@ -63,6 +63,11 @@ export function plainTake(
   };
 }
 
+/** Whether files beside those of takes say what moves these besides their channels and layers: goals, or attachments. */
+export function haveControls(files: readonly ParsedFile[]): boolean {
+  return files.some((file) => file.kind === 'attach' || (file.kind === 'limbs' && file.limbs.goals));
+}
+
 /**
  * Files with plain takes in place of those with layers, which other formats than their own can't hold.
  * @param solves also in place of those with goals of limbs or attachments, for `.anim`: other writers evaluate them
@@ -77,8 +82,7 @@ export function plainFiles(
     file.kind === 'anim'
       ? hasLayers(file.take)
       : file.kind === 'bvh' && file.captures.some(({ take }) => hasLayers(take));
-  const isSolved =
-    solves && files.some((file) => file.kind === 'attach' || (file.kind === 'limbs' && file.limbs.goals));
+  const isSolved = solves && haveControls(files);
   if (!isSolved && !files.some(isLayered)) return { files, diagnostics: [] };
   const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
   const alone = notLeading(characters);
