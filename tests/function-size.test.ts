@@ -17,6 +17,7 @@ const LONG: readonly string[] = [
   'evaluate/ik/chain.ts writeMatrices',
   'evaluate/samples/near-eulers.ts nearEuler',
   'export/glb/fit/exact-cubic.ts exactKeys',
+  'formats/inflate.ts unpack',
   'formats/scan.ts scanNumbers',
   'math/ldlt.ts factorise',
   // A text.

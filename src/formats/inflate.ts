@@ -27,13 +27,18 @@ export function inflate(packed: Uint8Array, out: Uint8Array): Inflated {
 /** Bits that are looked up, and those of the longest code. */
 const FAST = 11;
 const LONGEST = 15;
-/** Symbols below it, shifted as in `Code.fast`, are bytes. */
-const FIRST_OTHER = 256 << 4;
+/** Where the symbol begins in an entry of `Code.fast`, and its number of bits: all that shifts look at of an entry. */
+const SYMBOL = 5;
+const BITS = 31;
+/** Entries below it are bytes. */
+const OTHER = 256 << SYMBOL;
+/** No symbol. */
+const NONE = 511 << SYMBOL;
 const END = 256;
 
 /** A Huffman code. */
 class Code {
-  /** By the next `FAST` bits: the symbol, shifted by 4, and its number of bits; 0 for longer ones. */
+  /** By the next `FAST` bits: the symbol, shifted, and its number of bits; `NONE` for longer ones. */
   readonly fast = new Uint16Array(1 << FAST);
   /** Number of symbols of each length. */
   private readonly counts = new Uint16Array(LONGEST + 1);
@@ -46,41 +51,40 @@ class Code {
     counts.fill(0);
     for (let i = 0; i < lengths.length; i++) counts[lengths[i]]++;
     counts[0] = 0;
-    let [first, index, left] = [0, 0, 1];
+    let [index, left] = [0, 1];
     for (let length = 1; length <= LONGEST; length++) {
       left = 2 * left - counts[length];
       if (left < 0) return false;
-      nextCodes[length] = first;
       nextIndices[length] = index;
       index += counts[length];
-      first = (first + counts[length]) << 1;
     }
-    fast.fill(0);
     for (let symbol = 0; symbol < lengths.length; symbol++) {
       const length = lengths[symbol];
-      if (length === 0) continue;
-      symbols[nextIndices[length]++] = symbol;
-      const code = nextCodes[length]++;
-      if (length > FAST) continue;
-      const step = 1 << length;
-      const entry = (symbol << 4) | length;
-      for (let bits = REVERSED[code << (FAST - length)]; bits < 1 << FAST; bits += step) fast[bits] = entry;
+      if (length > 0) symbols[nextIndices[length]++] = symbol;
+    }
+    // From length to length, entries are doubled for either next bit, then those that are no symbols yet become some.
+    fast[0] = NONE;
+    for (let length = 1, code = 0, i = 0; length <= FAST; length++, code <<= 1) {
+      fast.copyWithin(1 << (length - 1), 0, 1 << (length - 1));
+      for (let k = counts[length]; k > 0; k--, code++, i++) {
+        fast[REVERSED[code << (FAST - length)]] = (symbols[i] << SYMBOL) | length;
+      }
     }
     return true;
   }
 
-  /** As in `fast`, for any symbol; 0 if no code begins with those bits. */
+  /** As in `fast`, for any symbol; `NONE` if no code begins with those bits. */
   find(bits: number): number {
     const { counts, symbols } = this;
     let [code, first, index] = [0, 0, 0];
     for (let length = 1; length <= LONGEST; length++) {
       code |= (bits >> (length - 1)) & 1;
-      if (code - first < counts[length]) return (symbols[index + code - first] << 4) | length;
+      if (code - first < counts[length]) return (symbols[index + code - first] << SYMBOL) | length;
       index += counts[length];
       first = (first + counts[length]) << 1;
       code <<= 1;
     }
-    return 0;
+    return NONE;
   }
 }
 
@@ -180,60 +184,75 @@ class Inflating {
     for (let i = 0; i < given; i++) lengths[ORDER[i]] = this.take(3);
     if (symbolCount > 286 || !lengthCode.become(lengths.subarray(0, ORDER.length))) return false;
     for (let i = 0; i < count; ) {
-      const entry = lengthCode.find(this.peek());
-      const symbol = entry >> 4;
-      this.skip(entry & 15);
-      if (entry === 0 || (symbol === 16 && i === 0)) return false;
+      const entry = lengthCode.fast[this.peek() & ((1 << FAST) - 1)];
+      const symbol = entry >> SYMBOL;
+      this.skip(entry & BITS);
+      if (entry === NONE || (symbol === 16 && i === 0)) return false;
       const value = symbol < 16 ? symbol : symbol === 16 ? lengths[i - 1] : 0;
       const times =
         symbol < 16 ? 1 : symbol === 16 ? 3 + this.take(2) : symbol === 17 ? 3 + this.take(3) : 11 + this.take(7);
       if (i + times > count) return false;
-      lengths.fill(value, i, i + times);
-      i += times;
+      for (const end = i + times; i < end; i++) lengths[i] = value;
     }
     return (
       symbolCode.become(lengths.subarray(0, symbolCount)) && distanceCode.become(lengths.subarray(symbolCount, count))
     );
   }
 
-  /** A block of symbols. Of every four bytes that are looked at, at least 25 bits are new. */
+  /**
+   * A block of symbols. The next bits are held in a number: at least 24 of them once it is filled, and beyond those that
+   * count the right ones or 0. What it is filled with is read while symbols are looked up.
+   */
   private unpack(): InflateEnding {
     const { out } = this;
     const { fast } = symbolCode;
     const room = out.length;
     const mask = (1 << FAST) - 1;
-    let { length, byte, bit } = this;
-    let view = this.viewFrom(byte);
-    let last = 8 * (view.byteLength - MARGIN);
+    let { length } = this;
+    let view = this.viewFrom(this.byte);
+    let last = view.byteLength - MARGIN;
+    let hold = view.getUint32(0, true) >>> this.bit;
+    let count = 24 - this.bit;
+    let at = 3;
+    this.bit = 0;
     for (;;) {
-      if (bit > last) {
-        byte += bit >> 3;
-        bit &= 7;
-        if (byte > this.packed.length) break;
-        view = this.viewFrom(byte);
-        last = 8 * (view.byteLength - MARGIN);
+      // Nearly all are bytes.
+      while (at <= last && length < room - 1) {
+        hold |= view.getUint32(at, true) << count;
+        at += (31 - count) >> 3;
+        count |= 24;
+        const first = fast[hold & mask];
+        if (first >= OTHER) break;
+        out[length++] = first >> SYMBOL;
+        hold >>>= first;
+        count -= first & BITS;
+        const second = fast[hold & mask];
+        if (second >= OTHER) break;
+        out[length++] = second >> SYMBOL;
+        hold >>>= second;
+        count -= second & BITS;
       }
-      let next = view.getUint32(bit >> 3, true) >>> (bit & 7);
-      let entry = fast[next & mask];
-      if (entry > 0 && entry < FIRST_OTHER && length + 1 < room) {
-        // Nearly all are bytes: two at once.
-        out[length++] = entry >> 4;
-        bit += entry & 15;
-        next >>>= entry & 15;
-        entry = fast[next & mask];
-        if (entry > 0 && entry < FIRST_OTHER) {
-          out[length++] = entry >> 4;
-          bit += entry & 15;
-          continue;
-        }
-        next = view.getUint32(bit >> 3, true) >>> (bit & 7);
+      if (at > last) {
+        this.skip(8 * at - count);
+        if (this.byte > this.packed.length) return this.endsAt('cut', length);
+        view = this.viewFrom(this.byte);
+        last = view.byteLength - MARGIN;
+        hold = view.getUint32(0, true) >>> this.bit;
+        count = 24 - this.bit;
+        at = 3;
+        this.bit = 0;
       }
-      if (entry === 0) {
-        entry = symbolCode.find(next);
-        if (entry === 0) return this.endsAt('damaged', length);
+      hold |= view.getUint32(at, true) << count;
+      at += (31 - count) >> 3;
+      count |= 24;
+      let entry = fast[hold & mask];
+      if (entry === NONE) {
+        entry = symbolCode.find(hold);
+        if (entry === NONE) return this.endsAt('damaged', length);
       }
-      bit += entry & 15;
-      const symbol = entry >> 4;
+      hold >>>= entry;
+      count -= entry & BITS;
+      const symbol = entry >> SYMBOL;
       if (symbol < 256) {
         if (length === room) return this.endsAt('more', length);
         out[length++] = symbol;
@@ -241,26 +260,32 @@ class Inflating {
       }
       if (symbol === END) break;
       if (symbol > 285) return this.endsAt('damaged', length);
-      next = view.getUint32(bit >> 3, true) >>> (bit & 7);
       const more = LENGTH_BITS[symbol - 257];
-      let until = length + LENGTHS[symbol - 257] + (next & ((1 << more) - 1));
-      bit += more;
-      next = view.getUint32(bit >> 3, true) >>> (bit & 7);
-      const far = distanceCode.fast[next & mask] || distanceCode.find(next);
-      bit += far & 15;
-      if (far === 0 || far >> 4 > 29) return this.endsAt('damaged', length);
-      next = view.getUint32(bit >> 3, true) >>> (bit & 7);
-      const farBits = DISTANCE_BITS[far >> 4];
-      const from = length - DISTANCES[far >> 4] - (next & ((1 << farBits) - 1));
-      bit += farBits;
+      let until = length + LENGTHS[symbol - 257] + (hold & ((1 << more) - 1));
+      hold >>>= more;
+      count -= more;
+      hold |= view.getUint32(at, true) << count;
+      at += (31 - count) >> 3;
+      count |= 24;
+      let far = distanceCode.fast[hold & mask];
+      if (far === NONE) far = distanceCode.find(hold);
+      hold >>>= far;
+      count -= far & BITS;
+      if (far >> SYMBOL > 29) return this.endsAt('damaged', length);
+      hold |= view.getUint32(at, true) << count;
+      at += (31 - count) >> 3;
+      count |= 24;
+      const farBits = DISTANCE_BITS[far >> SYMBOL];
+      const from = length - DISTANCES[far >> SYMBOL] - (hold & ((1 << farBits) - 1));
+      hold >>>= farBits;
+      count -= farBits;
       if (from < 0) return this.endsAt('damaged', length);
       const isOver = until > room;
       if (isOver) until = room;
       for (let i = from; length < until; ) out[length++] = out[i++];
       if (isOver) return this.endsAt('more', length);
     }
-    this.byte = byte + (bit >> 3);
-    this.bit = bit & 7;
+    this.skip(8 * at - count);
     return this.endsAt('whole', length);
   }
 
@@ -283,5 +308,4 @@ class Inflating {
 /** Scratch. */
 const [symbolCode, distanceCode, lengthCode] = [new Code(), new Code(), new Code()];
 const lengths = new Uint8Array(320);
-const nextCodes = new Uint16Array(LONGEST + 1);
 const nextIndices = new Uint16Array(LONGEST + 1);
