@@ -8,10 +8,10 @@ import type { Channel, Goal, Take } from '../../model/takes/take.ts';
 import { AUTO_TANGENT } from '../../model/takes/tangent-kinds.ts';
 import { CommandError } from '../command-error.ts';
 import { putKeyAt } from '../keys/put-key.ts';
+import { keptAt, steppedTo } from '../keys/stepped-to.ts';
 import { layerValues } from '../layers/layer-values.ts';
 import { requireTake, withTake } from '../takes.ts';
 import { unkeyedAt, withUnkeyed } from '../unkeyed.ts';
-import { keptAt, steppedTo } from './stepped-to.ts';
 
 /** Angles and lengths this near to those of samples are those. */
 const SAME = 1e-9;

@@ -22,7 +22,7 @@ import {
 import { AUTO_TANGENT, FIXED_TANGENT, FLAT } from '../../model/takes/tangent-kinds.ts';
 import { CommandError } from '../command-error.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
-import { steppedTo } from './stepped-to.ts';
+import { steppedTo } from '../keys/stepped-to.ts';
 
 /** Seconds before a time at which a curve has the value that it jumps from. */
 const JUST_BEFORE = 1e-7;

@@ -7,6 +7,7 @@
 
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { carrierIn } from '../../evaluate/space/carrier.ts';
+import { upAxis } from '../../evaluate/space/space.ts';
 import { multiply3, turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
@@ -54,7 +55,7 @@ export class Carrier {
   constructor(skeleton: Skeleton, take: Take, up: Space['up']) {
     this.compiled = compileSkeleton(skeleton);
     this.joint = carrierIn(skeleton, take);
-    this.up = up === 'z' ? 2 : 1;
+    this.up = upAxis({ up });
     this.root = jointRotations(skeleton).find(({ joint }) => joint === 0);
     this.world = new Float64Array(16 * this.compiled.jointCount);
   }

@@ -11,7 +11,7 @@ import type { Take } from '../../model/takes/take.ts';
 import { LIMB_SIDES, partsOf } from '../retarget/roles.ts';
 import { type FrameShape, frameShapes, percentile } from './frame-shapes.ts';
 import { METRES, metresPerUnit } from './metres.ts';
-import { GROUND_PERCENTILE, lowest } from './space.ts';
+import { GROUND_PERCENTILE, lowest, upAxis } from './space.ts';
 
 /** Assumed height of a person, metres; characters get the unit that brings them closest. */
 const PERSON = 1.7;
@@ -65,7 +65,7 @@ export function guessSharedSpace(captures: readonly Capture[], up?: Space['up'])
  * @param isUpKnown whether one whose trunk lies, in its file pose and in the take, is an animal with a person's names
  */
 export function guessedHeight(skeleton: Skeleton, take: Take | undefined, up: Space['up'], isUpKnown = false) {
-  const axis = up === 'z' ? 2 : 1;
+  const axis = upAxis({ up });
   const named = bodyOf(skeleton);
   const frames = frameShapes(skeleton, take);
   const body = named && isUpKnown && lies(skeleton, named, frames, up) ? undefined : named;
@@ -77,7 +77,7 @@ export function guessedHeight(skeleton: Skeleton, take: Take | undefined, up: Sp
 const LYING = 0.7;
 
 function lies(skeleton: Skeleton, { hips, head }: Body, frames: readonly FrameShape[], up: Space['up']): boolean {
-  const axis = up === 'z' ? 2 : 1;
+  const axis = upAxis({ up });
   const sign = up === '-y' ? -1 : 1;
   const upright = (frame: FrameShape) =>
     (sign * (frame.points[3 * head + axis] - frame.points[3 * hips + axis])) / distance(frame, head, hips);
@@ -98,7 +98,7 @@ function guessed(
   const body = bodyOf(skeleton);
   const frames = frameShapes(skeleton, take);
   const { up, standing } = known ? { up: known, standing: 0 } : upOf(skeleton, body, frames, take !== undefined);
-  const axis = up === 'z' ? 2 : 1;
+  const axis = upAxis({ up });
   const height = heightOf(body, frames, take !== undefined, axis);
   if (!(height > 0) || !Number.isFinite(height))
     return { space: { ...DEFAULT_SPACE, up, known: 'guessed' }, standing: 0, height: 0 };

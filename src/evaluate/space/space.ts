@@ -29,7 +29,7 @@ export function upText({ up }: Pick<Space, 'up'>): string {
 }
 
 /** The vertical axis in the character's own space: 1 for y, 2 for z. */
-export function upAxis(space: Space = DEFAULT_SPACE): 1 | 2 {
+export function upAxis(space: Pick<Space, 'up'> = DEFAULT_SPACE): 1 | 2 {
   return space.up === 'z' ? 2 : 1;
 }
 
@@ -47,7 +47,7 @@ export const GROUND_PERCENTILE = 0.15;
 
 /** The lowest point of a frame, along the up axis. */
 export function lowest({ min, max }: FrameShape, up: Space['up']): number {
-  return up === '-y' ? -max[1] : min[up === 'z' ? 2 : 1];
+  return up === '-y' ? -max[1] : min[upAxis({ up })];
 }
 
 /** The lift that puts a character on the ground in a space with known up axis and unit. */

@@ -20,7 +20,7 @@ import { CommandError } from '../../command-error.ts';
 import { SHORT_NAME } from '../../cut-name.ts';
 import { sameValue } from '../../delta.ts';
 import { follows, leaderOf, provideLeaders, withAttached } from '../../follow/leaders.ts';
-import { withJump } from '../../keys/jump.ts';
+import { steppedTo } from '../../keys/stepped-to.ts';
 import { layerValues } from '../../layers/layer-values.ts';
 import { refuseMoved } from '../../refuse-moved.ts';
 import { index, optional, text } from '../../schema/shape.ts';
@@ -260,6 +260,6 @@ function keyedRoot(character: Character, held: Character, timeSeconds: number): 
   const values = take.layers ? layerValues(character, wanted, timeSeconds) : wanted;
   const time = timeSeconds + character.timeOffsetSeconds;
   const channels = [...take.channels];
-  for (const [dof, value] of values) channels[dof] = withJump(channels[dof], time, value, take.range);
+  for (const [dof, value] of values) channels[dof] = steppedTo(channels[dof], time, value, 'continues', take.range);
   return withTake(withoutUnkeyed(character), character.shownTake, { ...take, channels });
 }

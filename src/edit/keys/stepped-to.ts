@@ -1,12 +1,12 @@
-/** Keys that end one stretch of a curve and begin another: for switching limbs, and for changing their space. */
+/** Keys that end one stretch of a curve and begin another: for switching limbs, changing their space, and putting down. */
 import { keySlope } from '../../evaluate/slopes.ts';
 import type { Channel, KeyedChannel } from '../../model/takes/take.ts';
 import { AUTO_TANGENT, FIXED_TANGENT, FLAT, SMOOTH } from '../../model/takes/tangent-kinds.ts';
 import { sameValue } from '../delta.ts';
-import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
-import { placeOf } from '../keys/cycle.ts';
-import { insertKey } from '../keys/insert.ts';
-import { withStepsAfter } from '../keys/steps.ts';
+import { type Key, keyAt, tangent, withKeyList } from './columns.ts';
+import { placeOf } from './cycle.ts';
+import { insertKey } from './insert.ts';
+import { withStepsAfter } from './steps.ts';
 
 /** Values this near are the same: a match is exact but for rounding. */
 const SAME = 1e-9;
@@ -20,10 +20,17 @@ export type StepTo = 'continues' | 'holds';
  *
  * @param given not a sampled one
  * @param time seconds of the take
+ * @param range in which the repetitions become keys, too, so that they are not others
  */
-export function steppedTo(given: Channel, time: number, value: number, then: StepTo): Channel {
+export function steppedTo(
+  given: Channel,
+  time: number,
+  value: number,
+  then: StepTo,
+  range?: readonly [number, number],
+): Channel {
   if (given.kind === 'rest' && isSame(given.value, value)) return given;
-  const place = placeOf(given, time, { outsideCycle: 'bake' });
+  const place = placeOf(given, time, { outsideCycle: 'bake', ...(range && { bakedRange: range }) });
   const { channel, index } = insertKey(place.channel, place.time);
   const end = index + 1;
   let start = index;
