@@ -1,10 +1,15 @@
 /** Restoring work after a page was killed, closed or reloaded, with other tabs, and without storage. */
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { testAll } from '../helpers/check.ts';
 import { dropFiles, type OpenPage, type PageOptions, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { ARM, dofs, kept, offer, openArm, RESTORING, ready, restore, SMALL, setDof, shown } from './checks/autosave.ts';
+
+const sample = (name: string) => readFileSync(new URL(`../../public/samples/${name}`, import.meta.url));
+const WALKER = ['walker.skel', 'walker_walk.anim'].map((name) => ({ name, bytes: sample(name) }));
+const TWIN = [{ name: 'twin.skel', bytes: sample('walker.skel') }];
 
 const withSmallPage = (body: (open: OpenPage) => Promise<void>, options: PageOptions = {}) =>
   withPage(body, { ...SMALL, ...options });
@@ -45,6 +50,65 @@ describe('work', () => {
       },
       // High enough for the tree to show the joints.
       { expected: /crashed/, size: { width: 1280, height: 800 } },
+    ));
+
+  it('layers, goals of limbs, an attachment and retargeting come back after a crash, and move as they did', () =>
+    withPage(
+      async ({ page, openAnother }) => {
+        await ready(page);
+        await dropFiles(page, [...WALKER, { name: 'sword.skel', bytes: ARM }, ...TWIN]);
+        await shown(page, 'sword');
+        await shown(page, 'twin');
+        await page.evaluate(async () => {
+          const { marrow } = window;
+          marrow.pause();
+          marrow.seek(0.5);
+          const [walker, sword, twin] = ['walker', 'sword', 'twin'].map((name) => {
+            const found = marrow.characters().find((one) => one.name === name);
+            if (!found) throw new Error(`no ${name}`);
+            return { ...found, jointIn: (joint: string) => found.joints.findIndex((one) => one.name === joint) };
+          });
+          const characterId = walker.id;
+          const joints = ['thigh_l', 'shin_l', 'foot_l'].map(walker.jointIn);
+          await marrow.run('limbs.add', { characterId, joints, orient: true, mirrored: true });
+          await marrow.run('limbs.switch', { characterId, limb: 0, timeSeconds: 0.5, to: 'ik' });
+          await marrow.run('layers.add', { characterId, name: 'wave' });
+          const index = walker.dofs.length - 5;
+          await marrow.run('pose.setDofs', { characterId, dofs: [{ index, value: 0.4 }], timeSeconds: 0.5, key: {} });
+          await marrow.run('retarget.set', { characterId: twin.id, sourceId: walker.id });
+          const grip = { leaderId: twin.id, joint: twin.jointIn('hand_r'), span: [0.25, 2] };
+          await marrow.run('attach.add', { characterId: sword.id, ...grip });
+        });
+        const seen = (of: Page) =>
+          of.evaluate(() => {
+            const { marrow } = window;
+            return [0, 0.4, 0.9].map((seconds) => {
+              marrow.seek(seconds);
+              const moved = marrow.characters().map(({ name }) => marrow.worldMatrices(name));
+              return { moved, limbs: marrow.limbs('walker'), layers: marrow.layers('walker') };
+            });
+          });
+        const last = (await seen(page))[2];
+        expect(last.limbs.map(({ blend }) => blend)).toEqual([1, undefined]);
+        expect(last.layers.map(({ name }) => name)).toEqual(['wave']);
+        await kept(page);
+        const before = await seen(page);
+        await crash(page);
+
+        const again = await openAnother();
+        await ready(again);
+        await restore(again);
+        await shown(again, 'sword');
+        await expect.poll(() => seen(again)).toEqual(before);
+        // What is retargeted is written by the worker, which has restored nothing.
+        const made = await again.evaluate(async () => (await window.marrow.glb({}, 'sword')).bytes.length);
+        expect(made).toBeGreaterThan(1000);
+        await again.evaluate(() => window.marrow.run('attach.putDown', { character: 'sword', timeSeconds: 0.9 }));
+        const undone = await again.evaluate(() => window.marrow.undo());
+        expect(undone).toBe(true);
+        await expect.poll(() => seen(again)).toEqual(before);
+      },
+      { ...SMALL, expected: /crashed/ },
     ));
 
   it('work goes on being kept under the same session after it was restored', () =>
