@@ -106,25 +106,48 @@ function asKnownVisitor(): void {
 }
 
 /**
- * Runs in the page: the viewport stays empty. Everything is computed, compiled, sent to the GPU and checked as ever, but
- * of what is shown no pixel is filled, which in software takes most of the time of a test. What lies under the pointer
- * is drawn out of sight, and found as ever.
+ * Runs in the page: the viewport stays empty. Everything is computed, sent to the GPU and checked as ever, but of what is
+ * shown no vertex is moved and no pixel is filled, which in software takes most of the time of a test. What lies under the
+ * pointer is drawn out of sight, and found as ever.
  */
 function fillNoPixels(): void {
   const { prototype } = HTMLCanvasElement;
   const { getContext } = prototype;
+  const { prototype: drawing } = WebGL2RenderingContext;
   const seen = new WeakSet<WebGL2RenderingContext>();
+  /** Those of them that draw what is shown now, and nothing out of sight. */
+  const showing = new WeakSet<object>();
   const stayEmpty = (gl: WebGL2RenderingContext) => {
     seen.add(gl);
+    showing.add(gl);
     gl.enable(gl.RASTERIZER_DISCARD);
     gl.canvas.addEventListener('webglcontextrestored', () => gl.enable(gl.RASTERIZER_DISCARD), { capture: true });
     gl.bindFramebuffer = (target, buffer) => {
-      WebGL2RenderingContext.prototype.bindFramebuffer.call(gl, target, buffer);
+      drawing.bindFramebuffer.call(gl, target, buffer);
       if (target === gl.READ_FRAMEBUFFER) return;
-      if (buffer) gl.disable(gl.RASTERIZER_DISCARD);
-      else gl.enable(gl.RASTERIZER_DISCARD);
+      if (buffer) {
+        showing.delete(gl);
+        gl.disable(gl.RASTERIZER_DISCARD);
+      } else {
+        showing.add(gl);
+        gl.enable(gl.RASTERIZER_DISCARD);
+      }
     };
   };
+  // Scripts of tests that run after this one see how much would be drawn. WebGL's methods by name.
+  const methods = drawing as unknown as Record<string, (...values: number[]) => void>;
+  for (const [name, count] of [
+    ['drawArrays', 2],
+    ['drawElements', 1],
+    ['drawArraysInstanced', 2],
+    ['drawElementsInstanced', 1],
+  ] as const) {
+    const { [name]: draw } = methods;
+    methods[name] = function (...values) {
+      if (showing.has(this)) values[count] = 0;
+      draw.apply(this, values);
+    };
+  }
   // It has an overload for each kind of context.
   prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: object) {
     if (kind !== 'webgl2') return getContext.call(this, kind, options);
