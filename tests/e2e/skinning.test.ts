@@ -5,6 +5,7 @@ import { launchChromium } from '../helpers/chromium.ts';
 import { describeShared } from '../helpers/shared.ts';
 import {
   AT_REST,
+  bytesOf,
   course,
   differing,
   expectTexture,
@@ -122,7 +123,8 @@ describeShared('the reference’s skins in a real browser', () => {
     ['cse169/wasp.skel', 'cse169/wasp.skin'],
   ])('%s, %s: no triangle is dark for its winding', async (skel, skin) => {
     const what = course(skel, skin, AT_REST);
-    const away = ({ pixels }: Picture) => {
+    const away = (picture: Picture) => {
+      const pixels = bytesOf(picture);
       let count = 0;
       // Blue is the normal's component toward the viewer: 128 is 0.
       for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0 && pixels[i + 2] < 127) count++;

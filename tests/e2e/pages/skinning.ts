@@ -60,8 +60,8 @@ export interface Vertices {
 }
 
 export interface Picture {
-  /** RGBA, bottom row first. */
-  readonly pixels: number[];
+  /** RGBA, bottom row first, in base64: a list of so many numbers takes seconds on its way. */
+  readonly pixels: string;
   readonly drawn: number;
 }
 
@@ -229,7 +229,9 @@ function picture(scene: Scene, camera: Camera): Picture {
   gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   let drawn = 0;
   for (let i = 3; i < pixels.length; i += 4) if (pixels[i] > 0) drawn++;
-  return { pixels: [...pixels], drawn };
+  let bytes = '';
+  for (let i = 0; i < pixels.length; i += 0x8000) bytes += String.fromCharCode(...pixels.subarray(i, i + 0x8000));
+  return { pixels: btoa(bytes), drawn };
 }
 
 /** A character's vertices deformed by the core, with normals and triangles as they are drawn. */
