@@ -4,6 +4,8 @@ import { expect, it } from 'vitest';
 import { dropPaths, withPage } from '../helpers/page.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 
+/** Of the page, which is drawn besides the pictures: a frame of it in software takes longer than a picture. */
+const SMALL = { width: 480, height: 360 };
 /** Part of the walker's height, from the top, that is its head. */
 const HEAD = 0.42;
 /** Linear luminance below which a pixel is near black. */
@@ -69,7 +71,7 @@ it.each(['dark', 'light'] as const)(
         expect(Math.min(...found.map(({ upper }) => upper))).toBeGreaterThanOrEqual(0.25);
         expect(Math.max(...found.map(({ nearBlack }) => nearBlack))).toBeLessThanOrEqual(0.02);
       },
-      { colorScheme, walking: true, firstVisit: true, drawn: true },
+      { colorScheme, walking: true, firstVisit: true, drawn: true, size: SMALL },
     ),
 );
 
@@ -85,14 +87,14 @@ describeShared('characters of the course', () => {
     withPage(
       async ({ page }) => {
         const paths = names.split(',').map((name) => sharedPath(`data/cse169/${name}`));
-        await dropPaths(page, paths);
+        await dropPaths(page, paths, SMALL.width / 2, SMALL.height / 2);
         const name = names.split('.')[0];
         await page.waitForFunction((wanted) => window.marrow.characters()[0]?.name === wanted, name);
         const found = await lightNow(page);
         expect(found.nearBlack).toBeLessThanOrEqual(0.02);
         expect(found.upper).toBeGreaterThan(0.1);
       },
-      { colorScheme, drawn: true },
+      { colorScheme, drawn: true, size: SMALL },
     ),
   );
 });
