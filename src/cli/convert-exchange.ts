@@ -90,7 +90,7 @@ export async function convertToExchange(
     const names = whole.map((character) => character.name).join(', ');
     return failed(
       'part-ambiguous',
-      `Expected one character for ${name}, found ${whole.length} (${names}). Name only one, or write each: --to ${format} --out DIR.`,
+      `Expected one character for ${name}, found ${whole.length} (${names}). Name only one, or write each: --to ${format} --out DIR.${edit ? '' : ' To put the motion of one on another, name the files of the other by --retarget, one each.'}`,
     );
   }
   try {

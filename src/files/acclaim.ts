@@ -27,10 +27,15 @@ export function readAcclaimSkeleton({ fileName, bytes }: Import): ImportedFile<C
 /** Reads an `.amc` with the skeleton that its name belongs to. Never throws for anything that the file holds. */
 export async function readAcclaimTake(given: Import): Promise<ImportedFile<ContentOf<'amc'>>> {
   const { fileName, bytes, beside, near } = given;
-  const name = skeletonNameFor(fileName, near?.('asf') ?? []);
+  const names = near?.('asf') ?? [];
+  const name = skeletonNameFor(fileName, names);
   const found = name === undefined ? undefined : await beside(name);
   if (!found) {
-    const message = 'Expected its skeleton, an .asf file of the same name or its beginning, found none. Open both.';
+    const others =
+      names.length > 0
+        ? `others: ${names.slice(0, 3).join(', ')}${names.length > 3 ? ' and more' : ''}. Name it after one of them.`
+        : 'none. Open both.';
+    const message = `Expected its skeleton, an .asf file of the same name or its beginning, found ${others}`;
     return { diagnostics: [withoutPlace('error', 'skeleton-missing', message, fileName)], beside: [], isWaiting: true };
   }
   const of = readWhole(asfReader(found.source.name), found.bytes);
@@ -39,6 +44,16 @@ export async function readAcclaimTake(given: Import): Promise<ImportedFile<Conte
     return { diagnostics: [withoutPlace('error', 'skeleton-broken', message, fileName)], beside: [], isWaiting: true };
   }
   const report = new Report(fileName);
+  // One that is not named after the skeleton may be of another.
+  const isOther = skeletonNameFor(fileName, [found.source.name, NOBODYS]) === undefined;
+  if (isOther) {
+    report.info(
+      'skeleton-assumed',
+      'Its name begins with that of no .asf file here.',
+      NO_PLACE,
+      `used ${found.source.name}, the only one`,
+    );
+  }
   const take = amcTake(bytes, report, stemOfName(fileName), of.value);
   const space = take && spaceOf(of.value, take);
   if (space?.space.known === 'guessed') {
@@ -47,8 +62,7 @@ export async function readAcclaimTake(given: Import): Promise<ImportedFile<Conte
   }
   const diagnostics: readonly Diagnostic[] = report.finish();
   if (!take || hasErrors(diagnostics)) {
-    // One that is not named after the skeleton may be of another, which comes later.
-    const isOther = skeletonNameFor(fileName, [found.source.name, NOBODYS]) === undefined;
+    // That other one may come later.
     return { diagnostics, beside: [], ...(isOther && { isWaiting: true }) };
   }
   const value = { kind: 'amc', skeleton: of.value, take, of: found.source, ...(space && { space }) } as const;

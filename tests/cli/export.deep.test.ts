@@ -8,6 +8,32 @@ import { command } from '../helpers/command.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 import { bvh, makeTakes, WALK } from './captures.ts';
 
+const ASF = `:version 1.10
+:name one
+:units
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name arm
+    direction 0 1 0
+    length 2
+    axis 0 0 0 XYZ
+    dof rz
+  end
+:hierarchy
+  begin
+    root arm
+  end
+`;
+const AMC = `:FULLY-SPECIFIED\n:DEGREES\n${[1, 2, 3].map((f) => `${f}\nroot ${f} 20 0 0 0 0\narm ${10 * f}\n`).join('')}`;
+
 let folder = '';
 beforeEach(() => {
   folder = makeTakes();
@@ -174,11 +200,19 @@ describe('marrow export', () => {
     expect([without.code, without.err]).toEqual([1, expect.stringContaining('wave.bin')]);
   });
 
-  it('files that exist are kept without --resume or --force, and the take fails in words', async () => {
+  it('files that exist are kept without --resume or --force, with their manifest, and told in words', async () => {
     await exported('takes', '--to', 'npz', '--out', 'out');
+    const before = manifest();
     const { code, err } = await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5');
     expect(code).toBe(1);
     expect(err).toContain('walk.npz already exists. Use --resume to continue an export, --force to overwrite.');
+    expect(manifest()).toEqual(before);
+    for (const part of ['1/2', '2/2']) await exported('takes', '--to', 'npz', '--out', 'out', '--shard', part);
+    expect(manifest()).toEqual(before);
+    // What others add is listed beside.
+    writeFileSync(join(folder, 'more.bvh'), WALK);
+    expect((await exported('more.bvh', '--to', 'npz', '--out', 'out')).code).toBe(0);
+    expect(manifest()).toEqual([expect.objectContaining({ output: 'more.npz' }), ...before]);
     expect(npz('out/walk.npz').positions.shape).toEqual([11, 2, 3]);
     expect((await exported('takes', '--to', 'npz', '--out', 'out', '--fps', '5', '--force')).code).toBe(0);
     expect(npz('out/walk.npz').positions.shape).toEqual([6, 2, 3]);
@@ -324,6 +358,34 @@ describe('marrow export', () => {
     }
   });
 
+  it('of several characters to retarget to, in several files or with other joints than the take, it takes none', async () => {
+    const onto = (...targets: string[]) =>
+      exported('takes/walk.bvh', '--to', 'npz', '--out', 'out', ...targets.flatMap((path) => ['--retarget', path]));
+    const two = await onto('takes');
+    expect([two.code, two.err]).toEqual([2, expect.stringContaining('--retarget takes one character, found 4')]);
+    expect(existsSync(join(folder, 'out'))).toBe(false);
+    expect((await onto('takes/two.bvh')).err).toContain('none with the joints of this take');
+  });
+
+  it('the rate of a file that states none is told, and the one that --rate gives is used: the same frames', async () => {
+    writeFileSync(join(folder, 'one.asf'), ASF);
+    writeFileSync(join(folder, 'one.amc'), AMC);
+    const usual = await exported('one.amc', '--to', 'npz', '--out', 'usual');
+    expect(usual.err).toContain('1 take: The file states no frame rate. (used 120 frames per second)\n');
+    expect(manifest('usual/manifest.ndjson')[0]).toMatchObject({ fps: 120, notes: [expect.stringContaining('120')] });
+    const { code, err } = await exported('one.amc', '--to', 'npz', '--out', 'known', '--rate', '50');
+    expect([code, err]).toEqual([0, expect.stringContaining('(used 50 frames per second, as --rate says)')]);
+    const [before, after] = [npz('usual/one.npz'), npz('known/one.npz')];
+    expect(after.positions.values).toEqual(before.positions.values);
+    expect(after.times.values).toEqual([0, 0.02, 0.04]);
+    expect(meta('known/one.npz')).toMatchObject({ rate: 50, notes: [expect.stringContaining('50')] });
+    // Stated rates stay, and the one file that is converted is the same.
+    await exported('takes/walk.bvh', '--to', 'npz', '--out', 'stated', '--rate', '50');
+    expect(npz('stated/takes/walk.npz').fps.values).toEqual([10]);
+    expect((await command(['convert', 'one.amc', 'one.bvh', '--rate', '50'], folder)).code).toBe(0);
+    expect(readFileSync(join(folder, 'one.bvh'), 'utf8')).toContain('Frame Time: 0.02\n');
+  });
+
   it('at twice the frame rate every other frame is one of the file, the last included', async () => {
     writeFileSync(join(folder, 'thirty.bvh'), WALK.replace('Frame Time: 0.1', 'Frame Time: 0.033333'));
     await exported('thirty.bvh', '--to', 'npz', '--out', 'own', '--float64');
@@ -348,8 +410,8 @@ describe('marrow export', () => {
     const { offsets, times, positions } = npz('out/takes/walk.npz');
     expect(times.values).toEqual([0.2, 0.4, 0.6, 0.8]);
     expect(positions.shape).toEqual([4, 2, 3]);
-    await exported('small.bvh', '--to', 'npz', '--out', 'out');
-    expect(offsets.values).toEqual(npz('out/small.npz').offsets.values);
+    await exported('small.bvh', '--to', 'npz', '--out', 'small');
+    expect(offsets.values).toEqual(npz('small/small.npz').offsets.values);
     expect(meta('out/takes/walk.npz')).toMatchObject({
       fps: 5,
       crop: [0.2, 0.8],

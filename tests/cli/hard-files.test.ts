@@ -70,6 +70,8 @@ it.each([
     'its folder could not be created: a part of its path is a file',
   ],
   [['convert', 'takes/t0.bvh', 'takes'], 2, 'The format of "takes" is unknown'],
+  [['convert', 'takes/t0.bvh', 't.npz'], 2, 'Arrays are written by "marrow export --to npz"'],
+  [['convert', 'takes/t0.bvh', 'a.skel', 'o.glb'], 1, 'name the files of the other by --retarget, one each'],
   [['convert', 'takes/t0.bvh', 'folder.bvh'], 3, 'something other than a file has this name'],
   [['convert', 'takes/t0.bvh', 'none/out.bvh'], 3, 'The file could not be written: there is no such file or folder.'],
   [['kit', 'list.csv'], 3, 'could not be written: its folder could not be created: a file of this name exists'],

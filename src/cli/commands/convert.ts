@@ -24,11 +24,13 @@ import { convertToExchange, EXCHANGE_OPTIONS, refuseOptions } from '../convert-e
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import { type Edit, pickOrRefuse } from '../convert-one.ts';
 import { exportGiven } from '../export/export-given.ts';
+import { FORMAT_NAMES } from '../export/formats.ts';
 import { MOTION_KINDS, type MotionKind } from '../export/motion-files.ts';
 import { EDITING, editingOf, firstGiven, SHARING } from '../export/switches.ts';
 import { inSpaceOf, loadTarget } from '../export/target.ts';
 import type { CommandIo, ExitCode } from '../io.ts';
-import { loadAny } from '../load.ts';
+import { atKnownRate } from '../known-rate.ts';
+import { type Loaded, loadAny } from '../load.ts';
 import { anyInputs } from '../options/inputs.ts';
 import { KEEP_OPTION } from '../options/keep.ts';
 import { ending, oneOf, positive, text } from '../options/kinds.ts';
@@ -140,12 +142,15 @@ async function toFile(inputs: readonly string[], given: ConvertOptions, io: Comm
   if (exchange) return toExchange(exchange, [ins, out], given, io);
   const format = formatOf(out);
   if (!format || !isSaved(format.format)) {
+    const arrays = FORMAT_NAMES.find((name) => out.toLowerCase().endsWith(`.${name}`));
+    if (arrays)
+      throw new UsageError(`Arrays are written by "marrow export --to ${arrays}", for ${out} and many takes alike.`);
     const known = [...WRITABLE_EXTENSIONS, ...EXCHANGE_FORMATS].map((extension) => `.${extension}`).join(' ');
     throw new UsageError(`The format of "${out}" is unknown; its name must end in one of ${known}.`);
   }
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
   const name = basename(out);
-  const { files, diagnostics: read } = await loadAny(ins, io.folder, { keep: given.keep });
+  const { files, diagnostics: read } = await loadKnown(ins, given, io);
   const diagnostics = [...read];
   const sizes: { readonly path: string; readonly bytes: number }[] = [];
   if (!hasErrors(diagnostics)) {
@@ -179,7 +184,7 @@ async function toExchange(
   io: CommandIo,
 ): Promise<ExitCode> {
   const options = { ...conversionOf(given), edit: await editOf(given, io) };
-  const { files, diagnostics: read } = await loadAny(ins, io.folder, { keep: given.keep });
+  const { files, diagnostics: read } = await loadKnown(ins, given, io);
   const diagnostics = [...read];
   let bytes = 0;
   if (!hasErrors(diagnostics)) {
@@ -194,6 +199,11 @@ async function toExchange(
     await printJson({ written: failed ? null : { name: basename(out), kind: 'character', bytes }, diagnostics }, io);
   } else if (!failed) await io.out(`${out}: ${labelOf(out)}, ${bytes} bytes\n`);
   return failed ? failureOf(diagnostics) : 0;
+}
+
+/** What the arguments name, with the rate that is given for files without one. */
+async function loadKnown(ins: readonly string[], { keep, rate }: ConvertOptions, io: CommandIo): Promise<Loaded> {
+  return atKnownRate(await loadAny(ins, io.folder, { keep }), rate);
 }
 
 /** The files with one kind of tangent on both sides of all keys. */

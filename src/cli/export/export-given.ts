@@ -18,6 +18,9 @@ import { timeLeft } from './time-left.ts';
 /** What the commands say differently. */
 export type OwnSettings = Pick<ExportSettings, 'to' | 'precision' | 'isRaw' | 'isChecked' | 'tolerance'>;
 
+/** More of what was assumed is in the manifest alone. */
+const MAX_NOTES = 8;
+
 /** The options that the commands share. */
 export interface ExportOptions extends OptionValues<typeof EDITING>, OptionValues<typeof SHARING> {
   readonly out: string;
@@ -85,8 +88,12 @@ async function exportAll(
     (done, of, failed) => io.progress?.(progressText(done, of, failed, left(done, of))),
   );
   io.progress?.('');
-  const { written, kept, bytes, warned, failures, stale } = summary;
+  const { written, kept, bytes, warned, notes, failures, stale } = summary;
   for (const { input, error } of failures) io.err(`${input}: ${error}\n`);
+  for (const { note, takes } of notes.slice(0, MAX_NOTES)) io.err(`${counted(takes, 'take')}: ${note}\n`);
+  if (notes.length > MAX_NOTES) {
+    io.err(`${counted(notes.length - MAX_NOTES, 'more note')} of this kind are in the manifest.\n`);
+  }
   if (stale.length > 0) {
     const [verb, s] = stale.length === 1 ? ['is', ''] : ['are', 's'];
     io.err(

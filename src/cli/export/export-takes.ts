@@ -6,7 +6,7 @@ import { earlierRecords, Manifest } from './manifest.ts';
 import { LAYOUT } from './meta.ts';
 import { type ExportPiece, type ExportResult, exportWork } from './one-take.ts';
 import { hashOf } from './read-input.ts';
-import { type FailedTake, isWritten } from './records.ts';
+import { type FailedTake, isWritten, type TakeRecord } from './records.ts';
 import type { ExportSettings } from './settings.ts';
 import { inShard, type Shard } from './switches.ts';
 import type { TakeInput } from './take-inputs.ts';
@@ -29,8 +29,10 @@ export interface ExportSummary {
   readonly written: number;
   readonly kept: number;
   readonly bytes: number;
-  /** Takes that were read with assumptions. */
+  /** Takes whose files have something wrong. */
   readonly warned: number;
+  /** What files don't state and was assumed, with how many of the takes written it concerns. */
+  readonly notes: readonly { readonly note: string; readonly takes: number }[];
   readonly failures: readonly FailedTake[];
   /** Outputs of earlier runs that are none of this list any more. */
   readonly stale: readonly string[];
@@ -38,6 +40,8 @@ export interface ExportSummary {
 
 /** Starting a thread takes about as long as a few takes. */
 const FEW = 4;
+
+const NO_RECORDS: ReadonlyMap<string, readonly TakeRecord[]> = new Map();
 
 /** @param told after each input, with how many are done and how many of them failed */
 export async function exportTakes(
@@ -47,15 +51,15 @@ export async function exportTakes(
 ): Promise<ExportSummary> {
   const { out } = settings;
   const key = keyOf(settings, dependsOn);
-  const earlier = resumes ? earlierRecords(out) : new Map();
+  // Without --resume and --force, nothing is overwritten, nor is what the manifest says of it.
+  const adds = !settings.replaces;
+  const known = resumes || adds ? earlierRecords(out) : NO_RECORDS;
+  const earlier = resumes ? known : NO_RECORDS;
   const pieces = inShard(inputs, shard).map((input): ExportPiece => ({ input, before: earlier.get(input.path) ?? [] }));
-  const manifest = new Manifest(
-    out,
-    shard,
-    pieces.flatMap(({ before }) => before),
-  );
+  const manifest = new Manifest(out, shard, adds ? [...known.values()].flat() : pieces.flatMap(({ before }) => before));
   const failures: FailedTake[] = [];
   const replaced: string[] = [];
+  const notes = new Map<string, number>();
   let [written, kept, bytes, warned, done] = [0, 0, 0, 0, 0];
   await shareWork(
     {
@@ -65,8 +69,9 @@ export async function exportTakes(
       pieces,
       ...(threads !== undefined && { threads }),
       few: FEW,
-      done({ before }, { records, isKept }: ExportResult) {
-        manifest.add(records);
+      done({ input, before }, { records, isKept }: ExportResult) {
+        const there = adds && !records.some(isWritten) ? known.get(input.path)?.filter(isWritten) : undefined;
+        manifest.add(there?.length ? there : records);
         const outputs = new Set(records.filter(isWritten).map(({ output }) => output));
         replaced.push(...before.filter(isWritten).flatMap(({ output }) => (outputs.has(output) ? [] : [output])));
         for (const record of records) {
@@ -76,6 +81,7 @@ export async function exportTakes(
             written++;
             bytes += record.bytes;
             if (record.warnings) warned++;
+            for (const note of record.notes ?? []) notes.set(note, (notes.get(note) ?? 0) + 1);
           }
         }
         told(++done, pieces.length, failures.length);
@@ -87,17 +93,46 @@ export async function exportTakes(
     },
     program,
   );
-  manifest.finish();
   const listed = new Set(inputs.map(({ path }) => path));
+  if (adds && !shard) for (const [input, records] of known) if (!listed.has(input)) manifest.add(records);
+  manifest.finish();
   const gone = [...earlier].filter(([input]) => !listed.has(input)).flatMap(([, records]) => records);
   failures.sort((a, b) => (a.input < b.input ? -1 : 1));
   const unlisted = gone.filter(isWritten).map(({ output }) => output);
-  return { written, kept, bytes, warned, failures, stale: [...unlisted, ...replaced.sort()] };
+  return {
+    written,
+    kept,
+    bytes,
+    warned,
+    notes: listedNotes(notes),
+    failures,
+    stale: [...unlisted, ...replaced.sort()],
+  };
+}
+
+/** The most frequent first. */
+function listedNotes(notes: ReadonlyMap<string, number>): ExportSummary['notes'] {
+  return [...notes]
+    .map(([note, takes]) => ({ note, takes }))
+    .sort((a, b) => b.takes - a.takes || (a.note < b.note ? -1 : 1));
 }
 
 /** Of everything but the input that decides what its outputs are. */
 function keyOf(
-  { to, precision, fps, crop, isRaw, isMirrored, retarget, map, space, isChecked, tolerance }: ExportTask['settings'],
+  {
+    to,
+    precision,
+    fps,
+    crop,
+    isRaw,
+    isMirrored,
+    rate,
+    retarget,
+    map,
+    space,
+    isChecked,
+    tolerance,
+  }: ExportTask['settings'],
   dependsOn: readonly string[],
 ): string {
   const options = {
@@ -109,6 +144,7 @@ function keyOf(
     crop,
     isRaw,
     isMirrored,
+    rate,
     retarget,
     map,
     space,

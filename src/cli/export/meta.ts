@@ -10,13 +10,21 @@ import type { TakeInput } from './take-inputs.ts';
 /** Changes when the same input and options give other numbers. */
 export const LAYOUT = 3;
 
-/** @param source the take as it was read */
+/** Where a take comes from. */
+export interface TakeSource {
+  /** As it was read. */
+  readonly source: Character;
+  readonly input: TakeInput;
+  readonly hash: string;
+  /** What its file doesn't state, and was assumed. */
+  readonly notes: readonly string[];
+}
+
+/** The metadata of a take's arrays. */
 export function metaOf(
-  source: Character,
+  { source, input, hash, notes }: TakeSource,
   { character, space, skeleton }: ArrayTake,
-  input: TakeInput,
-  hash: string,
-  { fps, crop, isRaw, isMirrored, retarget, map }: ExportSettings,
+  { fps, crop, isRaw, isMirrored, rate, retarget, map }: ExportSettings,
 ): Meta {
   const { space: read } = character;
   return {
@@ -38,6 +46,8 @@ export function metaOf(
     }),
     raw: isRaw ?? false,
     mirror: isMirrored ?? false,
+    ...(notes.length > 0 && { notes }),
+    ...(rate !== undefined && { rate }),
     ...(fps !== undefined && { fps }),
     ...(crop && { crop: [crop.from ?? null, crop.to ?? null] }),
     ...(retarget !== undefined && {

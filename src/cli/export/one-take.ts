@@ -6,9 +6,10 @@ import { FloatPool } from '../../dataset/float-pool.ts';
 import { takeOf } from '../../dataset/take.ts';
 import { takeArrays } from '../../dataset/take-arrays.ts';
 import { CommandError } from '../../edit/command-error.ts';
-import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Diagnostic, Severity } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { flagText } from '../../review/flags.ts';
+import { atKnownRate } from '../known-rate.ts';
 import { loadFound, openLoaded } from '../load.ts';
 import { type GivenPath, isFile } from '../paths.ts';
 import { reasonOf } from '../reason.ts';
@@ -113,7 +114,7 @@ async function takesOf(
   const begun = performance.now();
   const { path, skeleton } = input;
   const files = [...(skeleton ? [skeleton] : []), { ...input, ...(content && { bytes: content }) }];
-  const loaded = await loadFound(files, settings.folder, settings.parts);
+  const loaded = atKnownRate(await loadFound(files, settings.folder, settings.parts), settings.rate);
   const { document, diagnostics } = openLoaded(loaded);
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
@@ -126,7 +127,8 @@ async function takesOf(
   if (takes.some((take) => !take.skeleton)) {
     throw new CommandError('An animation alone has no joints. Its skeleton must be among the files.');
   }
-  const warnings = diagnostics.filter(({ severity }) => severity === 'warning').map(sentenceOf);
+  const told = (wanted: Severity) => diagnostics.filter(({ severity }) => severity === wanted).map(sentenceOf);
+  const [warnings, notes] = [told('warning'), told('info')];
   const beside = loaded.files
     .flatMap((file) => file.beside ?? [])
     .map(({ path: part }): PartHash => {
@@ -143,7 +145,10 @@ async function takesOf(
     const check = settings.isChecked && !isMotion(to) ? checkOf(take, character) : undefined;
     const made = isMotion(to)
       ? await motionFiles(character, to, options)
-      : FORMATS[to].write(takeArrays(take, pool, check), metaOf(character, take, input, hash, settings));
+      : FORMATS[to].write(
+          takeArrays(take, pool, check),
+          metaOf({ source: character, input, hash, notes }, take, settings),
+        );
     const { output, bytes } = writeTake(stem, made, settings);
     const now = performance.now();
     records.push({
@@ -151,6 +156,7 @@ async function takesOf(
       ...{ frames: take.count, fps: take.fps, joints: take.skeleton.joints.length },
       ...(settings.isChecked && { flags: check?.end().map(flagText) ?? flagsOf(take, character) }),
       ...(warnings.length > 0 && { warnings }),
+      ...(notes.length > 0 && { notes }),
       key,
       ...(settings.isTimed && { ms: Math.round(now - since) }),
     });

@@ -23,8 +23,10 @@ export interface WrittenTake {
   readonly joints: number;
   /** What the review's checks found: `spike 1.233 LeftHand`; absent if it was not checked. */
   readonly flags?: readonly string[];
-  /** What was assumed in reading it; absent rather than empty. */
+  /** What is wrong in the file, with what was used instead; absent rather than empty. */
   readonly warnings?: readonly string[];
+  /** What the file doesn't state and was assumed in reading it: rate, unit, bones; absent rather than empty. */
+  readonly notes?: readonly string[];
   /** Of the input, the options and the version: `--resume` skips what has the same. */
   readonly key: string;
   /** How long it took; the only part that differs from run to run. */

@@ -3,10 +3,11 @@ import type { TakeOptions } from '../../dataset/take.ts';
 import type { GivenPath } from '../paths.ts';
 import type { ExportFormat } from './formats.ts';
 import type { MotionKind } from './motion-files.ts';
+import type { KnownRate } from './switches.ts';
 import type { TargetFiles } from './target.ts';
 
 /** The same for all takes of an export. */
-export interface ExportSettings extends TargetFiles, Omit<TakeOptions, 'target'> {
+export interface ExportSettings extends TargetFiles, KnownRate, Omit<TakeOptions, 'target'> {
   /** The caller's, absolute. */
   readonly folder: string;
   /** Output folder, and one in it for files that are not finished; absolute. */

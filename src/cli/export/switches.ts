@@ -1,6 +1,6 @@
 /** Options that say which takes are meant and what is done to them, of `export` and `convert`. */
 import type { Crop, TakeOptions } from '../../dataset/take.ts';
-import { type Kind, number, text, whole } from '../options/kinds.ts';
+import { type Kind, number, positive, text, whole } from '../options/kinds.ts';
 import { flag, type Options, type OptionValues, option, section } from '../options/option.ts';
 import type { TargetFiles } from './target.ts';
 
@@ -50,6 +50,10 @@ export const EDITING = section('Changes made to takes before they are written', 
     'Pairs joints for retargeting as this file says, one "target,source" per line, instead of by name and shape.',
     { needs: 'retarget' },
   ),
+  rate: option(
+    positive('N'),
+    'Takes files that state no frame rate at N frames per second, instead of the usual 30 or 120; the frames stay the same.',
+  ),
   space: option(
     text('FILE', 'a file'),
     'Uses the unit, up axis and ground of this file for all takes of its skeleton instead of guessing them for each take.',
@@ -90,18 +94,26 @@ export function firstGiven(values: Readonly<Record<string, unknown>>, options: O
   });
 }
 
+/** Of files that state none. */
+export interface KnownRate {
+  /** Frames per second. */
+  readonly rate?: number;
+}
+
 /** What takes are edited by, with the target as its files. */
 export function editingOf({
   retarget,
   map,
+  rate,
   space,
   crop,
   mirror: isMirrored,
-}: OptionValues<typeof EDITING>): TargetFiles & Pick<TakeOptions, 'crop' | 'isMirrored'> {
+}: OptionValues<typeof EDITING>): TargetFiles & Pick<TakeOptions, 'crop' | 'isMirrored'> & KnownRate {
   return {
     ...(retarget.length > 0 && { retarget }),
     ...(map !== undefined && { map }),
     ...(space !== undefined && { space }),
+    ...(rate !== undefined && { rate }),
     ...(crop && { crop }),
     isMirrored,
   };

@@ -26,12 +26,12 @@ export interface TargetFiles {
 export type Spaces = ReadonlyMap<string, Space>;
 
 export interface Target {
-  /** What a take is retargeted to: of several characters in the file the one with its skeleton, else the first. */
+  /** What a take is retargeted to: of several characters of one file the one with its skeleton. @throws CommandError if none has */
   readonly retargetOf?: (take: Character) => RetargetTarget;
   readonly spaces: Spaces;
 }
 
-/** @throws UsageError if a file can't be read, or is not what it should be */
+/** @throws UsageError if a file can't be read, or is not what it should be; if there are several characters to retarget to */
 export async function loadTarget({ retarget, map, space }: TargetFiles, folder: string): Promise<Target> {
   const spaces = new Map<string, Space>();
   for (const { skeleton, space: own } of space === undefined ? [] : await charactersIn([space], folder, '--space')) {
@@ -46,11 +46,22 @@ export async function loadTarget({ retarget, map, space }: TargetFiles, folder: 
   const characters = (await charactersIn(retarget, folder, '--retarget')).map((c) => inSpaceOf(c, spaces));
   const [first] = characters;
   if (!first) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget.join(', ')} has none.`);
+  const names = characters.map(({ name }) => name).join(', ');
+  // A file may hold several, such as the people of one capture.
+  if (new Set(characters.map(({ sources }) => sources[0]?.path)).size > 1) {
+    throw new UsageError(
+      `--retarget takes one character, found ${characters.length} (${names}). Name the files of one of them.`,
+    );
+  }
   const read = map === undefined ? undefined : readMap(map, folder);
+  const isOne = new Set(characters.map(keyOf)).size === 1;
   return {
     retargetOf(take) {
-      const same = characters.find((character) => keyOf(character) === keyOf(take));
-      return { character: same ?? first, ...(read && { map: read }) };
+      const character = isOne ? first : characters.find((one) => keyOf(one) === keyOf(take));
+      if (character) return { character, ...(read && { map: read }) };
+      throw new CommandError(
+        `${retarget.join(', ')} holds ${characters.length} characters (${names}), none with the joints of this take: name a file of one character for --retarget.`,
+      );
     },
     spaces,
   };

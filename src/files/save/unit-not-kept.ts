@@ -1,5 +1,5 @@
 /** Losses of saving as text of characters whose file states a unit. */
-import { unitText } from '../../evaluate/space/space.ts';
+import { unitText, upText } from '../../evaluate/space/space.ts';
 import type { Character } from '../../model/document.ts';
 
 /**
@@ -8,5 +8,6 @@ import type { Character } from '../../model/document.ts';
  */
 export function unitNotKept({ space }: Pick<Character, 'space'>): string | undefined {
   if (space?.known !== 'stated') return undefined;
-  return `The unit, ${unitText(space)}, is not kept: text files don’t state one, and numbers are written as they are. A .glb or .fbx keeps the size; in the page, set the unit of an opened character in the inspector.`;
+  const axis = space.up === 'y' ? '' : ` It has ${upText(space)}, as its file has.`;
+  return `The unit, ${unitText(space)}, is not kept: text files don’t state one, and numbers are written as they are.${axis} A .glb or .fbx keeps the size; in the page, set the unit of an opened character in the inspector.`;
 }

@@ -195,6 +195,11 @@ describe('an .amc', () => {
     const other = await readAmcText(ODD_AMC, others, ['walk.amc', 'x.asf']);
     expect([other.value, other.isWaiting]).toEqual([undefined, true]);
     expect(told(other.diagnostics).join()).toContain('error bone-unknown 7:1');
+    const same = await readAmcText(ODD_AMC, ODD_ASF, ['walk.amc', 'x.asf']);
+    expect(same.diagnostics).toContainEqual(
+      expect.objectContaining({ code: 'skeleton-assumed', assumed: 'used x.asf, the only one' }),
+    );
+    expect(told((await readAmcText(ODD_AMC)).diagnostics).join()).not.toContain('skeleton-assumed');
   });
 
   it('takes no memory for frames without values', async () => {

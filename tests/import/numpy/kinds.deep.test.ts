@@ -282,8 +282,14 @@ describe('HumanML3D', () => {
     expect(1 / (take.samples?.frameSeconds ?? 0)).toBeCloseTo(20, 9);
     expect(character.space && metresPerUnit(character.space.space)).toBe(1);
     expect(diagnostics.some(({ code }) => code === 'data-normalised')).toBe(true);
+
     const above = Float64Array.from(data, Number).map((v, i) => (i % 263 === 3 ? 1 : v));
     const standing = await characterIn('x.npy', npyOf([shape, above]));
     expect(standing.diagnostics.some(({ code }) => code === 'data-normalised')).toBe(false);
+    // Bones that are six times as long in the last frame as in the first.
+    const growing = above.map((v, i) => v * (1 + Math.floor(i / 263)));
+    const doubtful = await characterIn('x.npy', npyOf([shape, growing]));
+    expect(doubtful.diagnostics.map(({ code }) => code)).toContain('bones-doubtful');
+    expect(standing.diagnostics.map(({ code }) => code)).not.toContain('bones-doubtful');
   });
 });
