@@ -51,29 +51,49 @@ export class NodeMotion {
 
   /** Computes all three. */
   at(time: number): void {
+    this.translationAt(time);
+    this.anglesAt(time);
     this.scaleAt(time);
-    this.translation.set(this.node.translation);
-    this.angles.set(this.node.angles);
+  }
+
+  /** Computes the translation alone. */
+  translationAt(time: number): void {
+    copy(this.node.translation, this.translation);
     for (let l = 0; l < this.layers.length; l++) {
-      const layer = this.layers[l];
-      const weight = l === 0 ? 1 : layerWeight(layer, time);
       const translating = this.translating[l];
-      const rotating = this.rotating[l];
-      const mode = l === 0 ? 'override' : layer.mode;
-      if (translating) this.blend(this.translation, this.read(translating, time, layerValue), mode, weight);
-      if (rotating) {
-        this.read(rotating, time, layerValue);
-        for (let k = 0; k < 3; k++) layerValue[k] *= RADIANS_PER_DEGREE;
-        if (mode !== 'override' && layer.composesRotation) this.turn(mode, weight);
-        else this.blend(this.angles, layerValue, mode, weight);
-      }
+      if (!translating) continue;
+      this.read(translating, time, layerValue);
+      this.blend(this.translation, layerValue, this.modeOf(l), this.weightOf(l, time));
     }
+  }
+
+  /** Computes the angles alone. */
+  anglesAt(time: number): void {
+    copy(this.node.angles, this.angles);
+    for (let l = 0; l < this.layers.length; l++) {
+      const rotating = this.rotating[l];
+      if (!rotating) continue;
+      const mode = this.modeOf(l);
+      this.read(rotating, time, layerValue);
+      for (let k = 0; k < 3; k++) layerValue[k] *= RADIANS_PER_DEGREE;
+      if (mode !== 'override' && this.layers[l].composesRotation) this.turn(mode, this.weightOf(l, time));
+      else this.blend(this.angles, layerValue, mode, this.weightOf(l, time));
+    }
+  }
+
+  /** The lowest layer is what others add to. */
+  private modeOf(l: number): FbxLayer['mode'] {
+    return l === 0 ? 'override' : this.layers[l].mode;
+  }
+
+  private weightOf(l: number, time: number): number {
+    return l === 0 ? 1 : layerWeight(this.layers[l], time);
   }
 
   /** Computes the scale alone. */
   scaleAt(time: number): void {
     if (!this.isScaled) return;
-    this.scale.set(this.node.scale);
+    copy(this.node.scale, this.scale);
     for (let l = 0; l < this.layers.length; l++) {
       const layer = this.layers[l];
       const scaling = this.scaling[l];
@@ -89,12 +109,11 @@ export class NodeMotion {
     }
   }
 
-  private read({ curves, values }: Driven, time: number, out: Float64Array): Float64Array {
+  private read({ curves, values }: Driven, time: number, out: Float64Array): void {
     for (let k = 0; k < 3; k++) {
       const curve = curves[k];
       out[k] = curve ? evaluateCurve(curve, time) : values[k];
     }
-    return out;
   }
 
   private blend(out: Float64Array, value: Float64Array, mode: string, weight: number): void {
@@ -120,6 +139,10 @@ export class NodeMotion {
       this.scale[k] = own * power(layerValue[k], weight);
     }
   }
+}
+
+function copy(from: readonly number[], to: Float64Array): void {
+  for (let k = 0; k < 3; k++) to[k] = from[k];
 }
 
 /** Keeps the sign. */

@@ -81,7 +81,7 @@ export function orderOf(joint: FbxJoint, takes: readonly FbxTake[]): EulerOrder 
     const stops = stopsOf(curvesOf(drivers, take), take.range);
     const step = Math.max(1, Math.floor(stops.length / 200));
     for (let i = 0; i < stops.length; i += step) {
-      motion.at(stops[i]);
+      motion.anglesAt(stops[i]);
       writeNodeRotation(node, motion.angles, q);
       for (const [order, clearance] of clearances) {
         writeAnglesNear(order, q, angles);
@@ -169,8 +169,12 @@ export class Mover {
     const curves = [drivers, ...(pivots ? [rotating, scaling] : [])].flatMap((own) => curvesOf(own, this.take));
     const motion = new NodeMotion(node, this.take);
     return this.fitted(joint, curves, rest, this.tolerances.length, (time, _, out) => {
-      motion.at(time);
-      writeNodeRotation(node, motion.angles, q);
+      if (pivots) {
+        motion.at(time);
+        writeNodeRotation(node, motion.angles, q);
+      } else {
+        motion.translationAt(time);
+      }
       writeNodeTranslation(node, motion.translation, q, motion.scale, out);
     });
   }
@@ -194,7 +198,7 @@ export class Mover {
     const rest = new Float64Array(3);
     restAngles(joint, order, rest);
     return this.fitted(joint, curvesOf(drivers, this.take), rest, this.tolerances.angle, (time, near, out) => {
-      motion.at(time);
+      motion.anglesAt(time);
       writeNodeRotation(node, motion.angles, q);
       out.set(near);
       writeAnglesNear(order, q, out);

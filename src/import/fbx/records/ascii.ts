@@ -12,7 +12,7 @@ import type { FbxReport } from '../failure.ts';
 import { integer } from './binary.ts';
 import { NumberPool } from './number-pool.ts';
 import { type FbxFile, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
-import { textOf } from './texts.ts';
+import { Texts } from './texts.ts';
 
 const MAX_DEPTH = 64;
 
@@ -46,6 +46,7 @@ const CLOSE = 125;
 const UTF8 = new TextDecoder();
 
 class AsciiReader {
+  private readonly texts: Texts;
   private at = 0;
 
   constructor(
@@ -53,6 +54,7 @@ class AsciiReader {
     private readonly pool: NumberPool,
     private readonly report: FbxReport,
   ) {
+    this.texts = new Texts(bytes);
     if (bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf) this.at = 3;
   }
 
@@ -65,13 +67,23 @@ class AsciiReader {
   /** Moves to the next byte that is neither space nor comment. */
   private skip(): void {
     const { bytes } = this;
-    for (; this.at < bytes.length; this.at++) {
-      const byte = bytes[this.at];
+    let { at } = this;
+    for (; at < bytes.length; at++) {
+      const byte = bytes[at];
       if (byte === SEMICOLON) {
-        const end = bytes.indexOf(LF, this.at);
-        this.at = end < 0 ? bytes.length : end;
-      } else if (!(byte <= SPACE)) return;
+        const end = bytes.indexOf(LF, at);
+        at = end < 0 ? bytes.length : end;
+      } else if (!(byte <= SPACE)) break;
     }
+    this.at = at;
+  }
+
+  /** The end of a word that begins at an offset. */
+  private wordEnd(offset: number): number {
+    const { bytes } = this;
+    let at = offset;
+    while (at < bytes.length && isOfWord(bytes[at])) at++;
+    return at;
   }
 
   private record(depth: number): FbxRecord {
@@ -82,7 +94,7 @@ class AsciiReader {
     if (bytes[this.at] !== COLON || this.at === offset) {
       report.fail('name-expected', `Expected a name and a colon, found ${this.found(offset)}.`, offset);
     }
-    const name = textOf(this.bytes, offset, this.at);
+    const name = this.texts.of(offset, this.at);
     this.at++;
     const values = this.values();
     this.skip();
@@ -129,24 +141,24 @@ class AsciiReader {
     if (byte === QUOTE) return this.text();
     if (byte === STAR) return this.array();
     const start = this.at;
-    while (this.at < bytes.length && isOfWord(bytes[this.at])) this.at++;
+    this.at = this.wordEnd(start);
     if (this.at === start) return undefined;
     // A name: the record has no value here, and the next one begins.
     if (bytes[this.at] === COLON) {
       this.at = start;
       return undefined;
     }
-    return this.numberOr(start, this.at) ?? textOf(this.bytes, start, this.at);
+    return this.numberOr(start, this.at) ?? this.texts.of(start, this.at);
   }
 
   /** The number of a word. Integers of more than 53 bits stay exact. */
   private numberOr(start: number, end: number): number | bigint | undefined {
     const { bytes } = this;
-    if (end - start >= MIN_LONG_DIGITS && isDigits(bytes, start, end)) return longOf(textOf(bytes, start, end));
+    if (end - start >= MIN_LONG_DIGITS && isDigits(bytes, start, end)) return longOf(this.texts.of(start, end));
     const number = parseDecimal(bytes, start, end);
     if (!Number.isNaN(number)) return number;
     // How Windows printed infinities and what is not a number.
-    return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(textOf(bytes, start, end)) ? 0 : undefined;
+    return /^[+-]?\d*\.#\w+$|^[+-]?(nan|inf)/i.test(this.texts.of(start, end)) ? 0 : undefined;
   }
 
   private text(): string {
@@ -155,7 +167,8 @@ class AsciiReader {
     const end = bytes.indexOf(QUOTE, start);
     if (end < 0) this.report.fail('quote-missing', 'Expected a closing ", found the end of the file.', this.at);
     this.at = end + 1;
-    return textOf(this.bytes, start, end).replaceAll('&quot;', '"');
+    const text = this.texts.of(start, end);
+    return text.includes('&') ? text.replaceAll('&quot;', '"') : text;
   }
 
   /** `*count { a: numbers }` */
@@ -182,7 +195,7 @@ class AsciiReader {
       this.at++;
       for (this.skip(); bytes[this.at] !== CLOSE; this.skip()) {
         const start = this.at;
-        while (this.at < bytes.length && isOfWord(bytes[this.at])) this.at++;
+        this.at = this.wordEnd(start);
         const number = this.numberOr(start, this.at);
         if (number === undefined) {
           report.fail('not-a-number', `Expected a number of the array, found ${this.found(start)}.`, start);

@@ -13,7 +13,7 @@ import type { FbxReport } from '../failure.ts';
 import { canUnpackTo, inflateExactly } from './inflate.ts';
 import { NumberPool } from './number-pool.ts';
 import { type FbxFile, type FbxNumbers, type FbxRecord, type FbxValue, NO_RECORDS } from './record.ts';
-import { textOf } from './texts.ts';
+import { Texts } from './texts.ts';
 
 const MAGIC = 'Kaydara FBX Binary  \0';
 const HEADER = 27;
@@ -74,6 +74,7 @@ for (const type of [FLOATS, DOUBLES, LONGS, INTS, BYTES, CHARS]) VALUE_BYTES[typ
 
 class BinaryReader {
   private readonly view: DataView<ArrayBuffer>;
+  private readonly texts: Texts;
   private readonly headerBytes: number;
   private readonly isLittle: boolean;
   private at = HEADER;
@@ -85,6 +86,7 @@ class BinaryReader {
     private readonly report: FbxReport,
   ) {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.texts = new Texts(bytes);
     this.headerBytes = isWide ? 25 : 13;
     this.isLittle = isLittleEndian(bytes);
   }
@@ -124,7 +126,7 @@ class BinaryReader {
     }
     if (rest > end) report.fail('bad-record', 'A record is shorter than its name and values.', offset);
     if (depth > MAX_DEPTH) report.fail('too-deep', `Records are nested more than ${MAX_DEPTH} deep.`, offset);
-    const name = textOf(this.bytes, this.at, values);
+    const name = this.texts.of(this.at, values);
     this.at = values;
     // Each value has a byte for its type.
     if (count > valueBytes) report.fail('bad-record', `${name} claims ${count} values in ${valueBytes} bytes.`, offset);
@@ -151,7 +153,9 @@ class BinaryReader {
     const { view, isLittle } = this;
     if (!this.isWide) return view.getUint32(at, isLittle);
     const high = view.getUint32(isLittle ? at + 4 : at, isLittle);
-    return high * 2 ** 32 + view.getUint32(isLittle ? at : at + 4, isLittle);
+    const low = view.getUint32(isLittle ? at : at + 4, isLittle);
+    // As an integer, so that all that is computed of it is one, which takes half the time.
+    return high === 0 ? low : high * 2 ** 32 + low;
   }
 
   private value(limit: number): FbxValue {
@@ -172,7 +176,7 @@ class BinaryReader {
       case RAW: {
         const from = at + 4;
         this.move(from + view.getUint32(at, isLittle), limit, start);
-        return type === TEXT ? textOf(this.bytes, from, this.at) : bytes.subarray(from, this.at);
+        return type === TEXT ? this.texts.of(from, this.at) : bytes.subarray(from, this.at);
       }
       case INT16:
         return view.getInt16(at, isLittle);
