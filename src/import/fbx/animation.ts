@@ -31,7 +31,7 @@ export interface FbxLayer {
   readonly composesRotation: boolean;
   readonly composesScale: boolean;
   /** By object, then by property. */
-  readonly driven: ReadonlyMap<string, ReadonlyMap<string, Driven>>;
+  readonly driven: ReadonlyMap<number, ReadonlyMap<string, Driven>>;
 }
 
 /** A property's value in a layer: its curves, and the values of axes without one. */
@@ -58,7 +58,7 @@ export function takesOf(document: FbxDocument, report: FbxReport): FbxTake[] {
 }
 
 function layerOf(document: FbxDocument, object: FbxObject, report: FbxReport): FbxLayer {
-  const driven = new Map<string, Map<string, Driven>>();
+  const driven = new Map<number, Map<string, Driven>>();
   for (const node of partsOfKind(document, object, 'AnimationCurveNode')) {
     const value = drivenBy(document, node, report);
     for (const { object: owner, property } of document.ownersOf(node.id)) {

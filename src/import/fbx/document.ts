@@ -18,7 +18,8 @@ import {
 
 /** An object of the file, with its properties. */
 export interface FbxObject {
-  readonly id: string;
+  /** Its number among the objects, from 1. */
+  readonly id: number;
   /** Name of its record: `Model`, `Geometry`, `Deformer` … */
   readonly kind: string;
   /** Without the class that follows or precedes it. */
@@ -41,19 +42,19 @@ export interface FbxDocument {
   readonly settings: Properties;
   readonly objects: readonly FbxObject[];
   readonly isOfBlender: boolean;
-  /** Parts that an object consists of, in the order of the file; `0` is the scene. */
-  partsOf(id: string): readonly Link[];
+  /** Parts that an object consists of, in the order of the file. */
+  partsOf(id: number): readonly Link[];
   /** Objects that an object is part of. */
-  ownersOf(id: string): readonly Link[];
+  ownersOf(id: number): readonly Link[];
   /** Units of time in a second. */
   readonly ticks: number;
 }
 
-/** The id of the scene's own node, which has no object. */
-export const SCENE_ID = '0';
+/** The number of the scene's own node, which has no object. */
+export const SCENE_ID = 0;
 
 function isScene(id: FbxValue): boolean {
-  return id === 0 || id === SCENE_ID;
+  return id === 0 || id === '0';
 }
 
 /** Units of time that newer files may choose. */
@@ -136,12 +137,12 @@ export function documentOf(file: FbxFile): FbxDocument {
     const id = idAt(record);
     // Of two objects with one id the first counts: connections can't tell them apart.
     if (id === undefined || isScene(id) || byId.has(id)) continue;
-    const object = objectOf(record, String(id), templates);
+    const object = objectOf(record, objects.length + 1, templates);
     objects.push(object);
     byId.set(id, object);
   }
-  const parts = new Map<string, Link[]>();
-  const owners = new Map<string, Link[]>();
+  const parts: (Link[] | undefined)[] = new Array(objects.length + 1);
+  const owners: (Link[] | undefined)[] = new Array(objects.length + 1);
   for (const record of childrenOf(section('Connections'), 'C')) {
     const [part, owner] = [idAt(record, 1), idAt(record, 2)];
     const type = textAt(record);
@@ -160,8 +161,8 @@ export function documentOf(file: FbxFile): FbxDocument {
     settings: new Properties(section('GlobalSettings'), templates('GlobalSettings', 'GlobalSettings')),
     isOfBlender: /^blender\b/i.test(textAt(childOf(header, 'Creator')) ?? ''),
     objects,
-    partsOf: (id) => parts.get(id) ?? NO_LINKS,
-    ownersOf: (id) => owners.get(id) ?? NO_LINKS,
+    partsOf: (id) => parts[id] ?? NO_LINKS,
+    ownersOf: (id) => owners[id] ?? NO_LINKS,
     ticks: isNew ? NEW_TICKS : TICKS_PER_SECOND,
   };
 }
@@ -190,7 +191,7 @@ function templatesOf(definitions: FbxRecord | undefined): Templates {
 }
 
 /** Binary files say name, 0, 1, class; texts class::name. */
-function objectOf(record: FbxRecord, id: string, templates: Templates): FbxObject {
+function objectOf(record: FbxRecord, id: number, templates: Templates): FbxObject {
   const kind = record.name;
   const type = textAt(record, 2) ?? '';
   const full = textAt(record, 1) ?? '';
@@ -207,11 +208,11 @@ function objectOf(record: FbxRecord, id: string, templates: Templates): FbxObjec
   };
 }
 
-function list(links: Map<string, Link[]>, id: string, link: Link): void {
-  const known = links.get(id);
+function list(links: (Link[] | undefined)[], id: number, link: Link): void {
+  const known = links[id];
   // A list that begins empty has room for sixteen; most have one.
   if (known) known.push(link);
-  else links.set(id, [link]);
+  else links[id] = [link];
 }
 
 /** The parts of an object that are of a kind. */

@@ -21,8 +21,8 @@ export class Materials {
   readonly textures: Texture[] = [];
   /** Contents that are not drawn: other kinds of textures, images that browsers can't show. */
   readonly lost = new Set<string>();
-  private readonly indices = new Map<string, number>();
-  private readonly names = new Map<string, string>();
+  private readonly indices = new Map<number, number>();
+  private readonly names = new Map<number, string>();
 
   constructor(private readonly document: FbxDocument) {}
 

@@ -40,7 +40,7 @@ export function meshesOf(source: MeshSource, report: FbxReport): BuiltMesh[] {
   const indices = new Map(joints.map(({ node }, i) => [node.object.id, i]));
   const skins = new Skins();
   const effort = new Effort();
-  const read = new Map<string, FbxMesh>();
+  const read = new Map<number, FbxMesh>();
   return joints.flatMap(({ node: { object } }, i) =>
     document.partsOf(object.id).flatMap(({ object: geometry }) => {
       if (geometry.kind !== 'Geometry') return [];
@@ -66,7 +66,7 @@ function built(
   index: number,
   geometry: FbxObject,
   mesh: FbxMesh,
-  nodeOf: (id: string) => number,
+  nodeOf: (id: number) => number,
 ): BuiltMesh {
   const { object } = joints[index].node;
   const all = skinsOf(document, geometry, nodeOf).filter(({ clusters }) => clusters.length > 0);

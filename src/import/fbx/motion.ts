@@ -21,7 +21,7 @@ const a = new Float64Array(4);
 const b = new Float64Array(4);
 
 /** Curves of each layer of a take for one property of one object; the lowest layer first. */
-export function driversOf(take: FbxTake | undefined, objectId: string, property: string): (Driven | undefined)[] {
+export function driversOf(take: FbxTake | undefined, objectId: number, property: string): (Driven | undefined)[] {
   return take?.layers.map(({ driven }) => driven.get(objectId)?.get(property)) ?? [];
 }
 

@@ -31,7 +31,7 @@ export interface Tolerances {
 
 /** Outcome of fitting, for the message about it. */
 export interface Fitting {
-  readonly nodes: Set<string>;
+  readonly nodes: Set<number>;
   keysBefore: number;
   keysAfter: number;
   /** Keys that may still be made beyond a few for each key of the file. */

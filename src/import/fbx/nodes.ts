@@ -57,8 +57,8 @@ const MAX_LEVELS = 500;
  */
 export function nodesOf(document: FbxDocument): FbxNode[] {
   const nodes: FbxNode[] = [];
-  const seen = new Set<string>();
-  const pending: { readonly id: string; readonly index: number; at: number }[] = [{ id: SCENE_ID, index: -1, at: 0 }];
+  const seen = new Set<number>();
+  const pending: { readonly id: number; readonly index: number; at: number }[] = [{ id: SCENE_ID, index: -1, at: 0 }];
   // A stack of its own: files may nest thousands deep.
   for (let top = pending.at(-1); top; top = pending.at(-1)) {
     const link = document.partsOf(top.id)[top.at++];

@@ -29,7 +29,7 @@ export interface FbxSkin {
  * The skins of a geometry.
  * @param nodeOf the index of a model; -1 for one that is not in the scene
  */
-export function skinsOf(document: FbxDocument, geometry: FbxObject, nodeOf: (id: string) => number): FbxSkin[] {
+export function skinsOf(document: FbxDocument, geometry: FbxObject, nodeOf: (id: number) => number): FbxSkin[] {
   return partsOfKind(document, geometry, 'Deformer', 'Skin').map((skin) => ({
     method: textAt(childOf(skin.record, 'SkinningType')) ?? 'Linear',
     clusters: partsOfKind(document, skin, 'Deformer', 'Cluster').flatMap((cluster) => {

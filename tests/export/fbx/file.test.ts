@@ -79,7 +79,7 @@ describe('an FBX file', () => {
     const document = documentIn(fbxOf(character({ skeleton: { name: 'x', joints } })));
     const bones = document.objects.filter(({ type, kind }) => kind === 'Model' && type === 'LimbNode');
     expect(bones.map(({ name }) => name)).toEqual(['hips', 'leg', 'joint2']);
-    expect(document.partsOf('0').map(({ object }) => object.name)).toEqual(['hips']);
+    expect(document.partsOf(0).map(({ object }) => object.name)).toEqual(['hips']);
     expect(
       document
         .partsOf(bones[0].id)

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { Report } from '../../../src/formats/report.ts';
 import { NumberPool } from '../../../src/import/fbx/records/number-pool.ts';
 import { readFbxFile } from '../../../src/import/fbx/records/read-file.ts';
-import { textOf } from '../../../src/import/fbx/records/texts.ts';
+import { Texts } from '../../../src/import/fbx/records/texts.ts';
 import { rec, recordBytes, type Value } from './write-fbx.ts';
 
 const recordsOf = (bytes: Uint8Array<ArrayBuffer>) => readFbxFile(bytes, new Report('a.fbx')).file.records;
@@ -67,9 +67,10 @@ it('a text is decoded once, and is never taken for another one', () => {
     fc.property(texts, (words) => {
       const parts = words.map((word) => new TextEncoder().encode(word));
       const bytes = Uint8Array.from(parts.flatMap((part) => [...part]));
+      const texts = new Texts(bytes);
       let at = 0;
       for (const part of parts) {
-        expect(textOf(bytes, at, at + part.length)).toBe(new TextDecoder().decode(part));
+        expect(texts.of(at, at + part.length)).toBe(new TextDecoder().decode(part));
         at += part.length;
       }
     }),
