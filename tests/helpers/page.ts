@@ -167,6 +167,24 @@ function sharedChromium(): Promise<Browser> {
 
 /** Opens the page, runs `body`, and fails on any unexpected problem. */
 export async function withPage(body: (open: OpenPage) => Promise<void>, options: PageOptions = {}): Promise<void> {
+  const { open, expectNoProblems, close } = await openPage(options);
+  try {
+    await body(open);
+    expectNoProblems();
+  } finally {
+    await close();
+  }
+}
+
+export interface OpenedPage {
+  readonly open: OpenPage;
+  /** @throws Error with all problems so far that this test doesn't cause intentionally */
+  expectNoProblems(): void;
+  close(): Promise<void>;
+}
+
+/** For tests that close it themselves. */
+export async function openPage(options: PageOptions): Promise<OpenedPage> {
   const folder = options.folder ?? join(ROOT, 'dist');
   if (!existsSync(options.files?.['index.html'] ? folder : join(folder, 'index.html'))) {
     throw new Error(`${folder} holds no built page: "npm run build" first.`);
@@ -186,35 +204,45 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
     hasTouch: options.touch ?? false,
     serviceWorkers: options.serviceWorker ? 'allow' : 'block',
   });
+  const problems: string[] = [];
+  const openAnother = async (query = '') => {
+    const another = await context.newPage();
+    collectProblems(another, server.url, problems);
+    await another.addInitScript(tellViolations);
+    if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
+    if (!options.drawn) await another.addInitScript(fillNoPixels);
+    for (const script of [options.before ?? []].flat()) await another.addInitScript(script);
+    await another.goto(server.url + query);
+    // If the page can't draw, it has neither.
+    if (!options.early) await another.waitForFunction(() => !document.querySelector('#app.frame'));
+    return another;
+  };
   try {
-    const problems: string[] = [];
-    const openAnother = async (query = '') => {
-      const another = await context.newPage();
-      collectProblems(another, server.url, problems);
-      await another.addInitScript(tellViolations);
-      if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
-      if (!options.drawn) await another.addInitScript(fillNoPixels);
-      for (const script of [options.before ?? []].flat()) await another.addInitScript(script);
-      await another.goto(server.url + query);
-      // If the page can't draw, it has neither.
-      if (!options.early) await another.waitForFunction(() => !document.querySelector('#app.frame'));
-      return another;
-    };
     const page = await openAnother(options.query);
-    const serve = (files: ExtraFiles) => server.serve(files, still);
-    const stopServer = () => {
-      servers.delete(folder);
-      return server.close();
+    return {
+      open: {
+        page,
+        url: server.url,
+        problems,
+        serve: (files) => server.serve(files, still),
+        asked: () => server.asked,
+        stopServer() {
+          servers.delete(folder);
+          return server.close();
+        },
+        download: (act) => (options.firefox ? downloadedInto(options.firefox.downloads, act) : downloadedBy(page, act)),
+        openAnother,
+      },
+      expectNoProblems() {
+        const own = options.firefox && OF_SCREENSHOTS;
+        const unexpected = problems.filter((problem) => !options.expected?.test(problem) && !own?.test(problem));
+        if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);
+      },
+      close: () => context.close(),
     };
-    const download = (act: () => Promise<unknown>) =>
-      options.firefox ? downloadedInto(options.firefox.downloads, act) : downloadedBy(page, act);
-    const asked = () => server.asked;
-    await body({ page, url: server.url, problems, serve, asked, stopServer, download, openAnother });
-    const own = options.firefox && OF_SCREENSHOTS;
-    const unexpected = problems.filter((problem) => !options.expected?.test(problem) && !own?.test(problem));
-    if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);
-  } finally {
+  } catch (error) {
     await context.close();
+    throw error;
   }
 }
 

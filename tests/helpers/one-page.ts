@@ -1,0 +1,41 @@
+/**
+ * Tests that go on in one page, one after the other: to start a page for each took a third of their time. Each resets
+ * what it needs as it finds it, so that any of them can be the first. What comes after one that failed, its second try
+ * too, begins in a fresh page, so that no failure is told twice.
+ *
+ *     const inPage = inOnePage({ walking: true });
+ *     inPage('a press at the first pixel seeks 0', async ({ page }) => { … });
+ */
+import { afterAll, it } from 'vitest';
+import { type OpenedPage, type OpenPage, openPage, type PageOptions } from './page.ts';
+
+/**
+ * Returns what registers a test.
+ * @param prepare run once in each page, before the first test in it
+ */
+export function inOnePage(
+  options: PageOptions = {},
+  prepare?: (open: OpenPage) => Promise<void>,
+): (name: string, body: (open: OpenPage) => Promise<void>) => void {
+  let shared: OpenedPage | undefined;
+  const close = async () => {
+    const before = shared;
+    shared = undefined;
+    await before?.close();
+  };
+  afterAll(close);
+  return (name, body) =>
+    it(name, async () => {
+      try {
+        if (!shared) {
+          shared = await openPage(options);
+          await prepare?.(shared.open);
+        }
+        await body(shared.open);
+        shared.expectNoProblems();
+      } catch (error) {
+        await close();
+        throw error;
+      }
+    });
+}
