@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { testAll } from '../helpers/check.ts';
+import { inOnePage } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { dofs, middle, openArm, POSING, type Point, pressAndGo, undo } from './checks/posing.ts';
@@ -56,26 +57,28 @@ function around(centre: Point, from: Point, degrees: number): Point[] {
   });
 }
 
-it('turns a DOF by its ring, stops at its limit and says so, in one step', () =>
-  withPage(async ({ page }) => {
-    await openArm(page);
-    const before = await dofs(page);
-    const ring = await feelFor(page, 'rx');
-    const centre = await middle(page);
-    await pressAndGo(page, ring, around(centre, ring, 170));
-    await expect.poll(() => readout(page)).toMatch(/^rx .*limit (42.97|−28.65)°$/);
-    await page.mouse.up();
-    const after = await dofs(page);
-    expect([-0.5, 0.75]).toContain(after[6]);
-    expect(after.filter((v, i) => v !== before[i])).toHaveLength(1);
-    await expect.poll(() => readout(page)).toBe('');
-    await expect.poll(() => undo(page)).toBe('Rotate elbow');
-    await page.keyboard.press('Control+z');
-    await expect.poll(() => dofs(page)).toEqual(before);
-  }));
+const inPage = inOnePage();
 
-it('several joints are selected in the tree and the viewport, and turned, typed and undone together', () =>
-  withPage(async ({ page }) => {
+inPage('turns a DOF by its ring, stops at its limit and says so, in one step', async ({ page }) => {
+  await openArm(page);
+  const before = await dofs(page);
+  const ring = await feelFor(page, 'rx');
+  const centre = await middle(page);
+  await pressAndGo(page, ring, around(centre, ring, 170));
+  await expect.poll(() => readout(page)).toMatch(/^rx .*limit (42.97|−28.65)°$/);
+  await page.mouse.up();
+  const after = await dofs(page);
+  expect([-0.5, 0.75]).toContain(after[6]);
+  expect(after.filter((v, i) => v !== before[i])).toHaveLength(1);
+  await expect.poll(() => readout(page)).toBe('');
+  await expect.poll(() => undo(page)).toBe('Rotate elbow');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => dofs(page)).toEqual(before);
+});
+
+inPage(
+  'several joints are selected in the tree and the viewport, and turned, typed and undone together',
+  async ({ page }) => {
     await openArm(page, 'shoulder');
     const row = (name: string) => page.getByRole('treeitem', { name: new RegExp(`^${name}`) }).first();
     const selected = () =>
@@ -147,38 +150,38 @@ it('several joints are selected in the tree and the viewport, and turned, typed 
     await page.keyboard.up('Control');
     await expect.poll(() => selected()).toHaveLength(2);
     await expect.poll(() => page.locator('.box-select').count()).toBe(0);
-  }));
+  },
+);
 
-it('goes past a limit while the character’s switch is off', () =>
-  withPage(async ({ page }) => {
-    await openArm(page);
-    const limits = page.getByRole('button', { name: 'Limits', exact: true });
-    await expect.poll(() => limits.getAttribute('aria-pressed')).toBe('true');
-    await limits.click();
-    await expect.poll(() => limits.getAttribute('aria-pressed')).toBe('false');
-    const ring = await feelFor(page, 'rx');
-    await pressAndGo(page, ring, around(await middle(page), ring, 170));
-    await expect.poll(() => readout(page)).toContain('past its limit');
-    await page.mouse.up();
-    await expect.poll(async () => Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
-  }));
+inPage('goes past a limit while the character’s switch is off', async ({ page }) => {
+  await openArm(page);
+  const limits = page.getByRole('button', { name: 'Limits', exact: true });
+  await expect.poll(() => limits.getAttribute('aria-pressed')).toBe('true');
+  await limits.click();
+  await expect.poll(() => limits.getAttribute('aria-pressed')).toBe('false');
+  const ring = await feelFor(page, 'rx');
+  await pressAndGo(page, ring, around(await middle(page), ring, 170));
+  await expect.poll(() => readout(page)).toContain('past its limit');
+  await page.mouse.up();
+  await expect.poll(async () => Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
+});
 
 testAll(POSING);
 
-it('leaves what it has no use for to the camera', () =>
-  withPage(async ({ page }) => {
-    await openArm(page);
-    const view = await turnOfView(page);
-    const before = await dofs(page);
-    const { x, y } = await middle(page);
-    await pressAndGo(page, { x: x + 150, y }, [{ x: x + 190, y: y + 5 }]);
-    await page.mouse.up();
-    await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
-    await expect.poll(() => dofs(page)).toEqual(before);
-  }));
+inPage('leaves what it has no use for to the camera', async ({ page }) => {
+  await openArm(page);
+  const view = await turnOfView(page);
+  const before = await dofs(page);
+  const { x, y } = await middle(page);
+  await pressAndGo(page, { x: x + 150, y }, [{ x: x + 190, y: y + 5 }]);
+  await page.mouse.up();
+  await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+  await expect.poll(() => dofs(page)).toEqual(before);
+});
 
-it('turns the view by the arrows while nothing plays, and switches modes by Space without a take', () =>
-  withPage(async ({ page }) => {
+inPage(
+  'turns the view by the arrows while nothing plays, and switches modes by Space without a take',
+  async ({ page }) => {
     await openArm(page);
     const view = await turnOfView(page);
     await page.locator('.viewport canvas[role=application]').focus();
@@ -195,7 +198,8 @@ it('turns the view by the arrows while nothing plays, and switches modes by Spac
     await expect.poll(() => checked.textContent()).toBe('IK');
     await page.keyboard.press('Space');
     await expect.poll(() => checked.textContent()).toBe('FK');
-  }));
+  },
+);
 
 /** Waits until the inspector shows a joint. */
 const showsJoint = (page: Page, name: string) =>
@@ -205,8 +209,9 @@ const showsJoint = (page: Page, name: string) =>
     { timeout: 5000 },
   );
 
-it('selects and rotates another joint in one drag, which Escape takes back with the selection', () =>
-  withPage(async ({ page }) => {
+inPage(
+  'selects and rotates another joint in one drag, which Escape takes back with the selection',
+  async ({ page }) => {
     await openArm(page, 'shoulder');
     const before = await dofs(page);
     const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
@@ -251,7 +256,8 @@ it('selects and rotates another joint in one drag, which Escape takes back with 
     await page.keyboard.up('Alt');
     await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
     await expect.poll(() => dofs(page)).toEqual(before);
-  }));
+  },
+);
 
 /** The middle between two joints of the first character, on the page. */
 async function pointBetween(page: Page, from: string, to: string): Promise<Point> {
@@ -318,29 +324,29 @@ it('with the head of the walker selected, drags on nine other parts of the body 
     { walking: true },
   ));
 
-it('has a select tool without a gizmo: clicks pick, drags orbit, and a button leads back', () =>
-  withPage(async ({ page }) => {
-    await openArm(page, 'shoulder');
-    const before = await dofs(page);
-    await page.locator('.viewport canvas[role=application]').focus();
-    await page.keyboard.press('q');
-    await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
-    await expect.poll(() => page.getByRole('radio', { name: 'Select' }).getAttribute('aria-checked')).toBe('true');
-    const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
-    if (!place) throw new Error('The arm is not shown.');
-    await page.mouse.click(place.x, place.y);
-    await showsJoint(page, 'elbow');
-    const view = await turnOfView(page);
-    await pressAndGo(page, place, [{ x: place.x + 40, y: place.y + 5 }]);
-    await page.mouse.up();
-    await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
-    await expect.poll(() => dofs(page)).toEqual(before);
-    await page.getByRole('button', { name: 'Back to FK' }).click();
-    await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
-  }));
+inPage('has a select tool without a gizmo: clicks pick, drags orbit, and a button leads back', async ({ page }) => {
+  await openArm(page, 'shoulder');
+  const before = await dofs(page);
+  await page.locator('.viewport canvas[role=application]').focus();
+  await page.keyboard.press('q');
+  await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
+  await expect.poll(() => page.getByRole('radio', { name: 'Select' }).getAttribute('aria-checked')).toBe('true');
+  const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
+  if (!place) throw new Error('The arm is not shown.');
+  await page.mouse.click(place.x, place.y);
+  await showsJoint(page, 'elbow');
+  const view = await turnOfView(page);
+  await pressAndGo(page, place, [{ x: place.x + 40, y: place.y + 5 }]);
+  await page.mouse.up();
+  await expect.poll(() => turnOfView(page)).not.toBeCloseTo(view, 0);
+  await expect.poll(() => dofs(page)).toEqual(before);
+  await page.getByRole('button', { name: 'Back to FK' }).click();
+  await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+});
 
-it('a slider blends to a saved pose until the focus leaves, in one step, or Escape; a double click applies it once', () =>
-  withPage(async ({ page }) => {
+inPage(
+  'a slider blends to a saved pose until the focus leaves, in one step, or Escape; a double click applies it once',
+  async ({ page }) => {
     await openArm(page);
     await page.evaluate(async () => {
       await window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.4 }] });
@@ -368,7 +374,8 @@ it('a slider blends to a saved pose until the focus leaves, in one step, or Esca
     await expect.poll(async () => (await dofs(page))[6]).toBeCloseTo(0.4, 9);
     await page.evaluate(() => window.marrow.undo());
     await expect.poll(async () => (await dofs(page))[6]).toBe(0);
-  }));
+  },
+);
 
 describeShared('the dragon', () => {
   it('the dragon has a shoulder that stops where its file says', () =>

@@ -5,6 +5,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { readSkel } from '../../src/formats/skel/read.ts';
+import { undoAll } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
@@ -15,12 +16,6 @@ const joints = (page: Page) =>
   page.evaluate(() => (window.marrow.characters()[0]?.joints ?? []).map((j) => `${j.name} ${j.parent}`));
 const vertices = (page: Page) => page.evaluate(() => window.marrow.vertices());
 const text = (page: Page, name: string) => page.evaluate((n) => window.marrow.save(n), name);
-const undoAll = (page: Page) =>
-  page.evaluate(() => {
-    let steps = 0;
-    while (window.marrow.undo()) steps++;
-    return steps;
-  });
 
 async function canvasMiddle(page: Page): Promise<{ x: number; y: number }> {
   const box = await page.locator('.viewport canvas[role=application]').boundingBox();

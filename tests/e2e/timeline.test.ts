@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { GUTTER } from '../../src/ui/widgets/time/time-window.ts';
+import { inOnePage } from '../helpers/one-page.ts';
 import { withPage } from '../helpers/page.ts';
 
 const run = (page: Page, id: string) => page.evaluate((command) => window.marrow.run(command), id);
@@ -71,50 +72,49 @@ describe('the viewport', () => {
     ));
 });
 
-it('the ruler, curves, dope sheet and charts have each time at the same place, and a press at its first pixel seeks 0', () =>
-  withPage(
-    async ({ page }) => {
-      await walks(page);
-      await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
-      await page.locator('.curve-plot').waitFor();
-      for (const [tab, plot] of [
-        ['curves', '.curve-plot'],
-        ['dope', '.dope-sheet'],
-        ['measure', '.measure .time-chart'],
-      ] as const) {
-        await run(page, `page.tab.${tab}`);
-        await page.locator(plot).waitFor();
-        const apart = async () => {
-          const [place, now] = [await box(page, plot), await box(page, '.scrubber')];
-          return Math.max(Math.abs(place.x - now.x), Math.abs(place.width - now.width));
-        };
-        await expect.poll(apart, { message: tab }).toBeLessThanOrEqual(1);
-      }
-      await run(page, 'page.tab.curves');
-      const ruler = await box(page, '.scrubber');
-      await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeCloseTo(ruler.x + GUTTER, 0);
-      await page.evaluate(() => window.marrow.seek(2));
-      await page.mouse.click(ruler.x + GUTTER, ruler.y + 6);
-      await expect.poll(() => time(page)).toBe(0);
+const inPage = inOnePage({ walking: true });
 
-      // One window: the wheel over a plot moves the ruler's times too.
-      await page.mouse.move(ruler.x + 600, ruler.y + ruler.height + 60);
-      await page.mouse.wheel(0, -300);
-      await expect
-        .poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x))
-        .toBeLessThan(ruler.x + GUTTER - 5);
-      await page.mouse.click(ruler.x + 600, ruler.y + 6);
-      // The press is heard with the next frame.
-      await expect.poll(() => time(page)).toBeGreaterThan(0);
-      const at = await time(page);
-      await expect
-        .poll(() => page.evaluate((t) => window.marrow.placeOf(38, t, 0)?.x ?? 0, at))
-        .toBeGreaterThan(ruler.x + 600 - 30);
-      await page.mouse.dblclick(ruler.x + 600, ruler.y + 6);
-      await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeCloseTo(ruler.x + GUTTER, 0);
-    },
-    { walking: true },
-  ));
+inPage(
+  'the ruler, curves, dope sheet and charts have each time at the same place, and a press at its first pixel seeks 0',
+  async ({ page }) => {
+    await walks(page);
+    await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
+    await page.locator('.curve-plot').waitFor();
+    for (const [tab, plot] of [
+      ['curves', '.curve-plot'],
+      ['dope', '.dope-sheet'],
+      ['measure', '.measure .time-chart'],
+    ] as const) {
+      await run(page, `page.tab.${tab}`);
+      await page.locator(plot).waitFor();
+      const apart = async () => {
+        const [place, now] = [await box(page, plot), await box(page, '.scrubber')];
+        return Math.max(Math.abs(place.x - now.x), Math.abs(place.width - now.width));
+      };
+      await expect.poll(apart, { message: tab }).toBeLessThanOrEqual(1);
+    }
+    await run(page, 'page.tab.curves');
+    const ruler = await box(page, '.scrubber');
+    await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeCloseTo(ruler.x + GUTTER, 0);
+    await page.evaluate(() => window.marrow.seek(2));
+    await page.mouse.click(ruler.x + GUTTER, ruler.y + 6);
+    await expect.poll(() => time(page)).toBe(0);
+
+    // One window: the wheel over a plot moves the ruler's times too.
+    await page.mouse.move(ruler.x + 600, ruler.y + ruler.height + 60);
+    await page.mouse.wheel(0, -300);
+    await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeLessThan(ruler.x + GUTTER - 5);
+    await page.mouse.click(ruler.x + 600, ruler.y + 6);
+    // The press is heard with the next frame.
+    await expect.poll(() => time(page)).toBeGreaterThan(0);
+    const at = await time(page);
+    await expect
+      .poll(() => page.evaluate((t) => window.marrow.placeOf(38, t, 0)?.x ?? 0, at))
+      .toBeGreaterThan(ruler.x + 600 - 30);
+    await page.mouse.dblclick(ruler.x + 600, ruler.y + 6);
+    await expect.poll(() => page.evaluate(() => window.marrow.placeOf(38, 0, 0)?.x)).toBeCloseTo(ruler.x + GUTTER, 0);
+  },
+);
 
 it('curve editor and dope sheet are seen together, other tabs replace both, and the last one folds; by mouse and by keys', () =>
   withPage(
@@ -161,19 +161,18 @@ it('curve editor and dope sheet are seen together, other tabs replace both, and 
     { walking: true, size: { width: 1440, height: 900 } },
   ));
 
-it('without a selection there are the curves of the root only, and it is said how to get others', () =>
-  withPage(
-    async ({ page }) => {
-      await walks(page);
-      await run(page, 'select.nothing');
-      await page.getByText('Select a joint to edit its curves').waitFor();
-      const joints = () => page.locator('.channel-row .channel-joint').allTextContents();
-      await expect.poll(async () => [...new Set(await joints())].every((name) => name.startsWith('root'))).toBe(true);
-      await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
-      await page.getByText('Select a joint to edit its curves').waitFor({ state: 'hidden' });
-    },
-    { walking: true },
-  ));
+inPage(
+  'without a selection there are the curves of the root only, and it is said how to get others',
+  async ({ page }) => {
+    await walks(page);
+    await run(page, 'select.nothing');
+    await page.getByText('Select a joint to edit its curves').waitFor();
+    const joints = () => page.locator('.channel-row .channel-joint').allTextContents();
+    await expect.poll(async () => [...new Set(await joints())].every((name) => name.startsWith('root'))).toBe(true);
+    await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
+    await page.getByText('Select a joint to edit its curves').waitFor({ state: 'hidden' });
+  },
+);
 
 it('on a phone nothing of transport and ruler overlaps, and every number has a name or a unit', () =>
   withPage(

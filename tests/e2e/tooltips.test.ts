@@ -1,6 +1,7 @@
 /** Tooltips by pointer, keyboard and finger, in the built page. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { inOnePage } from '../helpers/one-page.ts';
 import { withPage } from '../helpers/page.ts';
 
 const tooltip = (page: Page) => page.getByRole('tooltip');
@@ -8,20 +9,22 @@ const play = (page: Page) => page.getByRole('button', { name: 'Play', exact: tru
 const hidden = (page: Page) => tooltip(page).waitFor({ state: 'hidden' });
 
 describe('a tooltip', () => {
-  it('shows text and key to a resting pointer, at once to a neighbour, and hides at Escape', () =>
-    withPage(async ({ page }) => {
-      await play(page).hover();
-      await tooltip(page).waitFor();
-      await expect.poll(() => tooltip(page).locator('.tooltip-text').textContent()).toBe('Play');
-      await expect.poll(() => tooltip(page).locator('kbd').textContent()).toBe('Space');
-      await page.getByRole('button', { name: 'Go to next key' }).hover();
-      await page.waitForFunction(() => document.querySelector('.tooltip-text')?.textContent === 'Go to next key');
-      await page.keyboard.press('Escape');
-      await hidden(page);
-    }));
+  const inPage = inOnePage();
 
-  it('a tooltip stays under a pointer that moves onto it, and lets presses through to what is below', () =>
-    withPage(async ({ page }) => {
+  inPage('shows text and key to a resting pointer, at once to a neighbour, and hides at Escape', async ({ page }) => {
+    await play(page).hover();
+    await tooltip(page).waitFor();
+    await expect.poll(() => tooltip(page).locator('.tooltip-text').textContent()).toBe('Play');
+    await expect.poll(() => tooltip(page).locator('kbd').textContent()).toBe('Space');
+    await page.getByRole('button', { name: 'Go to next key' }).hover();
+    await page.waitForFunction(() => document.querySelector('.tooltip-text')?.textContent === 'Go to next key');
+    await page.keyboard.press('Escape');
+    await hidden(page);
+  });
+
+  inPage(
+    'a tooltip stays under a pointer that moves onto it, and lets presses through to what is below',
+    async ({ page }) => {
       const boxes = page.getByRole('button', { name: /^Boxes/ });
       await boxes.hover();
       await tooltip(page).waitFor();
@@ -36,23 +39,23 @@ describe('a tooltip', () => {
       expect(below).toBe(true);
       await page.mouse.move(640, 500);
       await hidden(page);
-    }));
+    },
+  );
 
-  it('describes the control that the keyboard focuses', () =>
-    withPage(async ({ page }) => {
-      const auto = page.getByRole('button', { name: 'Auto-key' });
-      await auto.focus();
-      await page.keyboard.press('Shift+Tab');
-      await page.keyboard.press('Tab');
-      await tooltip(page).waitFor();
-      const described = await auto.evaluate(
-        (target) => document.getElementById(target.getAttribute('aria-describedby') ?? '')?.textContent,
-      );
-      expect(described).toContain('key changes automatically');
-      await page.keyboard.press('Escape');
-      await hidden(page);
-      await expect.poll(() => auto.getAttribute('aria-describedby')).toBe(null);
-    }));
+  inPage('describes the control that the keyboard focuses', async ({ page }) => {
+    const auto = page.getByRole('button', { name: 'Auto-key' });
+    await auto.focus();
+    await page.keyboard.press('Shift+Tab');
+    await page.keyboard.press('Tab');
+    await tooltip(page).waitFor();
+    const described = await auto.evaluate(
+      (target) => document.getElementById(target.getAttribute('aria-describedby') ?? '')?.textContent,
+    );
+    expect(described).toContain('key changes automatically');
+    await page.keyboard.press('Escape');
+    await hidden(page);
+    await expect.poll(() => auto.getAttribute('aria-describedby')).toBe(null);
+  });
 
   it('shows to a finger that holds, without the press; a tap presses', () =>
     withPage(

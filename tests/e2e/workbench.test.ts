@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { testAll } from '../helpers/check.ts';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { course, names, opened, REFERENCE, WASP } from './checks/workbench.ts';
@@ -58,45 +59,47 @@ describeShared('the page with the course’s files', () => {
       },
     ));
 
-  it('leaves everything as it was when a file is wrong, and shows where', () =>
-    withPage(async ({ page }) => {
-      await opened(page);
-      await dropFiles(page, course(['test.skel']));
-      await opened(page, 'test');
-      await dropFiles(page, [broken('not-a-number.skel')]);
-      await page.getByText('1,5').first().waitFor();
-      await expect.poll(() => names(page)).toEqual(['test']);
-      await page.keyboard.press('Control+z');
-      await opened(page);
-      await expect.poll(() => names(page)).not.toContain('test');
-    }));
+  const inPage = inOnePage();
 
-  it('takes a drop back in one step, and gives it again', () =>
-    withPage(async ({ page }) => {
-      await opened(page);
-      const [sample] = await names(page);
-      await dropFiles(page, course(WASP));
-      await opened(page, 'wasp');
-      await page.keyboard.press('Control+z');
-      await expect.poll(() => names(page)).toEqual([sample]);
-      await page.keyboard.press('Control+y');
-      await expect.poll(() => names(page)).toEqual(['wasp']);
-    }));
+  inPage('leaves everything as it was when a file is wrong, and shows where', async ({ page }) => {
+    await opened(page);
+    await undoAll(page);
+    await dropFiles(page, course(['test.skel']));
+    await opened(page, 'test');
+    await dropFiles(page, [broken('not-a-number.skel')]);
+    await page.getByText('1,5').first().waitFor();
+    await expect.poll(() => names(page)).toEqual(['test']);
+    await page.keyboard.press('Control+z');
+    await opened(page);
+    await expect.poll(() => names(page)).not.toContain('test');
+  });
 
-  it('saves what it opened as the same text that it reads again', () =>
-    withPage(async ({ page }) => {
-      await opened(page);
-      await dropFiles(page, course(WASP));
-      await opened(page, 'wasp');
-      for (const name of WASP) {
-        const first = await page.evaluate((n) => window.marrow.save(n), name);
-        const diagnostics = await page.evaluate(([n, content]) => window.marrow.open([{ name: n, content }]), [
-          name,
-          first,
-        ] as const);
-        expect(diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
-        await expect.poll(() => page.evaluate((n) => window.marrow.save(n), name)).toBe(first);
-      }
-      await expect.poll(() => names(page)).toEqual(['wasp']);
-    }));
+  inPage('takes a drop back in one step, and gives it again', async ({ page }) => {
+    await opened(page);
+    await undoAll(page);
+    const [sample] = await names(page);
+    await dropFiles(page, course(WASP));
+    await opened(page, 'wasp');
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => names(page)).toEqual([sample]);
+    await page.keyboard.press('Control+y');
+    await expect.poll(() => names(page)).toEqual(['wasp']);
+  });
+
+  inPage('saves what it opened as the same text that it reads again', async ({ page }) => {
+    await opened(page);
+    await undoAll(page);
+    await dropFiles(page, course(WASP));
+    await opened(page, 'wasp');
+    for (const name of WASP) {
+      const first = await page.evaluate((n) => window.marrow.save(n), name);
+      const diagnostics = await page.evaluate(([n, content]) => window.marrow.open([{ name: n, content }]), [
+        name,
+        first,
+      ] as const);
+      expect(diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
+      await expect.poll(() => page.evaluate((n) => window.marrow.save(n), name)).toBe(first);
+    }
+    await expect.poll(() => names(page)).toEqual(['wasp']);
+  });
 });

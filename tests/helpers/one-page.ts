@@ -6,6 +6,7 @@
  *     const inPage = inOnePage({ walking: true });
  *     inPage('a press at the first pixel seeks 0', async ({ page }) => { … });
  */
+import type { Page } from 'playwright-core';
 import { afterAll, it } from 'vitest';
 import { type OpenedPage, type OpenPage, openPage, type PageOptions } from './page.ts';
 
@@ -39,3 +40,11 @@ export function inOnePage(
       }
     });
 }
+
+/** The document is that of the opening example again. Returns the number of steps. */
+export const undoAll = (page: Page): Promise<number> =>
+  page.evaluate(() => {
+    let steps = 0;
+    while (window.marrow.undo()) steps++;
+    return steps;
+  });

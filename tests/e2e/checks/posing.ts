@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles } from '../../helpers/page.ts';
 
 export type Point = { readonly x: number; readonly y: number };
@@ -22,8 +23,9 @@ const ARM = `balljoint shoulder {
 
 export const dofs = (page: Page) => page.evaluate(() => window.marrow.characters()[0]?.dofs ?? []);
 export const undo = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
-/** Opens the arm in FK, selects its elbow, and waits for its gizmo. */
+/** Opens the arm in FK, in place of all that was done, selects its elbow, and waits for its gizmo. */
 export async function openArm(page: Page, joint = 'elbow'): Promise<void> {
+  await undoAll(page);
   await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
   await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'arm');
   await page.evaluate(() => window.marrow.run('posing.fk'));
