@@ -24,6 +24,8 @@ export interface CopiedKeys {
 
 /** The copied keys of one channel, as columns. */
 export interface CopiedChannel {
+  /** Its character, if keys of several were copied together. */
+  readonly characterId?: string;
   /** The source channel. */
   readonly channel: number;
   /** Seconds after the earliest key of all, ascending. */

@@ -33,7 +33,7 @@ export function withJoints(
 }
 
 /** The selection in which another part is what is selected of its character, which becomes active. */
-function withPart(selection: Selection, part: SelectedPart): Selection {
+export function withPart(selection: Selection, part: SelectedPart): Selection {
   return selectionOf([...partsOf(selection).filter((one) => one.characterId !== part.characterId), part]);
 }
 

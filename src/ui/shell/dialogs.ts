@@ -38,7 +38,7 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   convertToKeys: async () => (await sampleTools()).convertDialog,
   smoothSamples: async () => (await sampleTools()).smoothDialog,
   resampleSamples: async () => (await sampleTools()).resampleSamplesDialog,
-  markers: async () => (await import('../editors/timeline/markers-dialog.ts')).markersDialog,
+  markers: async () => (await import('../editors/timeline/markers/markers-dialog.ts')).markersDialog,
   loopTake: async () => (await takeTools()).loopDialog,
   lockFeet: async () => (await takeTools()).lockFeetDialog,
   joinTakes: async () => (await takeTools()).joinDialog,

@@ -4,7 +4,6 @@
  */
 import type { CopiedKeys } from '../../edit/keys/clipboard.ts';
 import type { OutsideCycle } from '../../edit/keys/cycle.ts';
-import type { Character } from '../../model/document.ts';
 import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../widgets/observable.ts';
 import { fitWindow, type TimeWindow } from '../widgets/time/time-window.ts';
@@ -102,7 +101,7 @@ export interface TimelineView extends ChannelView {
   readonly ripples: boolean;
 }
 
-const NOTHING_PICKED: ChannelView = { pinned: [], hidden: [], unfolded: [] };
+export const NOTHING_PICKED: ChannelView = { pinned: [], hidden: [], unfolded: [] };
 
 export const DEFAULT_TIMELINE_VIEW: TimelineView = {
   ...NOTHING_PICKED,
@@ -150,7 +149,8 @@ export interface TimelineTab {
 
 /** Channels in view, with what they depend on. */
 export interface ChannelsInView {
-  readonly character: Character;
+  /** The takes that are shown (`TimelineTake`). */
+  readonly current: object;
   readonly selection: Selection;
   readonly view: TimelineView;
   readonly channels: readonly number[];

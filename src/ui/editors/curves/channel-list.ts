@@ -22,10 +22,12 @@ import { isCommand, RowSelection } from '../../widgets/table/row-selection.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { WindowedList, type WindowedRow } from '../../widgets/windowed-list.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
-import { channelCount, channelName, isAnimated, type ListedChannel, selectedChannels } from '../timeline/channels.ts';
-import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
+import { channelName, isAnimated, type ListedChannel, selectedChannels } from '../timeline/channels.ts';
+import { selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import { extrapolationIcon } from '../timeline/key-actions.ts';
-import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.ts';
+import { countOfAll, isolateOfAll, toggleIn, viewOfAll } from '../timeline/listed-of-all.ts';
+import { timelineTake } from '../timeline/timeline-take.ts';
+import { extrapolationEntries, openChannelMenu } from './context-menu.ts';
 import { isolatedAfter } from './isolating.ts';
 import { cssColour } from './scene/colours.ts';
 import type { CurveLine } from './scene/scene.ts';
@@ -150,10 +152,11 @@ export class ChannelList {
     setText(this.empty, emptyText(wb, view.list, view.filter));
     this.picks.show(this.channels);
     this.goTo(Math.max(0, Math.min(this.active, count - 1)));
+    const { hidden, isolated, pinned } = viewOfAll(wb);
     this.state = {
-      hidden: new Set(view.hidden),
-      isolated: view.isolated && new Set(view.isolated),
-      pinned: new Set(view.pinned),
+      hidden: new Set(hidden),
+      isolated: isolated && new Set(isolated),
+      pinned: new Set(pinned),
       selected: new Set(selectedKeysInView(wb).map((k) => k.channel)),
     };
     this.list.show(count);
@@ -167,7 +170,7 @@ export class ChannelList {
     const character = currentCharacter(wb);
     const texts = { ...LIST_LABELS, selected: selectedLabel(character, selection) };
     for (const [i, one] of CHANNEL_LISTS.entries()) setText(choice.options[i], texts[one]);
-    const all = character ? channelCount(character) : 0;
+    const all = countOfAll(wb);
     const more = list === 'selected' ? `Show all ${all} channels` : `Show only ${lowerFirst(texts.selected)}`;
     const isShort = character !== undefined && selectedChannels(character, selection) !== undefined;
     write(this.more, 'hidden', !document.characters.length || !isShort || list === 'pinned' || all === 0);
@@ -178,7 +181,7 @@ export class ChannelList {
     const listed = this.channels[index];
     const { channel } = listed;
     const line = this.source.line(channel);
-    const held = currentTake(this.wb)?.take.channels[channel];
+    const held = timelineTake(this.wb)?.take.channels[channel];
     const name = channelName(listed);
     const keyed = isAnimated(listed);
     const hidden = state.hidden.has(channel);
@@ -188,7 +191,7 @@ export class ChannelList {
     target.classList.toggle('not-drawn', keyed && (state.isolated ? !isolated : hidden));
     target.classList.toggle('isolated', isolated);
     target.classList.toggle('selected', state.selected.has(channel));
-    row.joint.show(listed.joint);
+    row.joint.show([listed.character, listed.joint].filter(Boolean).join(' '));
     setText(row.dof, listed.dof);
     setText(row.follows, listed.follows === undefined ? '' : `← ${listed.follows}`);
     target.classList.toggle('follows', listed.follows !== undefined);
@@ -267,14 +270,13 @@ export class ChannelList {
   }
 
   private isolate(all: readonly ListedChannel[], ctrl: boolean): void {
-    const { timeline } = this.wb;
     const channels = all.map(({ channel }) => channel);
-    timeline.isolate(isolatedAfter(timeline.view.get().isolated, channels, ctrl));
+    isolateOfAll(this.wb, isolatedAfter(viewOfAll(this.wb).isolated, channels, ctrl));
   }
 
   private onDoubleClick(event: MouseEvent): void {
     const at = this.indexAt(event);
-    const current = currentTake(this.wb);
+    const current = timelineTake(this.wb);
     if (at?.cell !== 'name' || !current) return;
     const keys = allKeys(current.take, [this.channels[at.index].channel]);
     selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(selectedKeys(this.wb), keys) : keys);

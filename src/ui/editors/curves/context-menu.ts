@@ -9,9 +9,11 @@ import { actionsOf } from '../../state/actions/action.ts';
 import { itemOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
-import { channelName, namedChannel } from '../timeline/channels.ts';
-import { currentTake, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
+import { channelName } from '../timeline/channels.ts';
+import { selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import { extrapolate } from '../timeline/key-edits.ts';
+import { isolateOfAll, toggleIn, viewOfAll } from '../timeline/listed-of-all.ts';
+import { namedIn, timelineTake } from '../timeline/timeline-take.ts';
 import { insertOnCurve } from './insert.ts';
 import type { CurveHit } from './scene/scene.ts';
 
@@ -68,9 +70,9 @@ export function openChannelMenu(
   channel: number,
   where: MenuPlace,
 ): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current) return;
-  const label = channelName(namedChannel(current.character, channel));
+  const label = channelName(namedIn(current, channel));
   const kind = current.take.channels[channel]?.kind;
   if (kind === 'samples') {
     openMenu(where, sampledEntries(wb, channel), { label });
@@ -84,7 +86,7 @@ export function openChannelMenu(
 
 /** Selects all keys of a channel, unless some of them are selected. */
 function selectCurve(wb: Uses<'store' | 'timeline'>, channel: number): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current || selectedKeysInView(wb).some((k) => k.channel === channel)) return;
   selectKeys(wb, allKeys(current.take, [channel]));
 }
@@ -113,18 +115,17 @@ function keyEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
 }
 
 function isSampledHere(wb: Uses<'store'>, channel: number): boolean {
-  return currentTake(wb)?.take.channels[channel]?.kind === 'samples';
+  return timelineTake(wb)?.take.channels[channel]?.kind === 'samples';
 }
 
 /** The menu of a sampled curve, which has no keys. */
-function sampledEntries(wb: Uses<'actions' | 'timeline' | 'settings'>, channel: number): MenuEntry[] {
+function sampledEntries(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>, channel: number): MenuEntry[] {
   return [...showEntries(wb, channel), LINE, ...entriesOf(wb, SAMPLE_TOOLS)];
 }
 
 /** Entries for what is shown of a channel. */
-function showEntries(wb: Uses<'timeline'>, channel: number): MenuEntry[] {
-  const { view } = wb.timeline;
-  const { isolated } = view.get();
+function showEntries(wb: Uses<'store' | 'timeline'>, channel: number): MenuEntry[] {
+  const { isolated, hidden } = viewOfAll(wb);
   const isOnly = isolated?.length === 1 && isolated[0] === channel;
   return [
     {
@@ -132,12 +133,12 @@ function showEntries(wb: Uses<'timeline'>, channel: number): MenuEntry[] {
       label: 'Isolate',
       checked: isOnly,
       enabled: true,
-      run: () => wb.timeline.isolate(isOnly ? undefined : [channel]),
+      run: () => isolateOfAll(wb, isOnly ? undefined : [channel]),
     },
     {
       kind: 'item',
       label: 'Hide',
-      checked: view.get().hidden.includes(channel),
+      checked: hidden.includes(channel),
       enabled: true,
       run: () => toggleIn(wb, 'hidden', channel),
     },
@@ -170,14 +171,14 @@ function groundEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
   ];
 }
 
-function pinEntry(wb: Uses<'timeline'>, channel: number): MenuEntry {
-  const checked = wb.timeline.view.get().pinned.includes(channel);
+function pinEntry(wb: Uses<'store' | 'timeline'>, channel: number): MenuEntry {
+  const checked = viewOfAll(wb).pinned.includes(channel);
   return { kind: 'item', label: 'Pin', checked, enabled: true, run: () => toggleIn(wb, 'pinned', channel) };
 }
 
 /** Extrapolation of one channel on one side. */
 export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: number, side: 'in' | 'out'): MenuEntry[] {
-  const held = currentTake(wb)?.take.channels[channel];
+  const held = timelineTake(wb)?.take.channels[channel];
   const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
   return EXTRAPOLATIONS.map((extrapolation) => ({
     kind: 'item',
@@ -187,11 +188,4 @@ export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: nu
     enabled: held !== undefined,
     run: () => extrapolate(wb, side, extrapolation, [channel]),
   }));
-}
-
-/** Hides or shows a channel, or pins or unpins it. */
-export function toggleIn(wb: Uses<'timeline'>, what: 'hidden' | 'pinned', channel: number): void {
-  const now = wb.timeline.view.get()[what];
-  const next = now.includes(channel) ? now.filter((c) => c !== channel) : [...now, channel].sort((a, b) => a - b);
-  wb.timeline.change(what === 'hidden' ? { hidden: next } : { pinned: next });
 }

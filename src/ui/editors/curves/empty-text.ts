@@ -6,6 +6,7 @@ import type { Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { touchWords } from '../../widgets/touch-words.ts';
 import { currentTake } from '../timeline/current-take.ts';
+import { viewOfAll } from '../timeline/listed-of-all.ts';
 
 export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number): string {
   return touchWords(emptyText(wb, listed));
@@ -31,7 +32,8 @@ function emptyText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number)
     const what = current ? `The take ${current.take.name} has no keys` : `${character.name} has no animation`;
     return `${what}. Rotate a joint and press K to key it at ${at} or Shift+K to key the whole pose, or drop an .anim file.`;
   }
-  const { list, hidden, filter } = wb.timeline.view.get();
+  const { list, filter } = wb.timeline.view.get();
+  const { hidden } = viewOfAll(wb);
   if (!listed) {
     if (filter.trim()) return `No channel matches “${filter.trim()}”.`;
     return list === 'pinned'

@@ -6,7 +6,6 @@ import { setKeys } from '../../../edit/commands/keys.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import { keySlope } from '../../../evaluate/slopes.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import { unitOfChannel } from '../../../model/skeleton/dofs.ts';
 import type { DofUnit } from '../../../model/skeleton/skeleton.ts';
 import { keysOf } from '../../../model/takes/take.ts';
 import { attempt } from '../../state/actions/attempt.ts';
@@ -16,9 +15,9 @@ import { element, write } from '../../widgets/dom.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { NumberField, type NumberFieldOptions } from '../../widgets/numbers/number-field.ts';
 import { decimalsWithin, shown } from '../../widgets/numbers/number-text.ts';
-import { dofsFor } from '../timeline/channels.ts';
-import { aboutKeysInHand, type CurrentTake, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
+import { type CurrentTake, onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
 import { frameNumber } from '../timeline/snapping.ts';
+import { namedIn, timelineTake } from '../timeline/timeline-take.ts';
 
 /** Numbers shared by all selected keys; undefined if they differ. Seconds of the take, model units. */
 export interface SharedNumbers {
@@ -130,10 +129,9 @@ class KeyFields {
 
   /** Undefined for keys of different units. */
   private unit(): DofUnit | undefined {
-    const current = currentTake(this.wb);
+    const current = timelineTake(this.wb);
     if (!current) return undefined;
-    const dofs = dofsFor(current.character);
-    const units = new Set(selectedKeysInView(this.wb).map((k) => unitOfChannel(dofs, k.channel)));
+    const units = new Set(selectedKeysInView(this.wb).map((k) => namedIn(current, k.channel).unit));
     const [unit] = units;
     return units.size === 1 ? unit : undefined;
   }
@@ -146,24 +144,24 @@ class KeyFields {
 
   private set(typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>): void {
     const { wb } = this;
-    const current = currentTake(wb);
+    const current = timelineTake(wb);
     const keys = selectedKeysInView(wb);
     if (!current || !keys.length) return;
     attempt(wb.messages, () => {
       const own = typed.value === undefined ? keys : laterHalves(current, keys);
-      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: current.character.id, keys: own, ...typed });
+      wb.store.apply(onAllInHand(wb, setKeys), { characterId: current.character.id, keys: own, ...typed });
     });
   }
 
   private setTime(typed: number): void {
     const { framesPerSecond } = this.wb.transport.get();
     const seconds = this.inFrames() ? typed / framesPerSecond : typed;
-    this.set({ timeSeconds: seconds + (currentTake(this.wb)?.character.timeOffsetSeconds ?? 0) });
+    this.set({ timeSeconds: seconds + (timelineTake(this.wb)?.character.timeOffsetSeconds ?? 0) });
   }
 
   private show(): void {
     const { wb, time, value, slopeIn, slopeOut } = this;
-    const current = currentTake(wb);
+    const current = timelineTake(wb);
     const keys = selectedKeysInView(wb);
     const unit = this.unit();
     const all = [time, value, slopeIn, slopeOut];

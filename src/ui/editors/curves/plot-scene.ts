@@ -5,18 +5,20 @@
 
 import { compileTake } from '../../../evaluate/compiled-take.ts';
 import type { Character } from '../../../model/document.ts';
+import type { Selection } from '../../../model/session.ts';
 import type { Take } from '../../../model/takes/take.ts';
-import { currentCharacter } from '../../state/actions/action.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
+import { drawnChannels, isOfRootOnly, type ListedChannel, selectedChannels } from '../timeline/channels.ts';
+import { selectedKeysInView } from '../timeline/current-take.ts';
+import { listedOfAll, viewOfAll } from '../timeline/listed-of-all.ts';
 import {
-  drawnChannels,
-  isOfRootOnly,
-  type ListedChannel,
-  listedChannels,
-  selectedChannels,
-} from '../timeline/channels.ts';
-import { type CurrentTake, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
+  activePart,
+  channelsOfPart,
+  type TimelinePart,
+  type TimelineTake,
+  timelineTake,
+} from '../timeline/timeline-take.ts';
 import { restCurves } from './scene/rest-curves.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
@@ -71,25 +73,24 @@ export class PlotScene {
     if (this.made && !this.stale) return this.made;
     this.stale = false;
     const { wb } = this;
-    const current = currentTake(wb);
+    const current = timelineTake(wb);
     const view = wb.timeline.view.get();
-    const character = currentCharacter(wb);
-    this.listed = character ? listedChannels(character, wb.store.selection, view) : [];
-    const drawn = current ? drawnChannels(this.listed, view) : NO_CHANNELS;
+    this.listed = listedOfAll(wb);
+    const drawn = current ? drawnChannels(this.listed, viewOfAll(wb)) : NO_CHANNELS;
     if (!sameNumbers(drawn, this.drawn)) this.drawn = drawn;
-    if (current) this.updateLines(current.character, current.take, view.normalised);
+    if (current) this.updateLines(current, view.normalised);
     else {
       this.lines = NO_LINES;
       this.linesOf = NO_LINES;
       this.byChannel = new Map();
     }
-    this.updateEmphasis(current?.character, view);
+    this.updateEmphasis(current, view);
     const { framesPerSecond } = wb.transport.get();
     const settings = wb.settings.get();
     const take = current?.take ?? NO_TAKE;
     const offsetSeconds = current?.character.timeOffsetSeconds ?? 0;
     const theirs = current && this.theirsOf(current.character);
-    const rest = current && this.restOf(current, view);
+    const rest = current && this.restOf(activePart(current));
     const made: CurveScene = {
       take,
       curves: compileTake(take),
@@ -110,10 +111,12 @@ export class PlotScene {
   }
 
   /** What the active layer lies over, of all channels that are listed and not hidden. */
-  private restOf({ character, take }: CurrentTake, { hidden, isolated }: TimelineView): CurveScene['rest'] {
+  private restOf({ character, take, count }: TimelinePart): CurveScene['rest'] {
+    const { hidden, isolated } = viewOfAll(this.wb);
     const curves = restCurves(take, character.skeleton);
     const lines = this.listed.flatMap(({ channel }) => {
-      const isShown = isolated ? isolated.includes(channel) : !hidden.includes(channel);
+      const isOwn = channel < count;
+      const isShown = isOwn && (isolated ? isolated.includes(channel) : !hidden.includes(channel));
       return (isShown && this.byChannel.get(channel)) || [];
     });
     const { rest } = this;
@@ -131,39 +134,36 @@ export class PlotScene {
   }
 
   /** In a thicket of all channels the selected joint's are in front. Those of a root that nobody has selected are faint. */
-  private updateEmphasis(character: Character | undefined, { list, isolated }: TimelineView): void {
+  private updateEmphasis(current: TimelineTake | undefined, { list }: TimelineView): void {
     const { selection } = this.wb.store;
-    if (list === 'selected' && !isolated && character && isOfRootOnly(character, selection)) {
+    const { isolated } = viewOfAll(this.wb);
+    const { parts = [] } = current ?? {};
+    const isOfRoots = parts.length > 0 && parts.every(({ character }) => isOfRootOnly(character, selection));
+    if (list === 'selected' && !isolated && isOfRoots) {
       this.emphasised = NONE;
       return;
     }
     const isThicket = list === 'all' && !isolated && this.lines.length > MAX_LINES_ALIKE;
-    const front = isThicket && character ? selectedChannels(character, this.wb.store.selection) : undefined;
-    const drawn = front?.filter((channel) => this.lines.some((line) => line.channel === channel)) ?? NO_CHANNELS;
+    const front = isThicket ? parts.flatMap((part) => selectedOf(part, selection)) : NO_CHANNELS;
+    const drawn = front.filter((channel) => this.lines.some((line) => line.channel === channel));
     if (this.emphasised !== NONE && sameNumbers(drawn, [...(this.emphasised ?? NO_CHANNELS)])) return;
     this.emphasised = drawn.length ? new Set(drawn) : undefined;
   }
 
-  private updateLines(character: Character, take: Take, normalised: boolean): void {
+  private updateLines({ take, parts }: TimelineTake, normalised: boolean): void {
     // Only normalised lines depend on keys and samples.
     const keys = normalised ? (this.frozen ? this.linesOf[4] : take.channels) : undefined;
     const samples = normalised ? (this.frozen ? this.linesOf[5] : take.samples) : undefined;
     const count = take.channels.length;
-    const from = [
-      character.id,
-      character.skeleton,
-      character.morphs,
-      this.listedNumbers(),
-      keys,
-      samples,
-      normalised,
-      count,
-    ];
+    const of = parts.flatMap(({ character: { id, name, skeleton, morphs } }) => [id, name, skeleton, morphs]);
+    const from = [this.listedNumbers(), normalised, count, of.length, keys, samples, ...of];
     const same = from.every((part, i) => part === this.linesOf[i]);
     if (same && this.drawn === this.linesDrawn) return;
     // From all listed channels, so that a curve keeps its colour when another is hidden.
-    if (!same)
-      this.byChannel = new Map(sceneLines(character, this.listedNumbers(), normalised).map((l) => [l.channel, l]));
+    if (!same) {
+      const lines = parts.flatMap((part, i) => linesOf(part, this.listedNumbers(), normalised, parts.length > 1, i));
+      this.byChannel = new Map(lines.map((line) => [line.channel, line]));
+    }
     this.linesOf = from;
     this.linesDrawn = this.drawn;
     this.lines = this.drawn.flatMap((c) => this.byChannel.get(c) ?? []);
@@ -186,6 +186,25 @@ export class PlotScene {
     if (!sameNumbers(now, this.numbers)) this.numbers = now;
     return this.numbers;
   }
+}
+
+/** The channels of a part's selected joints, in the numbers of all. */
+function selectedOf({ character, first }: TimelinePart, selection: Selection): readonly number[] {
+  return (selectedChannels(character, selection) ?? []).map((channel) => first + channel);
+}
+
+/** The lines of a part, named with its character if there are several. @param place among the parts */
+function linesOf(
+  part: TimelinePart,
+  listed: readonly number[],
+  normalised: boolean,
+  isNamed: boolean,
+  place: number,
+): readonly CurveLine[] {
+  const { character, first } = part;
+  const lines = sceneLines(character, channelsOfPart(part, listed), normalised, [], place);
+  if (!isNamed) return lines;
+  return lines.map((line) => ({ ...line, channel: first + line.channel, name: `${character.name} ${line.name}` }));
 }
 
 export function sameNumbers(a: readonly number[], b: readonly number[]): boolean {

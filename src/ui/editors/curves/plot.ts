@@ -8,8 +8,9 @@ import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { timeAt, timeX } from '../../widgets/time/time-window.ts';
 import type { SelectionBox } from '../timeline/box.ts';
-import { currentTake } from '../timeline/current-take.ts';
 import { selectedText } from '../timeline/key-edits.ts';
+import { viewOfAll } from '../timeline/listed-of-all.ts';
+import { timelineTake } from '../timeline/timeline-take.ts';
 import type { ListSource } from './channel-list.ts';
 import { CurveLegend } from './curve-legend.ts';
 import { emptyPlotText } from './empty-text.ts';
@@ -233,17 +234,18 @@ export class CurvePlot implements PlotHost {
   private fitWhereNew(): void {
     const { plotScene, wb } = this;
     if (this.dragging) return;
-    const current = currentTake(wb);
     const view = wb.timeline.view.get();
-    const layer = current?.take.layers?.active ?? '';
-    const name = current ? `${current.character.id} ${current.character.shownTake} ${layer}` : '';
+    const names = (timelineTake(wb)?.parts ?? []).map(
+      ({ character, take }) => `${character.id} ${character.shownTake} ${take.layers?.active ?? ''}`,
+    );
+    const name = names.join(' ');
     const { lines, theirs } = plotScene.scene;
     // Hiding a curve doesn't refit the others.
     const channels = [
       view.normalised ? 1 : 0,
       lines.length ? 1 : 0,
       theirs ? 1 : 0,
-      ...(view.isolated ?? []),
+      ...(viewOfAll(wb).isolated ?? []),
       -1,
       ...plotScene.channels.map((c) => c.channel),
     ];

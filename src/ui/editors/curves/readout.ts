@@ -4,8 +4,8 @@ import { keysOf } from '../../../model/takes/take.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { element, setText, write } from '../../widgets/dom.ts';
 import { pixelsPerSecond, timeAt } from '../../widgets/time/time-window.ts';
-import { channelName, namedChannel } from '../timeline/channels.ts';
-import { currentTake } from '../timeline/current-take.ts';
+import { channelName } from '../timeline/channels.ts';
+import { namedIn, timelineTake } from '../timeline/timeline-take.ts';
 import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
 import { valueAt } from './scene/space.ts';
 import { sampleNear } from './scene/their-channels.ts';
@@ -43,8 +43,8 @@ export class CurveReadout {
     const at = timeAt(space, pointer.x);
     const line = hover.kind === 'empty' ? undefined : lineOf(scene, hover.channel);
     if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
-    const current = currentTake(wb);
-    const name = current ? channelName(namedChannel(current.character, line.channel)) : line.name;
+    const current = timelineTake(wb);
+    const name = current ? channelName(namedIn(current, line.channel)) : line.name;
     if (hover.kind === 'curve') {
       const own = curveValueText(wb, line.unit, hover.value);
       return [hover.timeSeconds - offsetSeconds, name, own + this.theirsAt(scene, line, hover.timeSeconds)];

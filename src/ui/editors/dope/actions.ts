@@ -2,10 +2,11 @@
 
 import { rippleKeys } from '../../../edit/commands/keys.ts';
 import { needs } from '../../state/actions/needs.ts';
-import type { Action } from '../../state/workbench.ts';
-import { aboutKeysInHand, currentTake, selectedKeysInView } from '../timeline/current-take.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
+import { onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
 import { needsKeys, needsTake } from '../timeline/key-actions.ts';
+import { changeChannelView, channelViewOf, type TimelinePart, timelineTake } from '../timeline/timeline-take.ts';
 import { showCurves } from './show-curves.ts';
 
 const MENU = 'Keys/Dope sheet';
@@ -59,8 +60,8 @@ export const DOPE_ACTIONS: readonly Action[] = [
     panel: 'timeline',
     refuses: needsTake,
     run(wb) {
-      const current = currentTake(wb);
-      if (current) wb.timeline.change({ unfolded: allFolds(current.character, current.take) });
+      for (const { character, take } of partsOf(wb))
+        changeChannelView(wb.timeline, character.id, { unfolded: allFolds(character, take) });
     },
   },
   {
@@ -70,10 +71,18 @@ export const DOPE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 17,
     panel: 'timeline',
-    refuses: needs('All rows are collapsed.', (wb) => wb.timeline.view.get().unfolded.length > 0),
-    run: (wb) => wb.timeline.change({ unfolded: [] }),
+    refuses: needs('All rows are collapsed.', (wb) =>
+      partsOf(wb).some(({ character: { id } }) => channelViewOf(wb.timeline.view.get(), id).unfolded.length > 0),
+    ),
+    run(wb) {
+      for (const { character } of partsOf(wb)) changeChannelView(wb.timeline, character.id, { unfolded: [] });
+    },
   },
 ];
+
+function partsOf(wb: Uses<'store'>): readonly TimelinePart[] {
+  return timelineTake(wb)?.parts ?? [];
+}
 
 function ripple(id: string, label: string, shortcut: string, frames: number): Action {
   return {
@@ -87,10 +96,10 @@ function ripple(id: string, label: string, shortcut: string, frames: number): Ac
     repeats: true,
     refuses: needsKeys,
     run(wb) {
-      const current = currentTake(wb);
+      const current = timelineTake(wb);
       if (!current) return;
       const seconds = frames / wb.transport.get().framesPerSecond;
-      wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
+      wb.store.apply(onAllInHand(wb, rippleKeys), {
         characterId: current.character.id,
         keys: selectedKeysInView(wb),
         seconds,

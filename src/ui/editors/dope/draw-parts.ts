@@ -32,15 +32,14 @@ export function drawSheetGround(
   sheet: Sheet,
   index: number,
   row: DopeRow,
-  selectedJoints: readonly number[],
+  isSelected: boolean,
   colours: DopeColours,
 ): void {
   const top = rowTop(sheet, index);
-  const chosen = row.joint !== undefined && selectedJoints.includes(row.joint);
-  if (chosen || row.kind === 'channel') {
-    g.fillStyle = chosen ? colours.selectedQuiet : colours.field;
+  if (isSelected || row.kind === 'channel' || row.kind === 'character') {
+    g.fillStyle = isSelected ? colours.selectedQuiet : row.kind === 'channel' ? colours.field : colours.raised;
     // Fainter than the name, so that the keys on it stay visible.
-    g.globalAlpha = chosen ? (row.kind === 'channel' ? 0.3 : 0.6) : 1;
+    g.globalAlpha = isSelected ? (row.kind === 'channel' ? 0.3 : 0.6) : 1;
     g.fillRect(0, top, sheet.width, sheet.rowHeight);
     g.globalAlpha = 1;
   }

@@ -3,10 +3,11 @@
  * command, previewed from the document at the press: one undo step on release, none after Escape.
  */
 
-import type { Edit } from '../../../edit/change.ts';
+import type { Change } from '../../../edit/change.ts';
 import type { ArgsOf, Command } from '../../../edit/command.ts';
 import { moveKeys, rippleKeys, scaleKeys } from '../../../edit/commands/keys.ts';
 import { pasteKeys } from '../../../edit/commands/paste.ts';
+import { onEachCharacter } from '../../../edit/in-turn.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
@@ -15,22 +16,17 @@ import { addKeys } from '../../state/add-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { secondsPerPixel, timeAt } from '../../widgets/time/time-window.ts';
-import {
-  aboutKeysInHand,
-  type CurrentTake,
-  currentTake,
-  editOfTake,
-  keyPlacing,
-  selectedKeysInView,
-} from '../timeline/current-take.ts';
+import { editOfTakes, keyPlacing, onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
+import { copiedOfPart } from '../timeline/edit-all.ts';
 import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
+import { type TimelineTake, timelineTake } from '../timeline/timeline-take.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 
 /** Shared by moving and scaling: the original keys, and an edit that is committed or cancelled. */
 abstract class KeyDrag implements DopeDrag {
   readout: string | undefined;
   protected readonly edit: HandEdit | undefined;
-  protected readonly take: CurrentTake | undefined;
+  protected readonly take: TimelineTake | undefined;
   protected readonly keys: readonly ChannelKeys[];
   /** From the first selected key to the last, seconds of the transport. */
   protected readonly span: readonly [number, number];
@@ -40,8 +36,8 @@ abstract class KeyDrag implements DopeDrag {
     protected readonly from: Pointer,
   ) {
     const { wb } = host;
-    this.take = currentTake(wb);
-    this.edit = this.take && editOfTake(wb, this.take);
+    this.take = timelineTake(wb);
+    this.edit = this.take && editOfTakes(wb, this.take.parts);
     this.keys = selectedKeysInView(wb);
     this.span = host.shown().selectedSpan ?? [0, 0];
   }
@@ -55,7 +51,7 @@ abstract class KeyDrag implements DopeDrag {
   }
 
   /** Previews the edit at a position, and returns its readout. */
-  protected abstract preview(at: Pointer, current: CurrentTake, edit: HandEdit): string | undefined;
+  protected abstract preview(at: Pointer, current: TimelineTake, edit: HandEdit): string | undefined;
 
   release(_at: Pointer, moved: boolean): void {
     this.readout = undefined;
@@ -89,8 +85,8 @@ const WAY_WORDS: Readonly<Record<MoveWay, string>> = { move: '', ripple: 'Ripple
 
 export class MoveKeys extends KeyDrag {
   private readonly copied: CopiedKeys | undefined;
-  private readonly moving: Command<ArgsOf<typeof moveKeys>, Edit>;
-  private readonly rippling: Command<ArgsOf<typeof rippleKeys>, Edit>;
+  private readonly moving: Command<ArgsOf<typeof moveKeys>, Change>;
+  private readonly rippling: Command<ArgsOf<typeof rippleKeys>, Change>;
 
   /** @param grabbedSeconds the key to be snapped: the grabbed one, else the first */
   constructor(
@@ -100,21 +96,29 @@ export class MoveKeys extends KeyDrag {
     private readonly grabbedSeconds?: number,
   ) {
     super(host, from);
-    this.moving = aboutKeysInHand(host.wb, moveKeys);
-    this.rippling = aboutKeysInHand(host.wb, rippleKeys);
+    this.moving = onAllInHand(host.wb, moveKeys);
+    this.rippling = onAllInHand(host.wb, rippleKeys);
     this.copied = way === 'copy' && this.take ? copyKeys(this.take.take, this.keys) : undefined;
   }
 
-  protected preview(at: Pointer, { character }: CurrentTake, edit: HandEdit): string {
+  protected preview(at: Pointer, current: TimelineTake, edit: HandEdit): string {
     const { keys, way, copied } = this;
     const { wb } = this.host;
-    const { id: characterId, timeOffsetSeconds } = character;
+    const { id: characterId } = current.character;
     // While copying, Ctrl doesn't switch snapping off.
     const seconds = this.dragged(at, this.grabbedSeconds ?? this.span[0], at.ctrl && way !== 'copy');
     if (copied) {
-      const timeSeconds = this.span[0] + timeOffsetSeconds + seconds;
-      const pasted = { characterId, copied, timeSeconds, mode: 'merge', ...keyPlacing(wb, character) } as const;
-      edit.preview(pasteKeys, pasted, () => addKeys(wb, pasteKeys, (outsideCycle) => ({ ...pasted, outsideCycle })));
+      const each = current.parts.flatMap((part) => {
+        const { character: of } = part;
+        const own = copiedOfPart(part, copied);
+        const timeSeconds = this.span[0] + of.timeOffsetSeconds + seconds;
+        const pasted = { characterId: of.id, copied: own, timeSeconds, mode: 'merge', ...keyPlacing(wb, of) } as const;
+        return own.channels.length ? [pasted] : [];
+      });
+      const command = onEachCharacter(pasteKeys, `Paste keys on ${each.length} characters`);
+      edit.preview(command, each, () =>
+        addKeys(wb, command, (outsideCycle) => each.map((pasted) => ({ ...pasted, outsideCycle }))),
+      );
     } else if (way === 'ripple') {
       edit.preview(this.rippling, { characterId, keys, seconds });
     } else {
@@ -126,7 +130,7 @@ export class MoveKeys extends KeyDrag {
 
 /** Scales times about the other end, or with Alt about the playhead; values stay. */
 export class ScaleKeys extends KeyDrag {
-  private readonly scaling: Command<ArgsOf<typeof scaleKeys>, Edit>;
+  private readonly scaling: Command<ArgsOf<typeof scaleKeys>, Change>;
 
   constructor(
     host: DopeHost,
@@ -134,10 +138,10 @@ export class ScaleKeys extends KeyDrag {
     private readonly end: 'start' | 'end',
   ) {
     super(host, from);
-    this.scaling = aboutKeysInHand(host.wb, scaleKeys);
+    this.scaling = onAllInHand(host.wb, scaleKeys);
   }
 
-  protected preview(at: Pointer, { character }: CurrentTake, edit: HandEdit): string | undefined {
+  protected preview(at: Pointer, { character }: TimelineTake, edit: HandEdit): string | undefined {
     const { wb } = this.host;
     const { timeSeconds, framesPerSecond } = wb.transport.get();
     const { snapsToFrames, onCollision } = wb.timeline.view.get();

@@ -5,9 +5,10 @@ import { sectionsOf } from '../../state/actions/menu-entries.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { type MenuEntry, type MenuPlace, openMenu } from '../../widgets/menu.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
-import { currentTake, selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
+import { selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';
+import { timelineTake } from '../timeline/timeline-take.ts';
 import type { SheetHit } from './hit.ts';
 import { rowName } from './names.ts';
 import { showCurves } from './show-curves.ts';
@@ -55,7 +56,7 @@ function keysMenu(
     own.push(
       item('Go to this time', () => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }))),
       item('Select all keys at this time', () => {
-        const current = currentTake(wb);
+        const current = timelineTake(wb);
         if (!current) return;
         const takeSeconds = timeSeconds + current.character.timeOffsetSeconds;
         selectKeys(wb, keysAtTime(current.take, rows[0].channels, takeSeconds));
@@ -71,7 +72,7 @@ export function rowMenu(
   row: DopeRow,
   at: MenuPlace,
 ): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current) return;
   if (row.kind === 'attached') {
     show(wb, ATTACHED_IDS, [], at, rowName(row));

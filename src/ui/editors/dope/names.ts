@@ -2,6 +2,7 @@
  * The names beside the sheet: a windowed list of all rows except the summary, which stays on top. It scrolls for both:
  * the sheet is drawn at its scroll position.
  */
+import type { SelectedPart } from '../../../model/session.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { icon } from '../../widgets/icons.ts';
@@ -39,7 +40,7 @@ export class DopeNames {
   private rows: readonly DopeRow[] = [];
   private readonly list: WindowedList<NameRow>;
   private focusedKey: string | undefined;
-  private selectedJoints: readonly number[] = [];
+  private isSelected: (row: DopeRow) => boolean = () => false;
 
   constructor(
     private readonly events: NameEvents,
@@ -82,14 +83,15 @@ export class DopeNames {
   }
 
   /** Updates counts and marks of the rows in view. */
-  refresh(selectedJoints: readonly number[]): void {
-    this.selectedJoints = selectedJoints;
+  refresh(isSelected: (row: DopeRow) => boolean): void {
+    this.isSelected = isSelected;
     this.list.each((row, index) => this.mark(row, this.rows[index]));
   }
 
   /** Scrolls a joint's row into view. */
-  reveal(joint: number): void {
-    const index = this.rows.findIndex((row) => row.kind === 'joint' && row.joint === joint);
+  reveal({ characterId: id, joint }: SelectedPart): void {
+    const isOf = ({ characterId = id }: DopeRow) => characterId === id;
+    const index = this.rows.findIndex((row) => row.kind === 'joint' && row.joint === joint && isOf(row));
     if (index < 0) return;
     this.focusedKey = this.rows[index].key;
     this.list.reveal(index);
@@ -116,7 +118,7 @@ export class DopeNames {
   }
 
   private mark({ element: made, count }: NameRow, row: DopeRow): void {
-    setAttribute(made, 'aria-selected', String(row.joint !== undefined && this.selectedJoints.includes(row.joint)));
+    setAttribute(made, 'aria-selected', String(this.isSelected(row)));
     const { keys, selected } = this.countKeys(row);
     const words = selected ? `${selected} of ${plural(keys, 'key')} selected` : plural(keys, 'key');
     if (count.getAttribute('aria-label') === words) return;

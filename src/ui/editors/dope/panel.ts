@@ -8,7 +8,9 @@ import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts'
 import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
 import { compileChannels, compileTake } from '../../../evaluate/compiled-take.ts';
-import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { NOTHING_SELECTED } from '../../../model/session.ts';
+import { withPart } from '../../../model/skeleton/joint-selection.ts';
+import { jointsIn, partOf } from '../../../model/skeleton/selected-joints.ts';
 import { motionsOf } from '../../../model/takes/layers.ts';
 import type { Motion, Take } from '../../../model/takes/take.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
@@ -17,15 +19,18 @@ import { element, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { HAS_KEYS } from '../../widgets/focus/focus.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { panWindow, type TimeWindow, zoomWindow } from '../../widgets/time/time-window.ts';
-import {
-  type CurrentTake,
-  currentTake,
-  selectedKeys,
-  selectedKeysInView,
-  selectKeys,
-} from '../timeline/current-take.ts';
-import { allFolds, type DopeRow, dopeRows, leadingJoint, sameRows } from '../timeline/dope-rows.ts';
+import { selectedKeys, selectedKeysInView, selectKeys } from '../timeline/current-take.ts';
+import { allFolds, type DopeRow, leadingJoint, sameRows } from '../timeline/dope-rows.ts';
 import { selectedText } from '../timeline/key-edits.ts';
+import { rowsOfAll } from '../timeline/rows-of-all.ts';
+import {
+  changeChannelView,
+  channelViewOf,
+  keysOfPart,
+  type TimelinePart,
+  type TimelineTake,
+  timelineTake,
+} from '../timeline/timeline-take.ts';
 import { emptyText } from './empty-text.ts';
 import type { SheetKeys } from './hit.ts';
 import { rowMenu, sheetMenu } from './menus.ts';
@@ -61,7 +66,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   });
   private readonly empty = element('p', { class: 'empty dope-empty', hidden: true });
   private readonly pointer: SheetPointer;
-  private take: CurrentTake | undefined;
+  private take: TimelineTake | undefined;
   private rows: readonly DopeRow[] = [];
   private visible = false;
   private size = { width: 0, height: 0 };
@@ -93,13 +98,15 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     wb.store.subscribe((now, before) => {
       if (!this.visible || (now.document === before.document && now.selection === before.selection)) return;
       this.refresh();
-      const { joint } = now.selection;
-      if (joint !== undefined && joint !== before.selection.joint) this.rowNames.reveal(joint);
+      const { joint, characterId } = now.selection;
+      const isSame = joint === before.selection.joint && characterId === before.selection.characterId;
+      if (joint !== undefined && !isSame) this.rowNames.reveal(now.selection);
     });
     wb.timeline.view.subscribe((now, before) => {
       if (!this.visible) return;
-      const { unfolded, allRows, filter } = before;
-      if (now.unfolded !== unfolded || now.allRows !== allRows || now.filter !== filter) this.refresh(true);
+      const { unfolded, others, allRows, filter } = before;
+      const isFolded = now.unfolded !== unfolded || now.others !== others;
+      if (isFolded || now.allRows !== allRows || now.filter !== filter) this.refresh(true);
       this.redraw();
     });
     wb.transport.subscribe((now, before) => {
@@ -200,24 +207,22 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   /** Rebuilds the rows if they have changed; always redraws. */
   private refresh(force = false): void {
     const before = this.take;
-    this.take = currentTake(this.wb);
+    this.take = timelineTake(this.wb);
     const { take: current } = this;
-    if (force || !sameTake(before, current)) {
-      const { unfolded, allRows, filter } = this.wb.timeline.view.get();
-      this.rows = current ? dopeRows(current.character, current.take, { unfolded, all: allRows, filter }) : [];
+    if (force || !sameTakes(before, current)) {
+      this.rows = current ? rowsOfAll(current, this.wb.timeline.view.get()) : [];
       this.rowNames.show(this.rows);
       const text = this.rows.length ? '' : emptyText(this.wb, current);
       setText(this.empty, text);
       write(this.empty, 'hidden', !text);
     }
-    this.rowNames.refresh(this.currentJoints());
+    this.rowNames.refresh((row) => this.isSelected(row));
     this.redraw();
   }
 
-  /** The selected joints of the character; the active one is the last. */
-  private currentJoints(): readonly number[] {
-    const { selection } = this.wb.store;
-    return selection.characterId === this.take?.character.id ? jointsIn(selection) : [];
+  private isSelected({ joint, characterId = this.take?.character.id }: DopeRow): boolean {
+    const part = partOf(this.wb.store.selection, characterId);
+    return joint !== undefined && part !== undefined && jointsIn(part).includes(joint);
   }
 
   /** All keys and the take's range, seconds of the transport. */
@@ -238,30 +243,37 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   private jointSpan(): readonly [number, number] | undefined {
     const { take: current } = this;
-    const joints = this.currentJoints();
-    if (!current || joints.length === 0) return undefined;
-    const rows = this.rows.filter((r) => r.kind === 'joint' && r.joint !== undefined && joints.includes(r.joint));
+    if (!current) return undefined;
+    const rows = this.rows.filter((row) => row.kind === 'joint' && this.isSelected(row));
     const channels = rows.flatMap((row) => row.channels);
     const span = channels.length ? spanOf(current.take.channels, allKeys(current.take, channels)) : undefined;
     const offset = current.character.timeOffsetSeconds;
     return span && [span[0] - offset, span[1] - offset];
   }
 
-  private fold({ fold }: DopeRow, open: boolean, every: boolean): void {
-    const { take: current } = this;
-    if (fold === undefined || !current) return;
-    const { unfolded } = this.wb.timeline.view.get();
-    const others = unfolded.filter((f) => f !== fold);
-    if (every) this.wb.timeline.change({ unfolded: open ? allFolds(current.character, current.take) : [] });
-    else this.wb.timeline.change({ unfolded: open ? [...others, fold] : others });
+  private fold({ fold, characterId }: DopeRow, open: boolean, every: boolean): void {
+    const { timeline } = this.wb;
+    const part = this.take?.parts.find(({ character: { id } }) => id === (characterId ?? id));
+    if (fold === undefined || !part) return;
+    const { character, take } = part;
+    const others = channelViewOf(timeline.view.get(), character.id).unfolded.filter((f) => f !== fold);
+    const all = open ? allFolds(character, take) : [];
+    changeChannelView(timeline, character.id, { unfolded: every ? all : open ? [...others, fold] : others });
   }
 
-  /** Selects the row's joint and keeps the selected keys: one may be looking for the joint that they belong to. */
-  private choose({ joint }: DopeRow): void {
-    const { take: current } = this;
-    if (!current || joint === undefined) return;
-    const characterId = current.character.id;
-    this.wb.store.select(withSelectedKeys({ characterId, joint }, this.selected()));
+  /**
+   * Selects the row's joint, of its character alone, and keeps the selected keys: one may be looking for the joint that
+   * they belong to. Other characters stay selected, or their rows would go.
+   */
+  private choose({ joint, kind, characterId = this.take?.character.id }: DopeRow): void {
+    const { take: current, wb } = this;
+    const part = current?.parts.find(({ character: { id } }) => id === characterId);
+    if (!part || (joint === undefined && kind !== 'character')) return;
+    const { selection } = wb.store;
+    const before = partOf(selection, characterId);
+    const own = joint === undefined ? before : { characterId, joint };
+    const from = before ? selection : NOTHING_SELECTED;
+    wb.store.select(withPart(from, withSelectedKeys(own ?? { characterId }, keysOfPart(part, this.selected()))));
   }
 
   private selectRow(row: DopeRow, adds: boolean): void {
@@ -304,9 +316,9 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       sheet: this.sheet(),
       curves: current ? compileTake(current.take) : NO_CURVES,
       others: current ? otherMotions(current.take) : [],
-      attached: current ? attachedSpans(current) : [],
+      attached: current?.parts.flatMap(attachedSpans) ?? [],
       selected: this.selected(),
-      selectedJoints: this.currentJoints(),
+      isSelected: (row) => this.isSelected(row),
       range,
       framesPerSecond,
       inFrames: this.wb.settings.get().timeDisplay === 'frames',
@@ -315,14 +327,16 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   private describe(): void {
     const { take: current } = this;
-    const label = current ? `Keys of ${current.character.name}. ${selectedText(this.wb)}` : 'Keys. No take.';
+    const names = current?.parts.map(({ character }) => character.name).join(', ');
+    const label = names === undefined ? 'Keys. No take.' : `Keys of ${names}. ${selectedText(this.wb)}`;
     setAttribute(this.plot, 'aria-label', label);
   }
 }
 
-function attachedSpans({ character, take }: CurrentTake): readonly AttachedSpan[] {
+function attachedSpans({ character, take }: TimelinePart): readonly AttachedSpan[] {
   const offset = character.timeOffsetSeconds;
   return (take.attached?.list ?? []).map((one) => ({
+    characterId: character.id,
     ...{ from: one.span[0] - offset, to: one.span[1] - offset },
     label: leadingJoint(character, one),
   }));
@@ -333,10 +347,17 @@ function otherMotions(take: Take): readonly Motion[] {
   return take.layers ? motionsOf(take).filter((_, i) => i - 1 !== take.layers?.active) : [];
 }
 
-/** Whether two takes have the same rows. */
-function sameTake(a: CurrentTake | undefined, b: CurrentTake | undefined): boolean {
-  if (!a || !b) return a === b;
+/** Whether they have the same rows. */
+function sameTakes(a: TimelineTake | undefined, b: TimelineTake | undefined): boolean {
+  if (!a || !b || a.parts.length !== b.parts.length) return a === b;
+  return a.parts.every((part, i) => sameTake(part, b.parts[i]));
+}
+
+function sameTake(a: TimelinePart, b: TimelinePart): boolean {
   return (
+    a.first === b.first &&
+    a.character.name === b.character.name &&
+    a.character.timeOffsetSeconds === b.character.timeOffsetSeconds &&
     a.character.id === b.character.id &&
     a.character.skeleton === b.character.skeleton &&
     a.character.morphs === b.character.morphs &&

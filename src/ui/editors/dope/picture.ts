@@ -24,7 +24,7 @@ import {
   PAD,
   readColours,
 } from './draw-parts.ts';
-import type { DopeOverlay, DopeScene } from './scene.ts';
+import type { AttachedSpan, DopeOverlay, DopeScene } from './scene.ts';
 import { HEAD, rowsInView, rowsTop, rowTop } from './sheet.ts';
 
 const BAND_HALF: Readonly<Record<DiamondSize, number>> = { summary: 4, group: 3, channel: 2 };
@@ -104,7 +104,7 @@ export class DopePicture {
     end: number,
   ): void {
     const { sheet, rows } = scene;
-    for (let i = first; i < end; i++) drawSheetGround(g, sheet, i, rows[i], scene.selectedJoints, colours);
+    for (let i = first; i < end; i++) drawSheetGround(g, sheet, i, rows[i], scene.isSelected(rows[i]), colours);
     const top = rowTop(sheet, first);
     const bottom = first < end ? rowTop(sheet, end - 1) + sheet.rowHeight : top;
     const outside = { ...colours, outside: translucent(colours.outside, 0.7) };
@@ -121,23 +121,25 @@ export class DopePicture {
       this.moves = new Uint8Array(pixels);
     }
     const { marks, moves, diamonds } = this;
-    const { channels: of, kind } = rows[row];
+    const { channels: of, kind, characterId, sampled } = rows[row];
     const pixel = secondsPerPixel(sheet);
     const span = { from: sheet.window.from + offsetSeconds - PAD * pixel, secondsPerPixel: pixel };
     const y = rowTop(sheet, row) + sheet.rowHeight / 2;
     if (kind === 'attached') {
-      drawAttached(g, sheet, scene.attached, y, colours);
+      const own = (span: AttachedSpan) => characterId === undefined || span.characterId === characterId;
+      drawAttached(g, sheet, scene.attached.filter(own), y, colours);
       return;
     }
     if (curves.samples && of.some((channel) => curves.columns[channel] >= 0)) {
       const [from, to] = rangeOfSamples(curves.samples);
       drawSampled(g, sheet, from - offsetSeconds, to - offsetSeconds, y, colours);
     }
+    if (sampled) drawSampled(g, sheet, ...sampled, y, colours);
     for (const motion of scene.others) this.drawOther(g, scene, motion, { of, span, y }, colours);
     const ends = markMoves(curves, of, span, moves);
     if (ends) drawHeld(g, moves, ends, y, colours);
     markKeys(channels, of, selected, span, marks);
-    const size = kind === 'summary' ? 'summary' : kind === 'channel' ? 'channel' : 'group';
+    const size = kind === 'summary' || kind === 'character' ? 'summary' : kind === 'channel' ? 'channel' : 'group';
     const half = BAND_HALF[size];
     runsOf(marks, {
       diamond: (at, mark) => diamonds?.draw(g, at - PAD + 0.5, y, size, mark),

@@ -3,6 +3,7 @@ import type { CompiledTake } from '../../../evaluate/compiled-take.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { Motion } from '../../../model/takes/take.ts';
 import type { SelectionBox } from '../timeline/box.ts';
+import type { DopeRow } from '../timeline/dope-rows.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
 
@@ -14,8 +15,8 @@ export interface DopeScene extends SheetKeys {
   /** Spans in which its root follows another character, in seconds of the transport, and what it follows. */
   readonly attached: readonly AttachedSpan[];
   readonly selected: readonly ChannelKeys[];
-  /** Its rows are emphasised. */
-  readonly selectedJoints: readonly number[];
+  /** Rows of selected joints are emphasised. */
+  isSelected(row: DopeRow): boolean;
   /** Playback range, seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
@@ -23,6 +24,7 @@ export interface DopeScene extends SheetKeys {
 }
 
 export interface AttachedSpan {
+  readonly characterId: string;
   readonly from: number;
   readonly to: number;
   readonly label: string;

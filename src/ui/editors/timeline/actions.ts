@@ -6,10 +6,12 @@ import { selectedJointsText } from '../../state/joints/selected-joint.ts';
 import { openPanel } from '../../state/panels/panels.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
-import { channelsToEdit, currentTake, selectedKeysInView } from './current-take.ts';
+import { channelsToEdit, currentTake, ownChannelsToEdit, selectedKeysInView } from './current-take.ts';
 import { OUTSIDE_LABELS } from './cycle-text.ts';
 import { needsCurveInView, needsKeys, needsTake } from './key-actions.ts';
+import { addTo, isolateOfAll, setOfAll, viewOfAll } from './listed-of-all.ts';
 import type { SampleTool } from './sample-tools.ts';
+import { timelineTake } from './timeline-take.ts';
 
 const needsChannels = needs(
   'No curve is shown: select a joint that has keys, or show all channels.',
@@ -20,14 +22,23 @@ const needsSamples = needs(
   (wb: Uses<'store'>) => currentTake(wb)?.take.samples !== undefined,
 );
 /** Tools for keyed curves don't apply to samples. */
-const needsKeyedCurve = needs('No curve with keys is shown.', (wb: Uses<'store' | 'timeline'>) =>
-  channelsToEdit(wb).some((c) => currentTake(wb)?.take.channels[c]?.kind === 'keys'),
+const needsKeyedCurve = needs(shownNot('with keys '), (wb: Uses<'store' | 'timeline'>) =>
+  ownChannelsToEdit(wb).some((c) => currentTake(wb)?.take.channels[c]?.kind === 'keys'),
 );
 /** … except those that don't depend on interpolation. */
-const needsCurve = needs('No curve is shown.', (wb: Uses<'store' | 'timeline'>) => {
+const needsCurve = needs(shownNot(''), (wb: Uses<'store' | 'timeline'>) => {
   const take = currentTake(wb)?.take;
-  return take !== undefined && channelsToEdit(wb).some((c) => take.channels[c] && take.channels[c].kind !== 'rest');
+  return take !== undefined && ownChannelsToEdit(wb).some((c) => take.channels[c] && take.channels[c].kind !== 'rest');
 });
+
+/** Of several selected characters, the tools are for the active one. */
+function shownNot(what: string): (wb: Uses<'store' | 'timeline'>) => string {
+  return (wb) => {
+    const current = timelineTake(wb);
+    const of = current && current.parts.length > 1 ? `of ${current.character.name}, the active character, ` : '';
+    return `No curve ${what}${of}is shown.`;
+  };
+}
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
   const action: Action = { id: `timeline.${id}`, label, group: 'Curves', panel: 'timeline', ...more };
@@ -207,40 +218,43 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     menu: 'Keys/Channels',
     section: 17,
     refuses: needsChannels,
-    run: (wb) => wb.timeline.change({ pinned: union(wb.timeline.view.get().pinned, channelsToEdit(wb)) }),
+    run: (wb) => addTo(wb, 'pinned', channelsToEdit(wb)),
   }),
   curves('unpinAll', 'Unpin all', [], {
     menu: 'Keys/Channels',
     section: 17,
-    refuses: needs('No channel is pinned.', (wb) => wb.timeline.view.get().pinned.length > 0),
-    run: (wb) => wb.timeline.change({ pinned: [] }),
+    refuses: needs('No channel is pinned.', (wb) => viewOfAll(wb).pinned.length > 0),
+    run: (wb) => setOfAll(wb, 'pinned', []),
   }),
   curves('isolate', 'Isolate channels of selected keys', ['Q'], {
     menu: 'Keys/Channels',
     section: 18,
-    refuses: needs('Select keys first.', (wb) => !needsKeys(wb) || wb.timeline.view.get().isolated !== undefined),
-    checked: (wb) => wb.timeline.view.get().isolated !== undefined,
+    refuses: needs('Select keys first.', (wb) => !needsKeys(wb) || viewOfAll(wb).isolated !== undefined),
+    checked: (wb) => viewOfAll(wb).isolated !== undefined,
     run(wb) {
-      const { isolated } = wb.timeline.view.get();
-      wb.timeline.isolate(isolated ? undefined : selectedKeysInView(wb).map((k) => k.channel));
+      const isIsolated = viewOfAll(wb).isolated !== undefined;
+      isolateOfAll(wb, isIsolated ? undefined : selectedKeysInView(wb).map((k) => k.channel));
     },
   }),
   curves('hide', 'Hide channels of selected keys', ['Shift+H'], {
     menu: 'Keys/Channels',
     section: 18,
     refuses: needsKeys,
-    run(wb) {
-      const gone = selectedKeysInView(wb).map((k) => k.channel);
-      wb.timeline.change({ hidden: union(wb.timeline.view.get().hidden, gone) });
-    },
+    run: (wb) =>
+      addTo(
+        wb,
+        'hidden',
+        selectedKeysInView(wb).map((k) => k.channel),
+      ),
   }),
   curves('showAll', 'Show all channels', ['Alt+H'], {
     menu: 'Keys/Channels',
     section: 18,
     refuses: needsTake,
     run(wb) {
-      wb.timeline.isolate(undefined);
-      wb.timeline.change({ hidden: [], filter: '' });
+      isolateOfAll(wb, undefined);
+      setOfAll(wb, 'hidden', []);
+      wb.timeline.change({ filter: '' });
     },
   }),
   curves('fitSelected', 'Fit selected keys', ['F'], {
@@ -280,8 +294,4 @@ function tool(name: CurveToolName) {
   return (wb: Uses<'store' | 'dialog'>) => {
     if (currentTake(wb)) wb.dialog.set(name);
   };
-}
-
-function union(a: readonly number[], b: readonly number[]): number[] {
-  return [...new Set([...a, ...b])].sort((x, y) => x - y);
 }

@@ -7,7 +7,7 @@ import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownTake } from '../../../model/document.ts';
 import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
-import type { Selection } from '../../../model/session.ts';
+import { NOTHING_SELECTED, type Selection } from '../../../model/session.ts';
 import { coupleOf } from '../../../model/skeleton/couples.ts';
 import {
   type CharacterDof,
@@ -18,7 +18,7 @@ import {
 } from '../../../model/skeleton/dofs.ts';
 import { shortJointName } from '../../../model/skeleton/joint-name.ts';
 import { arePoints, dofsOf } from '../../../model/skeleton/joint-types.ts';
-import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
+import { jointsIn, partOf } from '../../../model/skeleton/selected-joints.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { UNLIMITED } from '../../../model/skeleton/skeleton.ts';
 import { withCurvesOfGoals } from '../../../model/takes/layer-code.ts';
@@ -28,6 +28,8 @@ import type { TimelineView } from '../../state/timeline.ts';
 /** A DOF in the list, animated or not. */
 export interface ListedChannel {
   readonly channel: number;
+  /** Name of its character, where channels of several are listed. */
+  readonly character?: string;
   /** Name of its joint, such as `leg_fl`; empty for a morph, or a channel beyond the DOFs. */
   readonly joint: string;
   /** `rx`, a morph's name, `channel 97`. */
@@ -111,7 +113,7 @@ export function listedChannels(character: Character, selection: Selection, setti
  * all its joints. Undefined if no joint is selected and none of those is animated.
  */
 export function selectedChannels(character: Character, selection: Selection): readonly number[] | undefined {
-  const joints = selection.characterId === character.id ? jointsIn(selection) : [];
+  const joints = jointsIn(partOf(selection, character.id) ?? NOTHING_SELECTED);
   if (joints.length > 0)
     return [...joints]
       .sort((a, b) => a - b)
@@ -125,7 +127,7 @@ export function selectedChannels(character: Character, selection: Selection): re
 
 /** Whether the listed channels are the root's because no joint is selected. */
 export function isOfRootOnly(character: Character, selection: Selection): boolean {
-  const hasJoint = selection.characterId === character.id && jointsIn(selection).length > 0;
+  const hasJoint = partOf(selection, character.id)?.joint !== undefined;
   return !hasJoint && selectedChannels(character, selection) !== undefined;
 }
 
@@ -210,12 +212,14 @@ export function drawnChannels(
   return keyed.filter((l) => !not.has(l.channel)).map((l) => l.channel);
 }
 
+type Names = Pick<ListedChannel, 'character' | 'joint' | 'dof'>;
+
 /** `rx of leg_fl`, for sentences. */
-export function spokenName({ joint, dof }: Pick<ListedChannel, 'joint' | 'dof'>): string {
-  return joint ? `${dof} of ${joint}` : dof;
+export function spokenName({ character, joint, dof }: Names): string {
+  return [dof, joint, character].filter(Boolean).join(' of ');
 }
 
-/** `leg_fl rx`. */
-export function channelName({ joint, dof }: Pick<ListedChannel, 'joint' | 'dof'>): string {
-  return joint ? `${joint} ${dof}` : dof;
+/** `leg_fl rx`, `Wasp leg_fl rx`. */
+export function channelName({ character, joint, dof }: Names): string {
+  return [character, joint, dof].filter(Boolean).join(' ');
 }

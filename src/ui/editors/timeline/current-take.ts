@@ -1,5 +1,6 @@
 /**
- * What the timeline's actions apply to: the shown take, its selected keys, and the channels in view.
+ * What the timeline's actions apply to: the shown take, or those of all selected characters as one, their selected keys,
+ * and the channels in view.
  *
  * Only visible keys are edited. Keys of a curve that is hidden, filtered out, not isolated or not listed are left alone
  * by all edits of selected keys: drags, nudges, typed numbers, tangents, copying, deleting. (As in Maya: moving
@@ -15,13 +16,17 @@ import { withWholeSteps } from '../../../edit/keys/steps.ts';
 import { withSelectedKeys } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
+import { withEachPart } from '../../../model/skeleton/selected-joints.ts';
 import type { Take } from '../../../model/takes/take.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { shownTabs } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { drawnChannels, listedChannels, takeInTimeline } from './channels.ts';
+import { drawnChannels, takeInTimeline } from './channels.ts';
 import { keyedChannels } from './dope-rows.ts';
+import { type OfAll, onAllShown } from './edit-all.ts';
+import { listedOfAll, viewOfAll } from './listed-of-all.ts';
+import { activePart, channelsOfPart, keysOfAll, keysOfPart, timelineTake } from './timeline-take.ts';
 
 export interface CurrentTake {
   readonly character: Character;
@@ -35,12 +40,11 @@ export function currentTake(wb: Uses<'store'>): CurrentTake | undefined {
   return character && take && { character, take };
 }
 
-/**
- * The selected keys of that take, in view or not, for adding and removing. Empty if another character's are selected.
- */
+/** The selected keys of the takes that are shown, in view or not, for adding and removing. */
 export function selectedKeys(wb: Uses<'store'>): readonly ChannelKeys[] {
-  const { selection } = wb.store;
-  return (selection.keys && selection.characterId === currentCharacter(wb)?.id && selection.keys) || NO_KEY_SELECTION;
+  const current = timelineTake(wb);
+  const keys = current ? keysOfAll(wb, current) : NO_KEY_SELECTION;
+  return keys.length ? keys : NO_KEY_SELECTION;
 }
 
 /** Those in view. The same array as long as they are the same keys. */
@@ -56,13 +60,13 @@ export function selectedKeysInView(wb: Uses<'store' | 'timeline'>): readonly Cha
   return keys;
 }
 
-/** Wraps a command on the visible selected keys so that the invisible ones stay selected. */
+/** Wraps a command on the current character so that its invisible selected keys stay selected. */
 export function aboutKeysInHand<A, R extends Document | Change>(
   wb: Uses<'store' | 'timeline'>,
   command: Command<A, R>,
 ): Command<A, R | Edit> {
-  const inHand = new Set(selectedKeysInView(wb));
-  const unseen = selectedKeys(wb).filter((k) => !inHand.has(k));
+  const current = timelineTake(wb);
+  const unseen = current ? keysOfPart(activePart(current), unseenKeys(wb)) : NO_KEY_SELECTION;
   if (!unseen.length) return command;
   return {
     ...command,
@@ -74,50 +78,81 @@ export function aboutKeysInHand<A, R extends Document | Change>(
   };
 }
 
-/** A drag of keys of this take: ends if anything else changes the take or shows another. */
-export function editOfTake(
-  { store, messages }: Uses<'store' | 'messages'>,
-  { character, take }: CurrentTake,
-): HandEdit {
-  return new HandEdit(store, messages, () => {
-    const now = findCharacter(store.document, character.id);
-    return now !== undefined && takeInTimeline(now) === take;
-  });
+/** The same for a command on the visible keys or channels of all selected characters. */
+export function onAllInHand<A extends OfAll, R extends Document | Change>(
+  wb: Uses<'store' | 'timeline'>,
+  command: Command<A, R>,
+): Command<A, R | Change> {
+  const current = timelineTake(wb);
+  if (!current || current.parts.length === 1) return aboutKeysInHand(wb, command);
+  return onAllShown(current, command, unseenKeys(wb));
 }
 
-/** Selects exactly these keys, steps as one; joint and character stay. */
+function unseenKeys(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
+  const inHand = new Set(selectedKeysInView(wb).map(({ channel }) => channel));
+  return selectedKeys(wb).filter(({ channel }) => !inHand.has(channel));
+}
+
+/** A drag of keys of these takes: ends if anything else changes one or shows another. */
+export function editOfTakes({ store, messages }: Uses<'store' | 'messages'>, parts: readonly CurrentTake[]): HandEdit {
+  return new HandEdit(store, messages, () =>
+    parts.every(({ character, take }) => {
+      const now = findCharacter(store.document, character.id);
+      return now !== undefined && takeInTimeline(now) === take;
+    }),
+  );
+}
+
+/** Selects exactly these keys, steps as one; joints and characters stay. */
 export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const { selection } = wb.store;
-  if (keys.length === 0 && !selection.keys) return;
+  const current = timelineTake(wb);
+  if (!current || (keys.length === 0 && selectedKeys(wb).length === 0)) return;
   // Keys belong to a character: selecting some selects the character too.
   const own = selection.characterId === character.id ? selection : { characterId: character.id };
-  const channels = takeInTimeline(character)?.channels ?? [];
-  wb.store.select(withSelectedKeys(own, withWholeSteps(channels, keys)));
+  wb.store.select(
+    withEachPart(own, (selected) => {
+      const part = current.parts.find((one) => one.character.id === selected.characterId);
+      return part ? withSelectedKeys(selected, withWholeSteps(part.take.channels, keysOfPart(part, keys))) : selected;
+    }),
+  );
 }
 
 /** Channels that the timeline draws now. Cached, since every row and menu entry asks. */
 export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[] {
-  const character = currentCharacter(wb);
-  if (!character) return [];
+  const current = timelineTake(wb);
+  if (!current) return [];
   const { selection } = wb.store;
   const view = wb.timeline.view.get();
   const { last } = wb.timeline;
   const { inView } = last;
-  if (inView?.character === character && inView.selection === selection && inView.view === view) return inView.channels;
+  if (inView?.current === current && inView.selection === selection && inView.view === view) return inView.channels;
   // The dope sheet draws all keys, or those that match the filter.
   const channels = shownTabs(view).includes('dope')
-    ? keyedChannels(character, view.filter)
-    : drawnChannels(listedChannels(character, selection, view), view);
-  last.inView = { character, selection, view, channels };
+    ? current.parts.flatMap(({ character, first }) => keyedChannels(character, view.filter).map((c) => first + c))
+    : drawnChannels(listedOfAll(wb), viewOfAll(wb));
+  last.inView = { current, selection, view, channels };
   return channels;
 }
 
-/** Channels for tools on whole curves: those with selected keys, else those in view. */
+/** Channels for edits of whole curves: those with selected keys, else those in view. */
 export function channelsToEdit(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const keys = selectedKeysInView(wb);
   return keys.length ? keys.map((k) => k.channel) : channelsInView(wb);
+}
+
+/** The same for tools that are for one character: those of the current one. */
+export function ownChannelsToEdit(wb: Uses<'store' | 'timeline'>): readonly number[] {
+  const current = timelineTake(wb);
+  return current ? channelsOfPart(activePart(current), channelsToEdit(wb)) : [];
+}
+
+/** The visible selected keys of the current character. */
+export function ownKeysInView(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
+  const current = timelineTake(wb);
+  return current ? keysOfPart(activePart(current), selectedKeysInView(wb)) : NO_KEY_SELECTION;
 }
 
 /** Where keys of a character's take go that are added now. */

@@ -7,15 +7,15 @@ import type { Uses } from '../../state/workbench.ts';
 import { inSlices } from '../../widgets/in-slices.ts';
 import { plural } from '../../widgets/numbers/number-text.ts';
 import { dofsFor } from './channels.ts';
-import { aboutKeysInHand, channelsToEdit, currentTake } from './current-take.ts';
+import { aboutKeysInHand, currentTake, ownChannelsToEdit } from './current-take.ts';
 
 export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 'euler' | 'loop'): void {
   const current = currentTake(wb);
   if (!current) return;
   const { character, take } = current;
-  const keyed = channelsToEdit(wb).filter((c) => take.channels[c]?.kind === 'keys');
+  const keyed = ownChannelsToEdit(wb).filter((c) => take.channels[c]?.kind === 'keys');
   if (tool === 'euler') {
-    const animated = channelsToEdit(wb).filter((c) => take.channels[c] && take.channels[c].kind !== 'rest');
+    const animated = ownChannelsToEdit(wb).filter((c) => take.channels[c] && take.channels[c].kind !== 'rest');
     // A root's translation needs no message that it isn't an angle.
     const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
     const channels = angles.length > 0 ? angles : animated;

@@ -30,7 +30,16 @@ export const OTHERS_FOLD = -3;
 /** That of the first goal; the others have lower ones. */
 const GOALS_FOLD = -4;
 
-export type DopeRowKind = 'summary' | 'attached' | 'root' | 'joint' | 'morphs' | 'goal' | 'others' | 'channel';
+export type DopeRowKind =
+  | 'summary'
+  | 'character'
+  | 'attached'
+  | 'root'
+  | 'joint'
+  | 'morphs'
+  | 'goal'
+  | 'others'
+  | 'channel';
 
 export interface DopeRow {
   /** Unique among the rows, and stable from one list to the next. */
@@ -42,6 +51,10 @@ export interface DopeRow {
   readonly depth: 0 | 1;
   /** Channels of the take, ascending, including those without keys. */
   readonly channels: readonly number[];
+  /** The character that it is of, where rows of several are listed. */
+  readonly characterId?: string;
+  /** First and last of its samples, seconds of the transport, where they are of another take than the active one. */
+  readonly sampled?: readonly [number, number];
   /** Its key in `TimelineView.unfolded`; absent if it can't be expanded. */
   readonly fold?: number;
   readonly expanded: boolean;

@@ -33,6 +33,7 @@ import {
 } from './key-edits.ts';
 import { pastableChannels } from './paste-targets.ts';
 import { hasTangents } from './tangent-state.ts';
+import { timelineTake } from './timeline-take.ts';
 
 function noTakeText(wb: Uses<'store'>): string {
   const character = currentCharacter(wb);
@@ -40,16 +41,17 @@ function noTakeText(wb: Uses<'store'>): string {
 }
 
 export const needsKeys = needs(
-  (wb) => (!needsTake(wb) ? 'Select keys first.' : noTakeText(wb)),
+  (wb) => (timelineTake(wb) ? 'Select keys first.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => selectedKeysInView(wb).length > 0,
 );
 export const needsTake = needs(noTakeText, (wb: Uses<'store'>) => currentTake(wb) !== undefined);
 const needsCopied = needs(
-  (wb) => (!needsTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
-  (wb: Uses<'store' | 'timeline'>) => !needsTake(wb) && wb.timeline.copied !== undefined,
+  (wb) => (timelineTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
+  (wb: Uses<'store' | 'timeline'>) => timelineTake(wb) !== undefined && wb.timeline.copied !== undefined,
 );
 export const needsCurveInView = needs(
-  (wb) => (!needsTake(wb) ? 'No curve is shown: select a joint that has keys, or show all channels.' : noTakeText(wb)),
+  (wb) =>
+    timelineTake(wb) ? 'No curve is shown: select a joint that has keys, or show all channels.' : noTakeText(wb),
   (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0,
 );
 
@@ -199,7 +201,7 @@ function step(
     repeats: true,
     refuses: needsCurveInView,
     run(wb) {
-      const current = currentTake(wb);
+      const current = timelineTake(wb);
       if (!current) return;
       const { character, take } = current;
       selectKeys(wb, next(take.channels, selectedKeysInView(wb), channelsInView(wb), takeTime(wb, character)));
@@ -314,7 +316,7 @@ function allExtrapolate(
   side: 'both' | 'in' | 'out',
   extrapolation: Extrapolation,
 ): boolean {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const channels = current ? channelsToEdit(wb) : [];
   return (
     channels.length > 0 &&

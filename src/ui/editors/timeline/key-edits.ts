@@ -4,58 +4,60 @@ import { setExtrapolation } from '../../../edit/commands/extrapolation.ts';
 import { insertKeys, moveKeys, removeKeys, rippleKeys, snapKeys } from '../../../edit/commands/keys.ts';
 import { pasteKeys } from '../../../edit/commands/paste.ts';
 import { breakTangents, setTangents, unifyTangents } from '../../../edit/commands/tangents.ts';
+import { onEachCharacter } from '../../../edit/in-turn.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import type { TangentSide } from '../../../edit/keys/tangents.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import { unitOfChannel } from '../../../model/skeleton/dofs.ts';
 import { type Extrapolation, keysOf } from '../../../model/takes/take.ts';
 import type { TangentChoice } from '../../../model/takes/tangent-kinds.ts';
 import { addKeys } from '../../state/add-keys.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
-import { channelName, dofsFor, namedChannel } from './channels.ts';
+import { channelName, namedChannel } from './channels.ts';
 import {
-  aboutKeysInHand,
   channelsInView,
   channelsToEdit,
   currentTake,
   keyPlacing,
+  onAllInHand,
   selectedKeysInView,
   selectKeys,
   takeTime,
 } from './current-take.ts';
+import { copiedByCharacter, copiedOfAll } from './edit-all.ts';
 import { pastableChannels, pasteTargets } from './paste-targets.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
+import { namedIn, partWith, timelineTake } from './timeline-take.ts';
 
 /** Inserts a key at the playhead on each curve in view; does nothing if there is none. */
 export function insertAtPlayhead(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   channels: readonly number[] = channelsInView(wb),
 ): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current || !channels.length) return;
   pausePlayback(wb);
   const { character } = current;
   const inserted = { characterId: character.id, channels, timeSeconds: takeTime(wb, character) };
   const placing = keyPlacing(wb, character);
-  addKeys(wb, insertKeys, (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
+  addKeys(wb, onAllInHand(wb, insertKeys), (outsideCycle) => ({ ...inserted, ...placing, outsideCycle }));
 }
 
 export function deleteKeys(wb: Uses<'store' | 'transport' | 'timeline'>): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
   const timeSeconds = takeTime(wb, current.character);
-  wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: current.character.id, keys, timeSeconds });
+  wb.store.apply(onAllInHand(wb, removeKeys), { characterId: current.character.id, keys, timeSeconds });
 }
 
 export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return false;
-  wb.timeline.copied = copyKeys(current.take, keys);
+  wb.timeline.copied = copiedOfAll(current, copyKeys(current.take, keys));
   const count = countKeys(current.take.channels, keys);
   wb.messages.note(`${plural(count, 'key')} copied from ${plural(keys.length, 'channel')}.`);
   return true;
@@ -71,10 +73,16 @@ export function paste(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   mode: 'merge' | 'insert',
   into?: readonly number[],
-  copied = wb.timeline.copied,
+  keys = wb.timeline.copied,
 ): void {
+  if (!keys) return;
+  const by = copiedByCharacter(keys);
+  if (!into && pasteOnEach(wb, mode, by)) return;
   const current = currentTake(wb);
-  if (!current || !copied) return;
+  // Those of one may be pasted on another.
+  const [copied = keys] = by.values();
+  if (by.size > 1) wb.messages.note('These keys are from several characters. Select one of these, or more.');
+  if (!current || by.size > 1) return;
   const targets = into ?? pasteTargets(current.character, copied, pastableChannels(wb));
   if (!targets) {
     const names = copied.channels.map(({ channel }) => channelName(namedChannel(current.character, channel)));
@@ -98,12 +106,35 @@ export function paste(
   else addKeys(wb, pasteKeys, (outsideCycle) => ({ ...pasted, ...keyPlacing(wb, character), outsideCycle }));
 }
 
+/**
+ * Pastes keys into the same channels of each of their characters that is selected.
+ *
+ * @returns false if none is
+ */
+function pasteOnEach(
+  wb: Uses<'store' | 'transport' | 'timeline'>,
+  mode: 'merge' | 'insert',
+  by: ReadonlyMap<string, CopiedKeys>,
+): boolean {
+  const each = (timelineTake(wb)?.parts ?? []).flatMap(({ character }) => {
+    const copied = by.get(character.id);
+    const at = { characterId: character.id, timeSeconds: takeTime(wb, character), mode };
+    return copied ? [{ ...at, ...(mode === 'merge' && keyPlacing(wb, character)), copied }] : [];
+  });
+  if (each.length === 0) return false;
+  pausePlayback(wb);
+  const command = onEachCharacter(pasteKeys, `Paste keys on ${each.length} characters`);
+  if (mode === 'insert') wb.store.apply(command, each);
+  else addKeys(wb, command, (outsideCycle) => each.map((one) => ({ ...one, outsideCycle })));
+  return true;
+}
+
 /** Duplicates the selected keys at the playhead, without the clipboard. */
 export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
-  const copied: CopiedKeys = copyKeys(current.take, keys);
+  const copied = copiedOfAll(current, copyKeys(current.take, keys));
   paste(wb, 'merge', undefined, copied);
 }
 
@@ -113,14 +144,14 @@ export function nudge(
   frames: number,
   valueSteps: number,
 ): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
   const { tab, ripples } = wb.timeline.view.get();
   // In the dope sheet, arrow keys ripple like the mouse.
   if (ripples && tab === 'dope' && valueSteps === 0) {
-    wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
+    wb.store.apply(onAllInHand(wb, rippleKeys), {
       characterId: current.character.id,
       keys,
       seconds: frames / framesPerSecond,
@@ -128,31 +159,32 @@ export function nudge(
     return;
   }
   const degrees = wb.settings.get().angles === 'degrees';
-  const { skeleton } = current.character;
-  const dofs = dofsFor(current.character);
-  wb.store.apply(aboutKeysInHand(wb, moveKeys), {
+  wb.store.apply(onAllInHand(wb, moveKeys), {
     characterId: current.character.id,
     keys,
     seconds: frames / framesPerSecond,
-    values: keys.map(({ channel }) => valueSteps * nudgeStep(unitOfChannel(dofs, channel), degrees, skeleton)),
+    values: keys.map(({ channel }) => {
+      const { skeleton } = partWith(current, channel).character;
+      return valueSteps * nudgeStep(namedIn(current, channel).unit, degrees, skeleton);
+    }),
     onCollision: wb.timeline.view.get().onCollision,
   });
 }
 
 export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
   const { id: characterId, timeOffsetSeconds: offsetSeconds } = current.character;
-  wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
+  wb.store.apply(onAllInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
 }
 
 export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentChoice, side: TangentSide): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (current && keys.length)
-    wb.store.apply(aboutKeysInHand(wb, setTangents), { characterId: current.character.id, keys, side, kind });
+    wb.store.apply(onAllInHand(wb, setTangents), { characterId: current.character.id, keys, side, kind });
 }
 
 /**
@@ -160,7 +192,7 @@ export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentChoice
  * handles then move separately until tangents are unified.
  */
 export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: 'unify' | 'break'): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const keys = selectedKeysInView(wb);
   if (!current || !keys.length) return;
   const handles = how === 'break' ? 'alone' : 'auto';
@@ -169,7 +201,7 @@ export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: '
   }
   wb.timeline.change({ handles });
   const command = how === 'unify' ? unifyTangents : breakTangents;
-  wb.store.apply(aboutKeysInHand(wb, command), { characterId: current.character.id, keys });
+  wb.store.apply(onAllInHand(wb, command), { characterId: current.character.id, keys });
 }
 
 /** Of the channels with selected keys, or of those in view. */
@@ -179,9 +211,10 @@ export function extrapolate(
   extrapolation: Extrapolation,
   channels: readonly number[] = channelsToEdit(wb),
 ): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current || !channels.length) return;
-  wb.store.apply(setExtrapolation, { characterId: current.character.id, channels: [...channels], side, extrapolation });
+  const args = { characterId: current.character.id, channels: [...channels], side, extrapolation };
+  wb.store.apply(onAllInHand(wb, setExtrapolation), args);
 }
 
 /** Selects all keys of these channels that pass a test on the transport's seconds. */
@@ -190,7 +223,7 @@ export function selectWhere(
   channels: readonly number[],
   test: (timeSeconds: number) => boolean,
 ): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current) return;
   const { timeOffsetSeconds } = current.character;
   const keys: ChannelKeys[] = [];
@@ -205,7 +238,7 @@ export function selectWhere(
 
 /** Inverts the selection among the keys in view. */
 export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current) return;
   const held = new Map(selectedKeysInView(wb).map((k) => [k.channel, new Set(k.indices)]));
   const keys: ChannelKeys[] = [];
@@ -223,7 +256,7 @@ export function selectedText(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   keys: readonly ChannelKeys[] = selectedKeysInView(wb),
 ): string {
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   if (!current || !keys.length) return 'No key is selected.';
   const count = countKeys(current.take.channels, keys);
   const inFrames = wb.settings.get().timeDisplay === 'frames';
@@ -239,8 +272,7 @@ export function selectedText(
     first = Math.min(first, times[indices[0]]);
     last = Math.max(last, times[indices[indices.length - 1]]);
   }
-  const of =
-    keys.length === 1 ? channelName(namedChannel(current.character, keys[0].channel)) : `${keys.length} channels`;
+  const of = keys.length === 1 ? channelName(namedIn(current, keys[0].channel)) : `${keys.length} channels`;
   const when = first === last ? `at ${text(first)}` : `from ${text(first)} to ${text(last)}`;
   return `${plural(count, 'key')} of ${of}, ${when}`;
 }

@@ -2,14 +2,15 @@
 import { type TangentSide, tangentKindsOf } from '../../../edit/keys/tangents.ts';
 import { TANGENT_CHOICES, type TangentChoice } from '../../../model/takes/tangent-kinds.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { currentTake, selectedKeysInView } from './current-take.ts';
+import { selectedKeysInView } from './current-take.ts';
+import { timelineTake } from './timeline-take.ts';
 
 /**
  * Whether all selected keys have that kind on one or both sides, a step after them; `mixed` if only some do, or only
  * one side.
  */
 export function hasTangents(wb: Uses<'store' | 'timeline'>, kind: TangentChoice, side: TangentSide): boolean | 'mixed' {
-  const take = currentTake(wb)?.take;
+  const take = timelineTake(wb)?.take;
   const kinds = take ? tangentKindsOf(take.channels, selectedKeysInView(wb), kind === 'step' ? 'out' : side) : 0;
   const own = 1 << TANGENT_CHOICES.findIndex(({ name }) => name === kind);
   return kinds === own || ((kinds & own) !== 0 && 'mixed');

@@ -12,7 +12,7 @@ import type { Action, Uses } from '../../state/workbench.ts';
 import { focusField } from '../../widgets/focus/focus-regions.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { nextKinematics, switchKinematics } from '../posing/actions.ts';
-import { shownMarkers } from '../timeline/shown-markers.ts';
+import { shownMarkers } from '../timeline/markers/shown-markers.ts';
 import { TURN } from '../viewport/actions.ts';
 import { sayRange } from './range-text.ts';
 
@@ -272,7 +272,7 @@ function rangeEnd(
 }
 
 const markerEdits = (wb: Uses<'messages'>) =>
-  onDemand(wb.messages, 'Markers', () => import('../timeline/marker-edits.ts'));
+  onDemand(wb.messages, 'Markers', () => import('../timeline/markers/marker-edits.ts'));
 
 /** Times closer than this are the same; seconds. */
 const SAME_TIME = 1e-6;

@@ -27,9 +27,9 @@ import {
   zoomWindow,
 } from '../../widgets/time/time-window.ts';
 import { wheelTurn } from '../../widgets/time/wheel.ts';
-import type { MarkerDrag } from '../timeline/marker-drag.ts';
+import type { MarkerDrag } from '../timeline/markers/marker-drag.ts';
+import { shownMarkers } from '../timeline/markers/shown-markers.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
-import { shownMarkers } from '../timeline/shown-markers.ts';
 import { openTimeMenu } from '../timeline/time-menu.ts';
 import { type RangeEnd, rangeHandleAt } from './scrubber-handles.ts';
 import { RULER_HEIGHT, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
@@ -275,7 +275,7 @@ export class Scrubber {
         snapTime(this.timeAt(e.clientX) - grabbedOff, secondsPerPixel(this.strip), scrubFrames(this.wb, e.shiftKey)),
       );
     };
-    void import('../timeline/marker-drag.ts').then(({ MarkerDrag: Made }) => {
+    void import('../timeline/markers/marker-drag.ts').then(({ MarkerDrag: Made }) => {
       drag = new Made(this.wb, index, isEnd);
       if (last) move(last);
       if (isOver) drag.end();

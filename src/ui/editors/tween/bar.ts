@@ -27,7 +27,8 @@ import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { autoKey, dofsOfJoints } from '../posing/pose-edits.ts';
-import { aboutKeysInHand, currentTake, editOfTake, selectedKeysInView } from '../timeline/current-take.ts';
+import { editOfTakes, onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
+import { timelineTake } from '../timeline/timeline-take.ts';
 
 type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>;
 /** Previews a value within a gesture. */
@@ -151,9 +152,9 @@ class TweenBar {
 
   private begin(): HandEdit {
     const { wb } = this;
-    const current = currentTake(wb);
+    const current = timelineTake(wb);
     pausePlayback(wb);
-    return current && ofKeys(wb, this.way) ? editOfTake(wb, current) : new HandEdit(wb.store, wb.messages);
+    return current && ofKeys(wb, this.way) ? editOfTakes(wb, current.parts) : new HandEdit(wb.store, wb.messages);
   }
 
   private finish(): void {
@@ -194,18 +195,18 @@ function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefin
   const way = ways.find((each) => each.kind === kind);
   if (ofKeys(wb, way)) {
     const keys = selectedKeysInView(wb);
-    const characterId = currentTake(wb)?.character.id;
+    const characterId = timelineTake(wb)?.character.id;
     if (!keys.length || characterId === undefined) return undefined;
     const apply =
       <A>(command: Command<A, Document | Change>, args: (value: number) => A): Preview =>
       (edit, value) =>
         edit.preview(command, args(value));
     const of = { characterId, keys };
-    if (kind === 'tween') return apply(aboutKeysInHand(wb, tweenKeys), (u) => ({ ...of, u }));
-    if (kind === 'relax') return apply(aboutKeysInHand(wb, relaxKeys), (amount) => ({ ...of, amount }));
-    if (kind === 'ease') return apply(aboutKeysInHand(wb, easeKeys), (amount) => ({ ...of, amount }));
+    if (kind === 'tween') return apply(onAllInHand(wb, tweenKeys), (u) => ({ ...of, u }));
+    if (kind === 'relax') return apply(onAllInHand(wb, relaxKeys), (amount) => ({ ...of, amount }));
+    if (kind === 'ease') return apply(onAllInHand(wb, easeKeys), (amount) => ({ ...of, amount }));
     const from = SCALE_ABOUT.find((each) => each === about) ?? 'first';
-    return apply(aboutKeysInHand(wb, scaleKeys), (valueFactor) => ({ ...of, valueFactor, about: from }));
+    return apply(onAllInHand(wb, scaleKeys), (valueFactor) => ({ ...of, valueFactor, about: from }));
   }
   const { character, dofs } = scopeOf(wb);
   if (!character) return undefined;
@@ -223,7 +224,7 @@ function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefin
 /** What it applies to, and what is left alone. */
 function targetText(wb: Parts, way: TweenWay): string {
   if (ofKeys(wb, way)) {
-    const channels = currentTake(wb)?.take.channels ?? [];
+    const channels = timelineTake(wb)?.take.channels ?? [];
     const keys = selectedKeysInView(wb);
     const count = countKeys(channels, keys);
     if (count === 0) return 'Select keys first.';

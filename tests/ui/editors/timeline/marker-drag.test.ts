@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { shownTake } from '../../../../src/model/document.ts';
-import { MarkerDrag } from '../../../../src/ui/editors/timeline/marker-drag.ts';
+import { MarkerDrag } from '../../../../src/ui/editors/timeline/markers/marker-drag.ts';
 import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 beforeEach(() => void vi.stubGlobal('window', new EventTarget()));

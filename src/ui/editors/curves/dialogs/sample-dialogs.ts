@@ -22,7 +22,7 @@ import type { DialogContent } from '../../../widgets/dialog.ts';
 import { element } from '../../../widgets/dom.ts';
 import { type Asked, askChoice, askNumber } from '../../../widgets/form/form.ts';
 import { count, errorSize, plural, shown } from '../../../widgets/numbers/number-text.ts';
-import { type CurrentTake, channelsToEdit, currentTake } from '../../timeline/current-take.ts';
+import { type CurrentTake, currentTake, ownChannelsToEdit } from '../../timeline/current-take.ts';
 import { toolDialog } from '../../timeline/tool-dialog.ts';
 
 export function convertDialog(
@@ -225,7 +225,7 @@ function withSamples(
     return make(
       current,
       samples,
-      channelsToEdit(wb).filter((c) => current.take.channels[c]?.kind === 'samples'),
+      ownChannelsToEdit(wb).filter((c) => current.take.channels[c]?.kind === 'samples'),
     );
   }
   const body = element('p', { class: 'empty' }, 'This take has no samples.');

@@ -19,7 +19,7 @@ import type { DialogContent } from '../../../widgets/dialog.ts';
 import { element } from '../../../widgets/dom.ts';
 import { type Asked, askChoice, askNumber } from '../../../widgets/form/form.ts';
 import { count, errorSize, plural } from '../../../widgets/numbers/number-text.ts';
-import { type CurrentTake, channelsToEdit, currentTake, selectedKeysInView } from '../../timeline/current-take.ts';
+import { type CurrentTake, currentTake, ownChannelsToEdit, ownKeysInView } from '../../timeline/current-take.ts';
 import { toolDialog } from '../../timeline/tool-dialog.ts';
 import {
   bakeArguments,
@@ -113,7 +113,7 @@ export function scaleDialog(
   close: () => void,
 ): DialogContent {
   return withTake(wb, (current) => {
-    const keys = selectedKeysInView(wb);
+    const keys = ownKeysInView(wb);
     const { angles } = wb.settings.get();
     const found = unitsOf(
       current.character,
@@ -146,7 +146,7 @@ function withTake(
   make: (current: CurrentTake, channels: readonly number[]) => DialogContent,
 ): DialogContent {
   const current = currentTake(wb);
-  const channels = channelsToEdit(wb).filter((c) => current?.take.channels[c]?.kind === 'keys');
+  const channels = ownChannelsToEdit(wb).filter((c) => current?.take.channels[c]?.kind === 'keys');
   if (current && channels.length) return make(current, channels);
   const body = element('p', { class: 'empty' }, 'No curve is visible and no key is selected.');
   return { title: 'Curve tools', body, kind: 'tool-dialog' };

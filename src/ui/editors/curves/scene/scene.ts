@@ -78,18 +78,20 @@ export const NO_CHANNELS: readonly number[] = [];
  * Channels beyond the character's DOFs are named by number.
  *
  * @param kept lines whose scale normalised lines keep: nothing may be rescaled during a drag
+ * @param place index of the character among those shown together
  */
 export function sceneLines(
   character: Character,
   channels: readonly number[],
   normalised: boolean,
   kept: readonly CurveLine[] = [],
+  place = 0,
 ): CurveLine[] {
   const take = takeInTimeline(character);
   if (!take) return [];
   const dofs = dofsFor(character);
   const ordinals = new Map<string, number>();
-  let others = 0;
+  let others = place;
   const lines: CurveLine[] = [];
   for (const channel of channels) {
     const held = take.channels[channel];
@@ -97,7 +99,7 @@ export function sceneLines(
     const dof: CharacterDof | undefined = dofs[channel];
     const axis = dof && axisOfDof(character.skeleton, dof);
     const group = dof ? `${dof.joint}` : '';
-    if (axis && !ordinals.has(group)) ordinals.set(group, ordinals.size);
+    if (axis && !ordinals.has(group)) ordinals.set(group, place + ordinals.size);
     const unit = unitOfChannel(dofs, channel);
     const colour = axis ? axisColour(axis, ordinals.get(group) ?? 0, unit === 'length') : otherColour(others++);
     lines.push({

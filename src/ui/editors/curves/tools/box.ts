@@ -3,7 +3,8 @@ import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/key
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { plural } from '../../../widgets/numbers/number-text.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
-import { currentTake, selectedKeys, selectKeys } from '../../timeline/current-take.ts';
+import { selectedKeys, selectKeys } from '../../timeline/current-take.ts';
+import { timelineTake } from '../../timeline/timeline-take.ts';
 import { keysInBox } from '../scene/hit.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
@@ -29,7 +30,7 @@ export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag
       const scene = plot.scene();
       plot.showBox(undefined);
       if (moved && scene) return select(keysInBox(scene, boxTo(at)), at);
-      const current = currentTake(wb);
+      const current = timelineTake(wb);
       if (curve !== undefined && current) select(allKeys(current.take, [curve]), at);
       else if (!from.shift && !from.ctrl) selectKeys(wb, []);
     },

@@ -12,15 +12,9 @@ import type { ChannelKeys } from '../../../../model/session.ts';
 import type { KeyedChannel } from '../../../../model/takes/take.ts';
 import { shownPerUnit } from '../../../state/joints/angles.ts';
 import { timeAt, timeX } from '../../../widgets/time/time-window.ts';
-import {
-  aboutKeysInHand,
-  currentTake,
-  editOfTake,
-  selectedKeys,
-  selectedKeysInView,
-  selectKeys,
-} from '../../timeline/current-take.ts';
+import { editOfTakes, onAllInHand, selectedKeys, selectedKeysInView, selectKeys } from '../../timeline/current-take.ts';
 import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
+import { timelineTake } from '../../timeline/timeline-take.ts';
 import { type CurveHit, type CurveLine, lineOf } from '../scene/scene.ts';
 import { type CurveSpace, pixelsPerUnit, yOf } from '../scene/space.ts';
 import { deltaText } from './readout-text.ts';
@@ -57,7 +51,7 @@ export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
 function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const { wb } = plot;
   const scene = plot.scene();
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const line = scene && lineOf(scene, hit.channel);
   const channel = current?.take.channels[hit.channel];
   if (!scene || !current || !line || channel?.kind !== 'keys') return undefined;
@@ -66,8 +60,8 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   // Offset of the grab within the key, kept while dragging, even if the view is zoomed meanwhile.
   const offX = from.x - timeX(scene.space, keyTime);
   const offY = from.y - yOf(scene.space, line, keyValue);
-  const edit = editOfTake(wb, current);
-  const command = aboutKeysInHand(wb, moveKeys);
+  const edit = editOfTakes(wb, current.parts);
+  const command = onAllInHand(wb, moveKeys);
   const drawn = new Map(scene.lines.map((l) => [l.channel, l]));
   const keys = withOneHalf(selectedKeysInView(wb), hit, channel);
 

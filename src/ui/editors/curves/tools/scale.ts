@@ -8,7 +8,8 @@
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
 import { shown } from '../../../widgets/numbers/number-text.ts';
 import { timeX } from '../../../widgets/time/time-window.ts';
-import { aboutKeysInHand, currentTake, editOfTake, selectedKeysInView } from '../../timeline/current-take.ts';
+import { editOfTakes, onAllInHand, selectedKeysInView } from '../../timeline/current-take.ts';
+import { timelineTake } from '../../timeline/timeline-take.ts';
 import { valueAt } from '../scene/space.ts';
 import { isSideways } from './move-keys.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
@@ -63,14 +64,14 @@ export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
 /** Scales the current selection, as one edit. Undefined if none is in view. */
 export function scaler(plot: PlotAccess) {
   const { wb } = plot;
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const first = plot.scene();
   if (!current || !first) return undefined;
   const drawn = new Map(first.lines.map((l) => [l.channel, l]));
   const keys = selectedKeysInView(wb);
   if (!keys.length) return undefined;
-  const edit = editOfTake(wb, current);
-  const command = aboutKeysInHand(wb, scaleKeys);
+  const edit = editOfTakes(wb, current.parts);
+  const command = onAllInHand(wb, scaleKeys);
   const to = ({ pivotSeconds, timeFactor, pivotY, valueFactor }: ScaleTool) => {
     const scene = plot.scene() ?? first;
     edit.preview(command, {

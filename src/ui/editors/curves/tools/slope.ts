@@ -3,13 +3,15 @@
  * or never: a timeline setting); Alt breaks, Ctrl unifies.
  */
 
-import type { Edit } from '../../../../edit/change.ts';
+import type { Change } from '../../../../edit/change.ts';
 import type { ArgsOf, Command } from '../../../../edit/command.ts';
 import { setSlopes } from '../../../../edit/commands/tangents.ts';
 import { isStepped } from '../../../../edit/keys/steps.ts';
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import type { HandleMode } from '../../../state/timeline.ts';
-import { currentTake, editOfTake, selectedKeys } from '../../timeline/current-take.ts';
+import { editOfTakes, selectedKeys } from '../../timeline/current-take.ts';
+import { onAllShown } from '../../timeline/edit-all.ts';
+import { keysOfPart, timelineTake } from '../../timeline/timeline-take.ts';
 import { slopeFromHandle } from '../scene/handles.ts';
 import { type CurveHit, lineOf } from '../scene/scene.ts';
 import { slopeText } from './readout-text.ts';
@@ -19,20 +21,22 @@ type HandleHit = Extract<CurveHit, { kind: 'handle' }>;
 
 export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const { wb } = plot;
-  const current = currentTake(wb);
+  const current = timelineTake(wb);
   const channel = current?.take.channels[hit.channel];
-  const edit = current && editOfTake(wb, current);
+  const edit = current && editOfTakes(wb, current.parts);
   const wereEqual =
     channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
   const selected = selectedKeys(wb);
   // Sets one key's slope, but keeps the whole selection with its handles. A held step after the key ends, and with it
   // what the indices of other keys mean.
   const endsStep = channel?.kind === 'keys' && isStepped(channel, hit.index) && hit.side === 'out';
-  const command: Command<ArgsOf<typeof setSlopes>, Edit> = {
-    ...setSlopes,
+  const own = current ? onAllShown(current, setSlopes) : setSlopes;
+  const command: Command<ArgsOf<typeof setSlopes>, Change> = {
+    ...own,
     run(document, args) {
-      const edit = setSlopes.run(document, args);
-      return { document: edit.document, keys: endsStep ? edit.keys : selected };
+      const change = own.run(document, args);
+      const kept = (current?.parts ?? []).map((part) => [part.character.id, keysOfPart(part, selected)] as const);
+      return endsStep ? change : { ...change, keysOf: new Map(kept) };
     },
   };
 

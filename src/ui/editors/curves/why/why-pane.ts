@@ -9,8 +9,9 @@ import type { Uses } from '../../../state/workbench.ts';
 import { element, write } from '../../../widgets/dom.ts';
 import { NumberGrid } from '../../../widgets/numbers/number-grid.ts';
 import { shown } from '../../../widgets/numbers/number-text.ts';
-import { channelName, namedChannel } from '../../timeline/channels.ts';
-import { currentTake } from '../../timeline/current-take.ts';
+import { channelName } from '../../timeline/channels.ts';
+import { laterThan } from '../../timeline/edit-all.ts';
+import { namedIn, partWith, timelineTake } from '../../timeline/timeline-take.ts';
 import { type WhyPlace, type WhySubject, whySubject } from './why-subject.ts';
 import { keyLines, placeLines, slopeLines } from './why-text.ts';
 
@@ -76,7 +77,7 @@ export class WhyPane {
   }
 
   show(place: WhyPlace): void {
-    const current = currentTake(this.wb);
+    const current = timelineTake(this.wb);
     const subject = current && whySubject(place);
     const why = current && subject && whyValue(current.take, subject.channel, subject.time);
     write(this.empty, 'hidden', why !== undefined);
@@ -85,11 +86,12 @@ export class WhyPane {
     if (subject?.channel !== this.channel) this.element.scrollTop = 0;
     this.channel = subject?.channel;
     if (!current || !subject || !why) return;
-    const { character, take } = current;
-    const named = namedChannel(character, subject.channel);
+    const { take } = current;
+    const named = namedIn(current, subject.channel);
+    const later = laterThan(current.character, partWith(current, subject.channel).character);
     const keys = keysOf(take.channels[subject.channel]);
     this.title.textContent = channelName(named);
-    this.unit.textContent = `at ${shown(subject.time)} s of the take${named.unit === 'angle' ? ', in radians' : ''}`;
+    this.unit.textContent = `at ${shown(subject.time + later)} s of the take${named.unit === 'angle' ? ', in radians' : ''}`;
     this.keyPart.show(keyOf(subject, keys.times.length) === undefined ? [] : keyLines(keys, subject.key ?? 0));
     this.placePart.show(placeLines(why));
     const segment = why.kind === 'keys' ? why.segment : undefined;

@@ -1,7 +1,7 @@
 /** Adds markers at the current time, or a span over the playback range, and goes from one to the next. */
-import { addMarkers } from '../../../edit/commands/markers.ts';
-import type { Uses } from '../../state/workbench.ts';
-import { currentTake, takeTime } from './current-take.ts';
+import { addMarkers } from '../../../../edit/commands/markers.ts';
+import type { Uses } from '../../../state/workbench.ts';
+import { currentTake, takeTime } from '../current-take.ts';
 
 type Page = Uses<'store' | 'transport' | 'messages' | 'dialog'>;
 

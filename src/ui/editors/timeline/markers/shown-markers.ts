@@ -1,10 +1,10 @@
 /** The markers of the current character's take, at times of the transport. */
 
-import { shownTake } from '../../../model/document.ts';
-import type { Take } from '../../../model/takes/take.ts';
-import { currentCharacter } from '../../state/actions/action.ts';
-import type { Uses } from '../../state/workbench.ts';
-import { NO_MARKERS, type ShownMarker } from '../../widgets/time/markers-picture.ts';
+import { shownTake } from '../../../../model/document.ts';
+import type { Take } from '../../../../model/takes/take.ts';
+import { currentCharacter } from '../../../state/actions/action.ts';
+import type { Uses } from '../../../state/workbench.ts';
+import { NO_MARKERS, type ShownMarker } from '../../../widgets/time/markers-picture.ts';
 
 /** In the order of the take's markers. */
 export function shownMarkers(wb: Uses<'store'>): readonly ShownMarker[] {

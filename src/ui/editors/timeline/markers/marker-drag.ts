@@ -1,8 +1,8 @@
 /** Drags a marker in the scrubber, or the end of a span: one undo step; Escape restores it. */
-import { changeMarker } from '../../../edit/commands/markers.ts';
-import type { HandEdit } from '../../state/actions/hand-edit.ts';
-import type { Uses } from '../../state/workbench.ts';
-import { type CurrentTake, currentTake, editOfTake } from './current-take.ts';
+import { changeMarker } from '../../../../edit/commands/markers.ts';
+import type { HandEdit } from '../../../state/actions/hand-edit.ts';
+import type { Uses } from '../../../state/workbench.ts';
+import { type CurrentTake, currentTake, editOfTakes } from '../current-take.ts';
 
 const MOVE = { ...changeMarker, label: () => 'Move marker' };
 
@@ -17,7 +17,7 @@ export class MarkerDrag {
     private readonly isEnd: boolean,
   ) {
     this.take = currentTake(wb);
-    this.edit = this.take && editOfTake(wb, this.take);
+    this.edit = this.take && editOfTakes(wb, [this.take]);
   }
 
   /** @param toSeconds of the transport */

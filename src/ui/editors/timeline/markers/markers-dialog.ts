@@ -1,15 +1,15 @@
 /** The markers of the current take as a list: times, labels, going to one, deleting it. Each change is an undo step. */
-import { changeMarker, removeMarkers } from '../../../edit/commands/markers.ts';
-import type { Marker } from '../../../model/takes/markers.ts';
-import { attempt } from '../../state/actions/attempt.ts';
-import { untilClosed } from '../../state/until-closed.ts';
-import type { Uses } from '../../state/workbench.ts';
-import type { DialogContent } from '../../widgets/dialog.ts';
-import { button, element } from '../../widgets/dom.ts';
-import { plainButton } from '../../widgets/form/form.ts';
-import { icon } from '../../widgets/icons.ts';
-import { parseNumber } from '../../widgets/numbers/number-text.ts';
-import { currentTake } from './current-take.ts';
+import { changeMarker, removeMarkers } from '../../../../edit/commands/markers.ts';
+import type { Marker } from '../../../../model/takes/markers.ts';
+import { attempt } from '../../../state/actions/attempt.ts';
+import { untilClosed } from '../../../state/until-closed.ts';
+import type { Uses } from '../../../state/workbench.ts';
+import type { DialogContent } from '../../../widgets/dialog.ts';
+import { button, element } from '../../../widgets/dom.ts';
+import { plainButton } from '../../../widgets/form/form.ts';
+import { icon } from '../../../widgets/icons.ts';
+import { parseNumber } from '../../../widgets/numbers/number-text.ts';
+import { currentTake } from '../current-take.ts';
 import { addMarkerHere, addSpanOfRange } from './marker-edits.ts';
 
 type Page = Uses<'store' | 'transport' | 'messages' | 'dialog'>;
