@@ -13,7 +13,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { type Character, DEFAULT_PLACEMENT, type Placement } from '../model/document.ts';
 import { perPair } from '../model/per-object.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import type { OverPose } from '../model/takes/layer-code.ts';
+import type { Follower, OverPose } from '../model/takes/layer-code.ts';
 import type { AttachmentOffset, Attachments, Take } from '../model/takes/take.ts';
 import { type CompiledSkeleton, compileSkeleton, writeLocal } from './kinematics.ts';
 import { anglesIn, intoSpace } from './limbs/match.ts';
@@ -136,7 +136,7 @@ class AttachedRoot {
   /** The joint that is followed, in the scene. */
   private readonly scene = new Float64Array(16);
 
-  constructor({ list }: Attachments, { placements, space, leaders = [] }: Character, skeleton: Skeleton) {
+  constructor({ list }: Attachments, { placements, space, leaders = [] }: Follower, skeleton: Skeleton) {
     this.skeleton = compileSkeleton(skeleton);
     this.root = followingRoot(skeleton);
     this.spans = list.flatMap(({ leaderId, joint, span: [start, end], offset }): Span[] => {
@@ -186,7 +186,7 @@ class AttachedRoot {
 }
 
 /** The last part of posing by an attached take: the root goes where it is attached, then limbs to their goals. Cached. */
-export const overPose = perPair((take: Take, character: Character): OverPose => {
+export const overPose = perPair((take: Take, character: Follower): OverPose => {
   const { skeleton } = character;
   const root = take.attached && skeleton && new AttachedRoot(take.attached, character, skeleton);
   const limbs = limbsOf(take, character);

@@ -2,10 +2,9 @@
  * The one place where what controls a take becomes values of DOFs: its base, then its layers. The code for layers
  * (`layers.ts`) is passed on once there are any: see `model/takes/layer-code.ts`. The goals of limbs come after limits.
  */
-import type { Character } from '../model/document.ts';
 import type { Limbs } from '../model/limbs.ts';
 import type { Skeleton } from '../model/skeleton/skeleton.ts';
-import { type LayersOverBase, layerCode, type OverPose } from '../model/takes/layer-code.ts';
+import { type Follower, type LayersOverBase, layerCode, type OverPose } from '../model/takes/layer-code.ts';
 import type { Take } from '../model/takes/take.ts';
 import { type CompiledTake, compileTake } from './compiled-take.ts';
 import { evaluateTake } from './curves.ts';
@@ -53,7 +52,7 @@ export function limbsOf(
  * go to their goals. Undefined if that is nothing.
  * @throws Error for a take with either whose code was not provided
  */
-export function overPoseOf(take: Take | undefined, character: Character): OverPose | undefined {
+export function overPoseOf(take: Take | undefined, character: Follower): OverPose | undefined {
   return take?.attached ? layerCode(take).overPose(take, character) : limbsOf(take, character);
 }
 

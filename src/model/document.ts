@@ -114,6 +114,9 @@ export interface DriverSource {
   readonly clampsToLimits: boolean;
   readonly timeOffsetSeconds: number;
   readonly space?: Space;
+  /** Of a source whose take follows other characters, with these; else absent. */
+  readonly placements?: Character['placements'];
+  readonly leaders?: Character['leaders'];
 }
 
 /** Values set by hand over the take at one time and not keyed; discarded when the time changes. */

@@ -24,6 +24,7 @@ import { CommandError } from '../command-error.ts';
 import { cutName, SHORT_NAME } from '../cut-name.ts';
 import { sameValue } from '../delta.ts';
 import { withoutDriver } from '../drivers.ts';
+import { follows } from '../follow/leaders.ts';
 import { driverSource, provideSources } from '../follow/sources.ts';
 import { retimed } from '../markers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
@@ -63,6 +64,8 @@ export const setRetarget = command({
     const from = requireCharacter(document, sourceId);
     return changeCharacter(document, characterId, (c) => {
       if (from === c) throw new CommandError(`${c.name} can’t be retargeted from itself.`);
+      if (!from.driver && follows(document, from, c.id))
+        throw new CommandError(`${c.name} can’t be retargeted from ${from.name}, which follows it. Detach that first.`);
       return retargetedTo(c, from, pairs, options);
     });
   },

@@ -23,9 +23,16 @@ export function provideFollow(code: Partial<FollowCode>): void {
 
 /** A changed document in which all that contain something of others are up to date. */
 export function followed(before: Document, after: Document): Document {
-  // Leaders may be retargeted.
-  const next = provided.sources?.(before, after) ?? after;
-  return provided.leaders?.(before, next) ?? next;
+  const { sources, leaders } = provided;
+  let next = after;
+  // What leads may be retargeted, from one that follows another: as often as it takes.
+  for (let left = after.characters.length; left > 0; left--) {
+    const now = next;
+    next = sources?.(before, next) ?? next;
+    next = leaders?.(before, next) ?? next;
+    if (next === now || !sources || !leaders) break;
+  }
+  return next;
 }
 
 /**

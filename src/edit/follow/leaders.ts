@@ -10,6 +10,7 @@ import { dofCountOf } from '../../evaluate/pose.ts';
 import { type Character, type Document, findCharacter, shownTake, type Unkeyed } from '../../model/document.ts';
 import { newCharacter } from '../../model/new-character.ts';
 import type { Attachment, Take } from '../../model/takes/take.ts';
+import { sameValue } from '../delta.ts';
 import { sameJoints } from '../pose/same-joints.ts';
 import { provideFollow } from './code.ts';
 
@@ -29,12 +30,12 @@ export function notLeading(characters: readonly Character[]): readonly Character
   return characters.filter(({ id }) => !leading.has(id));
 }
 
-/** Whether a character follows another one, or one that does. */
+/** Whether a character follows another one, or one that does, or is retargeted from such. */
 export function follows(document: Document, follower: Character, leaderId: string): boolean {
   const seen = new Set<string>();
   const reaches = (character: Character | undefined): boolean =>
     character !== undefined &&
-    leaderIds(character).some((id) => {
+    [...leaderIds(character), ...(character.driver ? [character.driver.sourceId] : [])].some((id) => {
       if (id === leaderId) return true;
       if (seen.has(id)) return false;
       seen.add(id);
@@ -45,8 +46,9 @@ export function follows(document: Document, follower: Character, leaderId: strin
 
 /** A leader with only what moves it, at times of a follower's takes; the same object that the follower has if nothing differs. */
 export function leaderOf(leader: Character, follower: Character): Character {
-  const made = leaderMade(leader, follower.timeOffsetSeconds);
   const known = follower.leaders?.find(({ id }) => id === leader.id);
+  const now = leaderMade(leader, follower.timeOffsetSeconds);
+  const made = known?.unkeyed && sameValue(now.unkeyed, known.unkeyed) ? { ...now, unkeyed: known.unkeyed } : now;
   return known && haveSame([...KEPT, ...PASSING], made, known) ? known : made;
 }
 

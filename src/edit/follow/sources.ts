@@ -13,7 +13,7 @@ export function provideSources(): void {
 
 /** The data that retargeting needs of a character; undefined if it has no skeleton or shows no take. */
 export function driverSource(character: Character): DriverSource | undefined {
-  const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space, limbs } = character;
+  const { name, skeleton, pose, clampsToLimits, timeOffsetSeconds, space, limbs, placements, leaders } = character;
   const take = shownTake(character);
   if (!skeleton || !take) return undefined;
   return {
@@ -25,6 +25,7 @@ export function driverSource(character: Character): DriverSource | undefined {
     timeOffsetSeconds,
     ...(space && { space }),
     ...(limbs && { limbs }),
+    ...(take.attached && leaders && { placements, leaders }),
   };
 }
 
@@ -43,20 +44,26 @@ function followSources(before: Document, after: Document): Document {
     // Only what this step has changed, since an undone document contains copies.
     if (!now || sameSource(now, findCharacter(before, c.driver.sourceId))) return c;
     const source = driverSource(now);
-    if (!source) return c;
+    if (!source || isSame(source, c.driver.source)) return c;
     changed = true;
     return { ...c, driver: { ...c.driver, source } };
   });
   return changed ? { ...after, characters } : after;
 }
 
-/** The fields of a source that are those of its character. */
-const OF_CHARACTER = ['name', 'skeleton', 'pose', 'clampsToLimits', 'timeOffsetSeconds', 'space', 'limbs'] as const;
-
 function sameSource(a: Character, b: Character | undefined): boolean {
-  return (
-    a === b || (b !== undefined && shownTake(a) === shownTake(b) && OF_CHARACTER.every((key) => a[key] === b[key]))
-  );
+  if (a === b) return true;
+  const [one, other] = [driverSource(a), b && driverSource(b)];
+  return one === undefined ? other === undefined : other !== undefined && isSame(one, other);
+}
+
+const FIELDS = [
+  ...(['name', 'skeleton', 'take', 'pose', 'clampsToLimits', 'timeOffsetSeconds'] as const),
+  ...(['space', 'limbs', 'placements', 'leaders'] as const),
+];
+
+function isSame(a: DriverSource, b: DriverSource): boolean {
+  return FIELDS.every((key) => a[key] === b[key]);
 }
 
 /**

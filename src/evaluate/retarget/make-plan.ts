@@ -69,7 +69,10 @@ function plansAlike({ options, source: a }: Driver, { options: otherOptions, sou
     a.take === b.take &&
     a.pose === b.pose &&
     a.clampsToLimits === b.clampsToLimits &&
-    a.space === b.space
+    a.space === b.space &&
+    a.limbs === b.limbs &&
+    a.placements === b.placements &&
+    a.leaders === b.leaders
   );
 }
 

@@ -1,11 +1,12 @@
 /**
  * The pose of a source at a take time: as in `pose.ts`, without what sources lack (morphs, unkeyed changes, a driver of
- * their own, attachments).
+ * their own).
  */
-import type { DriverSource } from '../../model/document.ts';
+import { DEFAULT_PLACEMENT, type DriverSource } from '../../model/document.ts';
 import type { OverPose } from '../../model/takes/layer-code.ts';
+import { inTakes } from '../in-takes.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
-import { evaluateMotion, limbsOf, type TakeMotion, takeMotion } from '../take-motion.ts';
+import { evaluateMotion, overPoseOf, type TakeMotion, takeMotion } from '../take-motion.ts';
 
 /** A source of retargeting, compiled. */
 export interface PlayedSource {
@@ -13,7 +14,7 @@ export interface PlayedSource {
   readonly pose: readonly number[];
   readonly clampsToLimits: boolean;
   readonly motion: TakeMotion;
-  readonly limbs: OverPose | undefined;
+  readonly over: OverPose | undefined;
   /** Number of DOFs of root and joints. */
   readonly dofCount: number;
   /** Number of leading DOFs that have a channel. */
@@ -21,10 +22,8 @@ export interface PlayedSource {
 }
 
 /** Compiles what is needed to pose a source at any time of its take. */
-export function playedSource(
-  source: Pick<DriverSource, 'skeleton' | 'take' | 'limbs' | 'pose' | 'clampsToLimits'>,
-): PlayedSource {
-  const { skeleton, take, pose, clampsToLimits } = source;
+export function playedSource(source: Omit<DriverSource, 'name' | 'timeOffsetSeconds'>): PlayedSource {
+  const { skeleton, take, pose, clampsToLimits, placements = [DEFAULT_PLACEMENT], leaders = [] } = source;
   const compiled = compileSkeleton(skeleton);
   const dofCount = compiled.firstDof[compiled.jointCount];
   return {
@@ -32,7 +31,7 @@ export function playedSource(
     pose,
     clampsToLimits,
     motion: takeMotion(take, skeleton),
-    limbs: limbsOf(take, source),
+    over: overPoseOf(take, { ...source, placements, leaders: leaders.map(inTakes) }),
     dofCount,
     driven: Math.min(take.channels.length, dofCount),
   };
@@ -44,5 +43,5 @@ export function sourcePose(source: PlayedSource, takeSeconds: number, out: Float
   for (let d = 0; d < dofCount; d++) out[d] = pose[d] ?? 0;
   evaluateMotion(motion, takeSeconds, out, driven);
   applyConstraints(source.skeleton, out, source.clampsToLimits);
-  source.limbs?.solve(takeSeconds, out, source.clampsToLimits);
+  source.over?.solve(takeSeconds, out, source.clampsToLimits);
 }

@@ -42,6 +42,9 @@ export interface GoalProblem {
   readonly message: string;
 }
 
+/** What of a character tells where its root follows others, and where its limbs go. */
+export type Follower = Pick<Character, 'skeleton' | 'limbs' | 'space' | 'placements' | 'leaders'>;
+
 /** The last part of posing, over poses within the limits, ready for evaluation: limbs that go to goals, a root that follows a joint. */
 export interface OverPose {
   /**
@@ -64,7 +67,7 @@ export interface LayerCode
   /** Cached. */
   takeLimbs(goals: Goals, limbs: Limbs, skeleton: Skeleton): OverPose;
   /** Puts the root where the take attaches it, and then its limbs to its goals. Cached. */
-  overPose(take: Take, character: Character): OverPose;
+  overPose(take: Take, character: Follower): OverPose;
   /** What sets DOFs of limbs in IK, as values of their goals. */
   posedByGoals(
     character: Character,

@@ -3,15 +3,17 @@ import { describe, expect, it } from 'vitest';
 import { addAttachment, putDown } from '../../../src/edit/commands/beside/attach.ts';
 import { switchLimb } from '../../../src/edit/commands/beside/limbs.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
+import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { bakeTake, framesOf } from '../../../src/evaluate/bake.ts';
 import { measuredFrames, trackJoints } from '../../../src/evaluate/measure/tracks.ts';
-import { dofCountOf, poseSource } from '../../../src/evaluate/pose.ts';
+import { dofCountOf, poseAt, poseSource } from '../../../src/evaluate/pose.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
 import { firstGoalChannel } from '../../../src/model/takes/goals.ts';
+import { restChannel, type Take } from '../../../src/model/takes/take.ts';
 import { displayedFrames } from '../../../src/review/frames.ts';
 import { character, joint, morph } from '../../helpers/builders.ts';
 import { heroOf, LEG, run, walking, withLegs } from '../limbs/walker.ts';
@@ -83,4 +85,54 @@ describe('an unkeyed change of a leader', () => {
 it('what moves a follower is compiled once', () => {
   const [, follower] = run(withProps(walking(), 'c2'), addAttachment, FOOT).characters;
   expect(poseSource(follower).over).toBe(poseSource(follower).over);
+});
+
+describe('a character that is retargeted from one that follows another', () => {
+  const [a, b, c] = ['c1', 'c2', 'c3'];
+  const scene = () => {
+    const moving: Take = { name: 'roll', range: [0, 1], channels: Array.from({ length: 6 }, () => restChannel(0)) };
+    const { characters, ...rest } = withProps(walking(), b, c);
+    const [hero, rolling, target] = characters;
+    return { ...rest, characters: [hero, { ...rolling, takes: [moving], shownTake: 0 }, target] };
+  };
+  const retargeted = { characterId: c, sourceId: b };
+  const poses = ({ characters }: Document) =>
+    characters.slice(1).map((one) => {
+      const dofs = new Float64Array(dofCountOf(one));
+      poseAt(one, SECONDS, dofs);
+      return dofs;
+    });
+  const expectSame = (document: Document) => {
+    const [source, target] = poses(document);
+    expect(target).toEqual(source);
+  };
+
+  it.each([
+    ['attached first', [b, c]],
+    ['retargeted first', [c, b]],
+  ])('moves as that does, %s, and follows edits of whom that follows', (_what, order) => {
+    const store = new Store(scene());
+    for (const id of order) id === b ? store.apply(addAttachment, FOOT) : store.apply(setRetarget, retargeted);
+    const [first] = poses(store.document);
+    expect(Math.abs(first[1])).toBeGreaterThan(0.01);
+    expectSame(store.document);
+    const before = store.document;
+    // Two take the one that it is retargeted from, and whom that follows.
+    store.apply(setDofs, { characterId: a, dofs: [{ index: 2, value: 5 }], timeSeconds: SECONDS, key: {} });
+    const [moved] = poses(store.document);
+    expect(differenceOf(moved, first)).toBeGreaterThan(1);
+    expectSame(store.document);
+    store.undo();
+    expect(store.document).toEqual(before);
+    expectSame(store.document);
+  });
+
+  it('can’t be what that follows', () => {
+    const store = new Store(scene());
+    store.apply(setRetarget, retargeted);
+    expect(() => store.apply(addAttachment, { ...FOOT, leaderId: c, joint: 0 })).toThrow('which follows c2 itself');
+    const other = new Store(scene());
+    other.apply(addAttachment, { ...FOOT, leaderId: c, joint: 0 });
+    expect(() => other.apply(setRetarget, retargeted)).toThrow('c3 can’t be retargeted from c2, which follows it.');
+  });
 });
