@@ -1,7 +1,7 @@
 /**
  * An example may switch on parts of the display, such as joint names if it is about them, and a link may ask for any.
- * That applies to what they open only: the switches are restored when another character is opened or the example is removed, unless the user has
- * changed them meanwhile, and they are not remembered for the next visit.
+ * That applies to what they open only: the switches are restored when another character is opened or the example is
+ * removed, unless the user has changed them meanwhile, and they are not remembered for the next visit.
  */
 import type { Store } from '../edit/store.ts';
 import type { Display } from '../model/session.ts';

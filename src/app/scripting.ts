@@ -110,8 +110,8 @@ export interface MarrowApi {
   /** The layers of the shown take, from the lowest up; empty without any. */
   layers(character?: CharacterRef): LayerInfo[];
   /**
-   * The limbs of a character, as its file has them; of those with a goal in the shown take also the share of IK, goal and
-   * space at the current time, how far the tip is from the goal, and the goal that FK's pose reaches.
+   * The limbs of a character, as its file has them; of those with a goal in the shown take also the share of IK, goal
+   * and space at the current time, how far the tip is from the goal, and the goal that FK's pose reaches.
    */
   limbs(character?: CharacterRef): LimbRow[];
   /** Statistics of the last frame drawn. */

@@ -1,6 +1,6 @@
 /**
- * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings, sets, locks,
- * limbs and retargeting. All of these refer to joints, which may have changed.
+ * Parts that a character keeps when its skeleton is loaded again from a file: its pose library, IK settings, sets,
+ * locks, limbs and retargeting. All of these refer to joints, which may have changed.
  */
 import type { Character } from '../model/document.ts';
 import { remapLimbs } from '../model/limbs.ts';

@@ -48,7 +48,8 @@ function withGoalsOf(character: Character): Take {
 
 /**
  * An edit of curves: other channels in a character's shown take. Those of locked DOFs stay as they are; the edit says
- * how many would have changed. Refuses changes to joints that a retargeted take drives, since they would have no effect.
+ * how many would have changed. Refuses changes to joints that a retargeted take drives, since they would have no
+ * effect.
  *
  * @param keys selected after it
  * @param before selected before it; of channels that stay these are kept

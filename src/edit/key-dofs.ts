@@ -41,8 +41,8 @@ export interface Keyed {
  * Keys DOFs at a time; the same character if all of them had these keys. Sampled channels are skipped: one key would
  * replace all their frames. Refuses joints that a retargeted take drives.
  *
- * @param values by DOF, as they should be displayed; the active layer gets those with which they are. Goals of limbs are
- * keyed by the indices of their channels (`withGoalChannels`)
+ * @param values by DOF, as they should be displayed; the active layer gets those with which they are. Goals of limbs
+ *   are keyed by the indices of their channels (`withGoalChannels`)
  * @param timeSeconds of the transport
  */
 export function keyDofs(

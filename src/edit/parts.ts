@@ -120,7 +120,10 @@ function sameItems(list: readonly PartMark[], known: readonly PartMark[]): reado
   return list.length === known.length && list.every((mark, i) => mark === known[i]) ? known : list;
 }
 
-/** Whether two takes are the same to a `.bvh` or `.amc`, which stores neither playback range nor interpolation, and the files beside it. */
+/**
+ * Whether two takes are the same to a `.bvh` or `.amc`, which stores neither playback range nor interpolation, and the
+ * files beside it.
+ */
 function holdsTheSame(a: Named & Partial<Take>, b: Named & Partial<Take>): boolean {
   if (a.goals !== b.goals || a.attached !== b.attached) return false;
   if (a.layers && b.layers) return layerCode(a).haveSameFiles(a, { ...b, range: a.range });

@@ -4,8 +4,8 @@
  *     P · R = P' · W · offset        R, W      matrices of the root and of the joint that it follows, in their own spaces
  *                                    P, P'     placements of both characters
  *
- * The root gets the place and, if it takes any rotation, the rotation of that; what scales the joint moves its place, and
- * scales nothing. The leader is posed at the same time, in its own order: limits, its own attachments, limbs.
+ * The root gets the place and, if it takes any rotation, the rotation of that; what scales the joint moves its place,
+ * and scales nothing. The leader is posed at the same time, in its own order: limits, its own attachments, limbs.
  */
 import { backMultiply3, multiply3, writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';

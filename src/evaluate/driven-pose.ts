@@ -1,7 +1,7 @@
 /**
  * Posing a character that another's take drives. Retargeting (`retarget/`) is a separate script, since few pages need
- * it, but posing must not wait for it to load. So code that adds a driver to a document, or is given characters that may
- * have one or follow one that has, passes it on:
+ * it, but posing must not wait for it to load. So code that adds a driver to a document, or is given characters that
+ * may have one or follow one that has, passes it on:
  *
  *     provideRetargeting();
  *

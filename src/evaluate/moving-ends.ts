@@ -1,6 +1,6 @@
 /**
- * Skeletons for formats that have no DOFs of lengths: End Sites of bones that a DOF lengthens are where a take has them,
- * or, where it moves them, joints of their own.
+ * Skeletons for formats that have no DOFs of lengths: End Sites of bones that a DOF lengthens are where a take has
+ * them, or, where it moves them, joints of their own.
  */
 import { add } from '../math/vec3.ts';
 import type { Character } from '../model/document.ts';

@@ -14,8 +14,8 @@ export interface PointFrames {
   readonly frameCount: number;
   readonly framesPerSecond: number;
   /**
-   * Frame by frame, four numbers of each point: x y z, and 1 if it is there, 0 if it is missing, where it stays where it
-   * was last.
+   * Frame by frame, four numbers of each point: x y z, and 1 if it is there, 0 if it is missing, where it stays where
+   * it was last.
    */
   readonly values: Float64Array;
 }

@@ -55,8 +55,8 @@ export interface Kind {
 }
 
 /**
- * The plain file that JSON of ours is beside. One of a skeleton goes to the character whose skeleton has the longest name that begins its own;
- * one of a take to the take that is called like it.
+ * The plain file that JSON of ours is beside. One of a skeleton goes to the character whose skeleton has the longest
+ * name that begins its own; one of a take to the take that is called like it.
  */
 export type Beside = 'skeleton' | 'take';
 
@@ -422,8 +422,9 @@ export interface PartOpening<C> {
 }
 
 /**
- * A list of other files; JSON beside one (`Kind.beside`, `open/beside-files.ts`); poses for a library; an image for a skin; numbers to compare with a character: opened by rules
- * of their own. One more gets its rules in `open/grouping.ts` and `open/open-in-steps.ts`.
+ * A list of other files; JSON beside one (`Kind.beside`, `open/beside-files.ts`); poses for a library; an image for a
+ * skin; numbers to compare with a character: opened by rules of their own. One more gets its rules in
+ * `open/grouping.ts` and `open/open-in-steps.ts`.
  */
 export interface OtherOpening {
   readonly as: 'rig' | 'poses' | 'texture' | 'dump' | 'beside' | 'layers';

@@ -68,9 +68,9 @@ export interface Character {
   /** A take of another character that drives its joints instead of its own take (retargeting). */
   readonly driver?: Driver;
   /**
-   * Those whose joints its takes follow (`Take.attached`), with only what moves them: a pose depends on one character. The
-   * store keeps them up to date (`edit/follow/leaders.ts`), and the last state of one that is removed. Their time is that of this
-   * character's takes. Absent rather than empty.
+   * Those whose joints its takes follow (`Take.attached`), with only what moves them: a pose depends on one character.
+   * The store keeps them up to date (`edit/follow/leaders.ts`), and the last state of one that is removed. Their time
+   * is that of this character's takes. Absent rather than empty.
    */
   readonly leaders?: readonly Character[];
   /** IK settings; absent: `defaultIk`. */

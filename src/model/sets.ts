@@ -20,7 +20,10 @@ export interface JointSet {
 /** DOFs of a joint that posing by hand and keying leave alone. */
 export interface LockedDofs {
   readonly joint: number;
-  /** Names, such as `rx`; the root's translation is `tx`, `ty` and `tz` of joint 0. Those that the joint lacks count for nothing. */
+  /**
+   * Names, such as `rx`; the root's translation is `tx`, `ty` and `tz` of joint 0. Those that the joint lacks count for
+   * nothing.
+   */
   readonly dofs: readonly string[];
   readonly others?: OtherFields;
 }

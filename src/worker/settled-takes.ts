@@ -1,4 +1,7 @@
-/** Makes the channels of takes that come without them (`tracked-takes.ts`): in the worker those that are asked for at once. */
+/**
+ * Makes the channels of takes that come without them (`tracked-takes.ts`): in the worker those that are asked for at
+ * once.
+ */
 import { takeOfTracks } from '../import/fit-take.ts';
 import type { WholeCharacter } from '../model/files.ts';
 import { firstTake } from '../model/takes/moving.ts';

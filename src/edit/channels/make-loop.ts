@@ -83,7 +83,10 @@ export function travels({ values }: KeyedChannel): boolean {
   return Math.abs(values[values.length - 1] - values[0]) > (max - min) / 2;
 }
 
-/** Whether a channel keeps its offset unless told otherwise: one that continues with it already, or a length that travels. */
+/**
+ * Whether a channel keeps its offset unless told otherwise: one that continues with it already, or a length that
+ * travels.
+ */
 export function keepsOffset(channel: KeyedChannel, isLength: boolean): boolean {
   const goesOn = channel.extrapolateIn === 'cycle_offset' || channel.extrapolateOut === 'cycle_offset';
   return goesOn || (isLength && travels(channel));

@@ -23,7 +23,10 @@ export const keyPose = command({
   id: 'pose.key',
   args: {
     ...NOW,
-    /** Indices into the character's DOFs (`model/dofs.ts`) and curves of goals; default all DOFs. A limb in IK is keyed by its goal. */
+    /**
+     * Indices into the character's DOFs (`model/dofs.ts`) and curves of goals; default all DOFs. A limb in IK is keyed
+     * by its goal.
+     */
     dofs: optional(indices),
     ...KEY_OPTIONS,
   },

@@ -1,7 +1,7 @@
 /**
  * Characters that contain something of others: retargeted ones (`sources.ts`), and those that follow a joint
- * (`leaders.ts`). Few documents have any, so the code that keeps them up to date comes with what makes the first one, and
- * is passed on before.
+ * (`leaders.ts`). Few documents have any, so the code that keeps them up to date comes with what makes the first one,
+ * and is passed on before.
  */
 import type { Character, Document } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';

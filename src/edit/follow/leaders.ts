@@ -1,10 +1,10 @@
 /**
- * Characters whose root follows a joint of another one (`Take.attached`): what they contain of it, and keeping that up to
- * date.
+ * Characters whose root follows a joint of another one (`Take.attached`): what they contain of it, and keeping that up
+ * to date.
  *
- * A follower contains what moves its leaders, so that a pose depends on one character only. When a step changes a leader,
- * its followers are updated in the same step, so that undo reverts both. A leader that is removed, or loses the joint,
- * leaves them unchanged.
+ * A follower contains what moves its leaders, so that a pose depends on one character only. When a step changes a
+ * leader, its followers are updated in the same step, so that undo reverts both. A leader that is removed, or loses the
+ * joint, leaves them unchanged.
  */
 import { dofCountOf } from '../../evaluate/pose.ts';
 import { type Character, type Document, findCharacter, shownTake, type Unkeyed } from '../../model/document.ts';
@@ -44,7 +44,10 @@ export function follows(document: Document, follower: Character, leaderId: strin
   return reaches(follower);
 }
 
-/** A leader with only what moves it, at times of a follower's takes; the same object that the follower has if nothing differs. */
+/**
+ * A leader with only what moves it, at times of a follower's takes; the same object that the follower has if nothing
+ * differs.
+ */
 export function leaderOf(leader: Character, follower: Character): Character {
   const known = follower.leaders?.find(({ id }) => id === leader.id);
   const now = leaderMade(leader, follower.timeOffsetSeconds);

@@ -24,7 +24,8 @@ const AFFECTED = 2;
 
 /**
  * Removes keys that a hold doesn't need; yields its progress.
- * @param takes `original`: the take before the hold; `dense`: with a key on every frame; `thin`: the same with fewer keys
+ * @param takes `original`: the take before the hold; `dense`: with a key on every frame; `thin`: the same with fewer
+ *   keys
  * @param changed channels that differ from the original
  * @param tolerance from the dense take, and of pins from their targets while they are held; lengths
  */

@@ -1,4 +1,7 @@
-/** What a step has keyed at a time: for doing the same for a moment (`moment.ts`), and for telling what it will look like. */
+/**
+ * What a step has keyed at a time: for doing the same for a moment (`moment.ts`), and for telling what it will look
+ * like.
+ */
 import { compileChannels } from '../../evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import type { LayerShare } from '../../evaluate/layers.ts';

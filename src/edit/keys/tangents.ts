@@ -55,7 +55,10 @@ export function setTangentKind(
   });
 }
 
-/** The take with a tangent kind (index into TANGENT_KINDS) on both sides of every key; the same object if nothing changes. */
+/**
+ * The take with a tangent kind (index into TANGENT_KINDS) on both sides of every key; the same object if nothing
+ * changes.
+ */
 export function withAllTangents(take: Take, kind: number): Take {
   const channels = take.channels.map((channel) =>
     channel.kind === 'keys' ? setTangentKind(channel, [...channel.times.keys()], 'both', kind) : channel,

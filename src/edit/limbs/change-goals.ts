@@ -57,8 +57,8 @@ export function matchOfLimb(character: Character, limb: Limb, goal: Goal, timeSe
 }
 
 /**
- * Switches a limb at a time without a jump: IK continues from the pose that is shown, and so does FK. What moved it before
- * that time stays as it is.
+ * Switches a limb at a time without a jump: IK continues from the pose that is shown, and so does FK. What moved it
+ * before that time stays as it is.
  */
 export function switched(character: Character, limb: Limb, to: 'ik' | 'fk', timeSeconds: number): Character {
   const take = requireTake(character);

@@ -1,7 +1,7 @@
 /**
  * A take with goals of limbs or attachments as a take without, which moves the same: the DOFs of its limbs, or of the
- * root, get keys at whole frames, fewer where a smooth curve through them is within the tolerance at every frame; samples
- * get the solved values.
+ * root, get keys at whole frames, fewer where a smooth curve through them is within the tolerance at every frame;
+ * samples get the solved values.
  */
 import { followingRoot } from '../../evaluate/attached.ts';
 import { inTakes } from '../../evaluate/in-takes.ts';

@@ -5,7 +5,10 @@ import { flattened } from '../layers/flatten.ts';
 import type { FlattenOptions } from '../layers/flatten-options.ts';
 import { solvedTake } from './flatten-goals.ts';
 
-/** The character with takes without layers, goals and attachments, which move it the same; the same object if none has any. */
+/**
+ * The character with takes without layers, goals and attachments, which move it the same; the same object if none has
+ * any.
+ */
 export function withPlainTakes(character: Character, options: FlattenOptions = {}): Character {
   const { takes, skeleton } = character;
   if (!takes.some(hasControls)) return character;

@@ -1,7 +1,7 @@
 /**
  * Gives a character another skeleton and remaps everything that refers to joints or DOFs: skins, takes, pose, unkeyed
- * changes, pose library, IK settings, sets, locks, limbs with their goals and retargeting. Links belong to the skeleton (`joint-map.ts`). Unchanged parts
- * keep their identity.
+ * changes, pose library, IK settings, sets, locks, limbs with their goals and retargeting. Links belong to the skeleton
+ * (`joint-map.ts`). Unchanged parts keep their identity.
  */
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk } from '../../model/ik.ts';

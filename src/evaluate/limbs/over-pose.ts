@@ -92,7 +92,8 @@ export class TakeLimbs {
   }
 
   /**
-   * Moves the limbs of a pose to their goals, in place. Allocates nothing, but when a limb first needs the solver of pins.
+   * Moves the limbs of a pose to their goals, in place. Allocates nothing, but when a limb first needs the solver of
+   * pins.
    * @param dofs the character's, within its limits
    * @param count their number; `dofs` may be longer
    * @param unkeyed as for `evaluate`
@@ -173,8 +174,8 @@ export class TakeLimbs {
   }
 
   /**
-   * Continues from a pose that was clamped: to the goal, or, if the limb is only partly IK's, to where it was before it was
-   * clamped, and so much farther.
+   * Continues from a pose that was clamped: to the goal, or, if the limb is only partly IK's, to where it was before it
+   * was clamped, and so much farther.
    */
   private continueWithin(limb: CompiledLimb, blend: number, dofs: Float64Array): void {
     const { target, ik, beyond, held } = this;

@@ -1,6 +1,6 @@
 /**
- * Posing limbs in IK: what sets their DOFs by hand moves their goals instead, so that the pose is shown as it is wanted.
- * Drags, sliders, saved poses, mirroring and pasting need not know of it.
+ * Posing limbs in IK: what sets their DOFs by hand moves their goals instead, so that the pose is shown as it is
+ * wanted. Drags, sliders, saved poses, mirroring and pasting need not know of it.
  */
 import type { Character } from '../../model/document.ts';
 import { shownTake } from '../../model/document.ts';

@@ -34,8 +34,8 @@ export interface JointMotion {
 export interface MotionPart {
   readonly kind: 'translation' | 'rotation' | 'scale';
   /**
-   * The DOF that it is along or about one of x, y, z (0, 1, 2), or that scales along several; absent: what a DOF does to
-   * it is no such thing, or it is constant.
+   * The DOF that it is along or about one of x, y, z (0, 1, 2), or that scales along several; absent: what a DOF does
+   * to it is no such thing, or it is constant.
    */
   readonly by?: { readonly dof: number; readonly axes: readonly number[] };
   /** Writes the 3 or 4 numbers; φ starts at `dofs[first]`. */

@@ -8,7 +8,10 @@ const retargetedPose: DrivenPose = (character, driver, skeleton, timeSeconds, ou
   retargetPose(plan, timeSeconds + character.timeOffsetSeconds + driver.source.timeOffsetSeconds, out);
 };
 
-/** Passes retargeting on (`../driven-pose.ts`): for code that makes drivers, or that is given characters which may have some. */
+/**
+ * Passes retargeting on (`../driven-pose.ts`): for code that makes drivers, or that is given characters which may have
+ * some.
+ */
 export function provideRetargeting(): void {
   provideDrivenPose(retargetedPose);
 }

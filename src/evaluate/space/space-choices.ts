@@ -49,7 +49,10 @@ export function spaceChoices(skeleton: Skeleton, take: Take | undefined, space: 
   return { height, others: others.map((one) => ({ ...one, lift: liftOntoGround(skeleton, take, one) })) };
 }
 
-/** Programs that take metres for centimetres, or the other way round, write lengths that are 100 times too large or small. */
+/**
+ * Programs that take metres for centimetres, or the other way round, write lengths that are 100 times too large or
+ * small.
+ */
 function mistaken(space: Space): readonly Space[] {
   const metres = metresPerUnit(space);
   return [metres / 100, metres * 100].map((one): Space => ({ up: space.up, unit: 'own', metres: one, lift: 0 }));

@@ -36,9 +36,9 @@ const BELIEVED = 0.006;
  *
  * - Up: see `upOf`.
  * - Unit: the one that brings the character closest to 1.7 m, as a ratio: the sum of its bones from sole to head, or
- *   the height of its frames if its parts are not recognised; of those too, a common unit that is near before a rare one that
- *   is nearer. If none is near (`COMMON_DEVIATION`), the character is made 1.7 m tall (`own`): its true size is unknown, but it
- *   can be seen beside others.
+ *   the height of its frames if its parts are not recognised; of those too, a common unit that is near before a rare
+ *   one that is nearer. If none is near (`COMMON_DEVIATION`), the character is made 1.7 m tall (`own`): its true size is
+ *   unknown, but it can be seen beside others.
  * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
  */
 export function guessSpace(skeleton: Skeleton, take: Take | undefined): Space {

@@ -8,7 +8,8 @@
  *     several      the rotation that fits all of them best; their shape is the mean of the frames
  *     leaves       not turned
  *
- * At rest all rotations are 0, and the bones of known trees are in a T-pose (`stance.ts`), others as in the first frame.
+ * At rest all rotations are 0, and the bones of known trees are in a T-pose (`stance.ts`), others as in the first
+ * frame.
  */
 import { setIdentity3, swing } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
@@ -127,8 +128,8 @@ export class FittedTree {
   }
 
   /**
-   * Turns a joint from its parent's rotation so that it aims at its only child. The smallest turn that takes o to v is the
-   * quaternion along o × v and |o||v| + o·v.
+   * Turns a joint from its parent's rotation so that it aims at its only child. The smallest turn that takes o to v is
+   * the quaternion along o × v and |o||v| + o·v.
    */
   private aim(j: number, child: number, rotations: Float64Array): void {
     const { world, offsets, given, fitted, parents } = this;

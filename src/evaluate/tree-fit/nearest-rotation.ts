@@ -60,9 +60,9 @@ const MAX_EIGENVALUE_STEPS = 30;
 const FOUND = 1e-7;
 
 /**
- * Writes the best rotation for M where one is clearly the best, else returns false: directly, by the largest eigenvalue λ
- * of Davenport's matrix (Markley, "Attitude Determination Using Vector Observations: A Fast Optimal Matrix Algorithm",
- * 1993).
+ * Writes the best rotation for M where one is clearly the best, else returns false: directly, by the largest eigenvalue
+ * λ of Davenport's matrix (Markley, "Attitude Determination Using Vector Observations: A Fast Optimal Matrix
+ * Algorithm", 1993).
  *
  *     (λ² − ‖M‖²)² − 8·λ·det M − 4·‖cof M‖² = 0
  *     R = ((κ + ‖M‖²)·M + λ·cof M − M·Mᵀ·M) / ζ        κ = (λ² − ‖M‖²)/2   ζ = κ·λ − det M

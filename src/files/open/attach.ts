@@ -1,6 +1,6 @@
 /**
- * Attachments of a take that is open, to characters that are: found by their names, so all others are opened before. While
- * one of them isn't, the plain file holds, and the attachments wait for it.
+ * Attachments of a take that is open, to characters that are: found by their names, so all others are opened before.
+ * While one of them isn't, the plain file holds, and the attachments wait for it.
  */
 import { sameValue } from '../../edit/delta.ts';
 import { followLeaders, follows, leaderOf, withAttached } from '../../edit/follow/leaders.ts';

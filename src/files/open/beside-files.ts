@@ -4,11 +4,10 @@
  *
  * 1. `formats/NAME/read.ts` on `jsonReader`, and `write.ts` on `writeJson` (`formats/json/`): they give fields their
  * paths in messages, and tell, keep and write those that are not known. It names joints as `joint-reference.ts` does;
- * 2. its record in `KINDS` with `beside`, its `Opening` as `beside`, its entry in `GIVE` below, and what the recipe of a
- * format says;
- * 3. if it is a part of the character, with a revision and a file of its own, a field of the character, a mark in
- * `PartMarks`, and its line in `partsOf` after all plain files: what is unsaved, saving in place after them, zips, reload
- * and autosave follow from there (`sets`). Otherwise it is a part of its take, as markers are.
+ * 2. its record in `KINDS` with `beside`, its `Opening` as `beside`, its entry in `GIVE` below, and what the recipe of
+ * a format says; 3. if it is a part of the character, with a revision and a file of its own, a field of the character,
+ * a mark in `PartMarks`, and its line in `partsOf` after all plain files: what is unsaved, saving in place after them,
+ * zips, reload and autosave follow from there (`sets`). Otherwise it is a part of its take, as markers are.
  */
 
 import { provideLayers } from '../../evaluate/layers.ts';
@@ -167,8 +166,8 @@ interface BesidePlace {
 }
 
 /**
- * `walk.markers.json` → the take `walk`; `wasp_2.sets.json` → the skeleton with the longest name that begins so, or else
- * the only one. Characters with a file from the same folder come first.
+ * `walk.markers.json` → the take `walk`; `wasp_2.sets.json` → the skeleton with the longest name that begins so, or
+ * else the only one. Characters with a file from the same folder come first.
  */
 function besidePlace(of: Beside, source: SourceFile, characters: readonly Character[]): BesidePlace | undefined {
   const name = nameBeside(source.name);

@@ -1,14 +1,14 @@
 /**
- * Joins the files of takes with layers, goals of limbs or attachments, when files have been read and before they are opened: each
- * `.layers.json`, `.limbs.json` and `.attach.json` with its base and its layers, found by base name among the files given, becomes one
- * file of a take with the name of the JSON. Its parts are no takes of their own, nor is the plain file beside it, which
- * holds the flattened result.
+ * Joins the files of takes with layers, goals of limbs or attachments, when files have been read and before they are
+ * opened: each `.layers.json`, `.limbs.json` and `.attach.json` with its base and its layers, found by base name among
+ * the files given, becomes one file of a take with the name of the JSON. Its parts are no takes of their own, nor is
+ * the plain file beside it, which holds the flattened result.
  *
  *     walk.base.anim  walk.arm.anim  walk.layers.json  walk.anim   →   walk.anim, of a take with layers
  *     walk.base.anim  walk.limbs.json  walk.anim                   →   walk.anim, of the base, and walk.limbs.json
  *
- * Goals and attachments are given to the take once it is open (`beside-files.ts`, `attach.ts`), since they depend on the
- * limbs of its character, and on other characters.
+ * Goals and attachments are given to the take once it is open (`beside-files.ts`, `attach.ts`), since they depend on
+ * the limbs of its character, and on other characters.
  */
 import { provideLayers } from '../../evaluate/layers.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';

@@ -1,6 +1,6 @@
 /**
- * The files of a take with layers, goals or attachments: its base, its layers, the plain file with the flattened result,
- * and, last, the JSON files that say with which bytes of the plain file they were saved.
+ * The files of a take with layers, goals or attachments: its base, its layers, the plain file with the flattened
+ * result, and, last, the JSON files that say with which bytes of the plain file they were saved.
  */
 
 import { notLeading } from '../../edit/follow/leaders.ts';

@@ -9,7 +9,10 @@ export interface OwnFile {
   readonly content: string | Uint8Array<ArrayBuffer>;
 }
 
-/** Kinds of files. `all` is what opens again unchanged, `plain` what moves and looks the same without anything beside it. */
+/**
+ * Kinds of files. `all` is what opens again unchanged, `plain` what moves and looks the same without anything beside
+ * it.
+ */
 export type OwnKinds = 'all' | 'plain';
 
 /** The files of a character, with names that lie in one folder. */

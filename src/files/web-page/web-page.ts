@@ -1,6 +1,6 @@
 /**
- * A page that shows characters without a network, opened from disk: `<marrow-viewer>`, and their files. It is plain HTML,
- * with all of the following in the order of the file:
+ * A page that shows characters without a network, opened from disk: `<marrow-viewer>`, and their files. It is plain
+ * HTML, with all of the following in the order of the file:
  *
  *     a policy                    only the scripts and the style of this page, by their hashes; nothing from anywhere
  *     <marrow-viewer …>           how it is shown
@@ -38,7 +38,10 @@ export interface PageScripts {
   readonly policy: string;
 }
 
-/** The page, in pieces: together they may be longer than one text can be. @throws Error, in a sentence, if a character can't be written */
+/**
+ * The page, in pieces: together they may be longer than one text can be.
+ * @throws Error, in a sentence, if a character can't be written
+ */
 export function webPage({ characters, theme, attributes }: WebPage, scripts: PageScripts): readonly string[] {
   const written = characters.map(asFilesHold);
   const folders = ownFolders(written);

@@ -16,8 +16,8 @@ export interface JointType<M extends Motion = Motion> {
   /** The parameters of such a motion, by field name; `.skel` has a token of the same name for each. */
   readonly parameters: { readonly [F in Exclude<keyof M, 'kind'>]: Parameter };
   /**
-   * Whether it is a point of a capture: nothing is attached to it, its translation replaces its offset, and its last DOF
-   * tells whether it is there (1) or missing (less).
+   * Whether it is a point of a capture: nothing is attached to it, its translation replaces its offset, and its last
+   * DOF tells whether it is there (1) or missing (less).
    */
   readonly isPoint?: true;
   /** Whether its DOFs take limits. Quaternion components don't: they are not independent quantities. */
@@ -36,8 +36,8 @@ export interface JointType<M extends Motion = Motion> {
    */
   factors(motion: M): readonly CompoundDof[] | undefined;
   /**
-   * The rotations of such a product, from left to right, where the matrix has constant turns before or after them; absent:
-   * those of `factors`.
+   * The rotations of such a product, from left to right, where the matrix has constant turns before or after them;
+   * absent: those of `factors`.
    */
   turns?(motion: M): readonly CompoundDof[];
   /** Whether a root joint of this type moves the whole character by its own DOFs and needs no root translation. */

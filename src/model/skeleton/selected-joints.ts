@@ -1,6 +1,6 @@
 /**
- * What is selected: of each character its joints, as an ordered set, whose last one is active; the character whose joint
- * was selected last is active, too. `joint-selection.ts` has the rules of selecting.
+ * What is selected: of each character its joints, as an ordered set, whose last one is active; the character whose
+ * joint was selected last is active, too. `joint-selection.ts` has the rules of selecting.
  */
 import type { SelectedPart, Selection } from '../session.ts';
 import type { Skeleton } from './skeleton.ts';

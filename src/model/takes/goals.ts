@@ -78,8 +78,9 @@ export function firstGoalChannel(dofCount: number, goal: number): number {
 const extended = perObject((_take: Take) => new Map<number, Take>());
 
 /**
- * The take with the curves of its goals as channels after those of all DOFs, so that keys are edited in one way wherever
- * they are. Channels beyond the DOFs, which move nothing, are not among them. Cached; the take itself without goals.
+ * The take with the curves of its goals as channels after those of all DOFs, so that keys are edited in one way
+ * wherever they are. Channels beyond the DOFs, which move nothing, are not among them. Cached; the take itself without
+ * goals.
  * @param dofCount of the character
  */
 export function withGoalChannels(take: Take, dofCount: number): Take {

@@ -1,7 +1,7 @@
 /**
- * The code of layers, goals of limbs and attachments (`layers.ts` and `goals.ts` here, and in `evaluate/`), for what has to
- * do without: it is a separate script, which pages whose takes have none of these never load. Takes can't wait for it to
- * load, so code that brings any into a document, or is given one that may have some, passes it on before:
+ * The code of layers, goals of limbs and attachments (`layers.ts` and `goals.ts` here, and in `evaluate/`), for what
+ * has to do without: it is a separate script, which pages whose takes have none of these never load. Takes can't wait
+ * for it to load, so code that brings any into a document, or is given one that may have some, passes it on before:
  *
  *     provideLayers();
  *
@@ -45,7 +45,10 @@ export interface GoalProblem {
 /** What of a character tells where its root follows others, and where its limbs go. */
 export type Follower = Pick<Character, 'skeleton' | 'limbs' | 'space' | 'placements' | 'leaders'>;
 
-/** The last part of posing, over poses within the limits, ready for evaluation: limbs that go to goals, a root that follows a joint. */
+/**
+ * The last part of posing, over poses within the limits, ready for evaluation: limbs that go to goals, a root that
+ * follows a joint.
+ */
 export interface OverPose {
   /**
    * Changes a pose at a time of the take. Allocates nothing.

@@ -1,5 +1,6 @@
 /**
- * Layers of a take: motions above its base, each with a weight, which are summed to what is shown (`evaluate/layers.ts`).
+ * Layers of a take: motions above its base, each with a weight, which are summed to what is shown
+ * (`evaluate/layers.ts`).
  *
  * One of them is active: its channels are the take's own (`Take.channels`), so that whatever edits a take edits the
  * active layer, and curves, dope sheet and keying need not know of layers. The other motions are in the stack.

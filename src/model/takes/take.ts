@@ -83,8 +83,8 @@ export interface LayerStack {
 }
 
 /**
- * The curves of a goal: the share of IK; the goal's place and rotation, Rz·Ry·Rx; the point to which the limb bends; and
- * to which side.
+ * The curves of a goal: the share of IK; the goal's place and rotation, Rz·Ry·Rx; the point to which the limb bends;
+ * and to which side.
  */
 export const GOAL_CHANNELS = ['blend', 'tx', 'ty', 'tz', 'rx', 'ry', 'rz', 'px', 'py', 'pz', 'bend'] as const;
 /** The name of a curve of a goal: see `GOAL_CHANNELS`. */
@@ -105,7 +105,10 @@ export interface Goal {
   readonly limb: string;
   /** The space of goal and pole: one, or one from each time on, by time, the first before it too. */
   readonly space: string | readonly SpaceKey[];
-  /** Those that the file has: `blend` is 1 without, `bend` the limb's sign, the others 0; without px py pz there is no pole. */
+  /**
+   * Those that the file has: `blend` is 1 without, `bend` the limb's sign, the others 0; without px py pz there is no
+   * pole.
+   */
   readonly channels: Readonly<Partial<Record<GoalChannel, GoalCurve>>>;
   /** Fields that are not known, of the channels and its own. */
   readonly ofChannels?: OtherFields;

@@ -1,6 +1,6 @@
 /**
- * Attaching a character: its root follows a joint of another one in a span of its take (`evaluate/attached.ts`). Spans are
- * in seconds of the take, as in its `.attach.json`.
+ * Attaching a character: its root follows a joint of another one in a span of its take (`evaluate/attached.ts`). Spans
+ * are in seconds of the take, as in its `.attach.json`.
  */
 import { followingRoot, jointInScene, offsetBetween } from '../../../evaluate/attached.ts';
 import { inTakes } from '../../../evaluate/in-takes.ts';
@@ -30,9 +30,9 @@ import { withChannels, withTake } from '../../takes.ts';
 import { withoutUnkeyed } from '../../unkeyed.ts';
 
 /**
- * Attaches the root to a joint of another character, where it is when the span begins: nothing jumps. A character without
- * a take gets one. An attachment that has begun before ends there. Characters at different places of the scene are put at
- * the place of the leader, and the keys of the root changed accordingly, so that nothing moves.
+ * Attaches the root to a joint of another character, where it is when the span begins: nothing jumps. A character
+ * without a take gets one. An attachment that has begun before ends there. Characters at different places of the scene
+ * are put at the place of the leader, and the keys of the root changed accordingly, so that nothing moves.
  */
 export const addAttachment = command({
   id: 'attach.add',
@@ -215,8 +215,8 @@ function startingWhere(character: Character, one: Attachment, leaders: readonly 
 }
 
 /**
- * The character at the place of its leader, where it does not move: what its files hold is then right beside the files of
- * the leader, and when both are opened again. The same object where that is more than another origin.
+ * The character at the place of its leader, where it does not move: what its files hold is then right beside the files
+ * of the leader, and when both are opened again. The same object where that is more than another origin.
  */
 function atPlaceOf(character: Character, leader: Character): Character {
   const { skeleton, placements, space, takes } = character;

@@ -208,7 +208,8 @@ export const flattenLayers = command({
 
 /**
  * The document with another shown take; selected keys were of the one before.
- * @param unkeyed whether unkeyed changes stay, as values that are to be shown, and go into the layer that is then active
+ * @param unkeyed whether unkeyed changes stay, as values that are to be shown, and go into the layer that is then
+ *   active
  */
 function changed(
   document: Document,

@@ -96,8 +96,8 @@ export const removeLimb = command({
 });
 
 /**
- * Keys the goal of a limb at a time: its place, rotation, pole, and share of IK, as given. Without any of them, goal and
- * pole as they are. A limb without a goal gets one, of the pose that is shown.
+ * Keys the goal of a limb at a time: its place, rotation, pole, and share of IK, as given. Without any of them, goal
+ * and pole as they are. A limb without a goal gets one, of the pose that is shown.
  */
 export const keyLimb = command({
   id: 'limbs.key',
@@ -161,7 +161,10 @@ export const setLimbSpace = command({
     }),
 });
 
-/** Replaces the goals of the shown take by keys of the limbs' joints at whole frames: it moves the same in FK. Attachments stay. */
+/**
+ * Replaces the goals of the shown take by keys of the limbs' joints at whole frames: it moves the same in FK.
+ * Attachments stay.
+ */
 export const flattenLimbs = command({
   id: 'limbs.flatten',
   args: CHARACTER,

@@ -69,9 +69,9 @@ export const moveByIk = command({
 });
 
 /**
- * Moves a joint at a time of its motion path by its limb, the root by its translation. Changes the keys, or the frame of
- * samples, that these DOFs have at that time, and nothing else; on the seam of a loop, the key at its other end too, so
- * that it stays closed. Locked DOFs are skipped.
+ * Moves a joint at a time of its motion path by its limb, the root by its translation. Changes the keys, or the frame
+ * of samples, that these DOFs have at that time, and nothing else; on the seam of a loop, the key at its other end too,
+ * so that it stays closed. Locked DOFs are skipped.
  */
 export const movePathKey = command({
   id: 'path.moveKey',

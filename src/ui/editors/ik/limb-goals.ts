@@ -1,6 +1,6 @@
 /**
- * The handles of limbs in IK: a square at the goal, which is dragged as any end of a limb, and a point at the pole, on a
- * line from the middle joint. Where a goal is out of reach, a line leads to it from the limb's end.
+ * The handles of limbs in IK: a square at the goal, which is dragged as any end of a limb, and a point at the pole, on
+ * a line from the middle joint. Where a goal is out of reach, a line leads to it from the limb's end.
  */
 import { transformPoint, ZERO } from '../../../math/vec3.ts';
 import { type Character, shownTake } from '../../../model/document.ts';

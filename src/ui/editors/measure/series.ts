@@ -159,7 +159,10 @@ export function massText(all: readonly Measured[], subject: Subject, quantity: Q
 /** Frames closer than this are the same row; seconds. */
 const SAME_MOMENT = 1e-7;
 
-/** A column a series with exact numbers, a row a time of any of them; empty where a series has no frame, or a point is missing. */
+/**
+ * A column a series with exact numbers, a row a time of any of them; empty where a series has no frame, or a point is
+ * missing.
+ */
 export function seriesAsCsv(all: readonly Series[], quantity: Quantity, unit: string): string {
   const { label } = QUANTITY_LABELS[quantity];
   const heads = all.map((one) => `${one.label} ${label.toLowerCase()}${unit && ` (${unit})`}`);

@@ -1,7 +1,7 @@
 /**
  * Keying what was captured. Sampled curves have a value at every frame and take no single keys, so those of the joints
- * become keys first, which changes them by up to a tolerance; or a layer over them is keyed; or the frames are offset for a
- * moment. All are offered, not done; offer taken, it is one step.
+ * become keys first, which changes them by up to a tolerance; or a layer over them is keyed; or the frames are offset
+ * for a moment. All are offered, not done; offer taken, it is one step.
  */
 
 import { documentIn, type Edit } from '../../../edit/change.ts';

@@ -2,7 +2,10 @@
 import type { Character } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** A character with another skeleton or other morphs counts as reopened, and takes are added as opened. Runs until ended. */
+/**
+ * A character with another skeleton or other morphs counts as reopened, and takes are added as opened. Runs until
+ * ended.
+ */
 export function followOpened({ store, posing }: Uses<'store' | 'posing'>): () => void {
   const { opened } = posing;
   const look = () => {

@@ -1,6 +1,6 @@
 /**
- * The cell at the left of the ruler: the take that is shown, with its active layer, and a menu of the takes that could be
- * and of layers.
+ * The cell at the left of the ruler: the take that is shown, with its active layer, and a menu of the takes that could
+ * be and of layers.
  */
 
 import { activeLayer } from '../../../model/takes/layers.ts';

@@ -18,8 +18,8 @@ export function framesIn({ startSeconds, frameSeconds, frameCount }: FrameRow, {
 
 /**
  * Adds a line to the path, through the values at their times. One with more frames than pixels goes through the first,
- * the least and the largest value of each column of pixels, so that no peak is lost at any zoom. It has gaps where values
- * are NaN.
+ * the least and the largest value of each column of pixels, so that no peak is lost at any zoom. It has gaps where
+ * values are NaN.
  * @param y of a value, in pixels
  */
 export function traceFrames(

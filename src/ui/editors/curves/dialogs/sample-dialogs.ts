@@ -199,7 +199,10 @@ function channelsAsked(wb: Uses<'store' | 'timeline'>, inHand: number, all: numb
   ];
 }
 
-/** `202,554 samples → 12,408 keys (16 to 1). Furthest off: LeftHand by 0.48 cm at 12.2 s; turned most: Head by 0.9° at 3.1 s.` */
+/**
+ * `202,554 samples → 12,408 keys (16 to 1). Furthest off: LeftHand by 0.48 cm at 12.2 s; turned most: Head by 0.9° at
+ * 3.1 s.`
+ */
 function convertedText(wb: Uses<'settings'>, character: Character, report: Converted): string {
   const { angles } = wb.settings.get();
   const { samplesBefore, keysAfter, worstPosition, worstAngle } = report;

@@ -1,6 +1,6 @@
 /**
- * Below the curves of the active layer: faint, what the other layers and the base add up to, and the layer's weight, from
- * 0 at the bottom of the plot to 1 at its top.
+ * Below the curves of the active layer: faint, what the other layers and the base add up to, and the layer's weight,
+ * from 0 at the bottom of the plot to 1 at its top.
  */
 import { perObject } from '../../../../model/per-object.ts';
 import { timeX } from '../../../widgets/time/time-window.ts';
