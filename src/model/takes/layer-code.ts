@@ -42,7 +42,7 @@ export interface GoalProblem {
   readonly message: string;
 }
 
-/** What of a character tells where its root follows others, and where its limbs go. */
+/** The parts of a character that say where its root follows others, and where its limbs go. */
 export type Follower = Pick<Character, 'skeleton' | 'limbs' | 'space' | 'placements' | 'leaders'>;
 
 /**
