@@ -11,6 +11,7 @@ import { afterAll, expect, it } from 'vitest';
 import { HANDLE_PIXELS } from '../../src/ui/editors/curves/scene/handles.ts';
 import { expectClose } from '../helpers/close.ts';
 import { commandJson, type PoseJson } from '../helpers/command.ts';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { type DroppedFile, dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
@@ -211,6 +212,7 @@ const worldsAt = (page: Page, times: readonly number[]) =>
 
 async function openWalker(page: Page): Promise<void> {
   await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);
+  await undoAll(page);
   await page.locator('.viewport canvas[role=application]').focus();
   await page.evaluate(() => window.marrow.seek(0));
   await page.getByRole('treeitem', { name: new RegExp(`^${ARM.joint}`) }).click();
@@ -224,93 +226,83 @@ async function turnArm(page: Page, seconds: number, degrees: number): Promise<vo
   await page.keyboard.press('k');
 }
 
-it('makes the walker wave, while everything else walks on as it did', () =>
-  withPage(
-    async ({ page }) => {
-      await openWalker(page);
-      const times = Array.from({ length: 65 }, (_, i) => i / 10);
-      const before = await worldsAt(page, times);
+const inPage = inOnePage({ walking: true });
 
-      // One question, at the first key outside of the cycle; the second and third key are inside of what was baked.
-      await turnArm(page, 2, 70);
-      const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
-      await dialog.getByText('upper_arm_l rz repeats every 0.8 s. A key at 2 s would make it repeat').waitFor();
-      await page.keyboard.press('Enter');
-      await dialog.waitFor({ state: 'detached' });
-      await turnArm(page, 2.2, 40);
-      await turnArm(page, 2.4, 70);
-      await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe(`Key rz of ${ARM.joint}`);
-      await expect.poll(() => page.locator('dialog').allTextContents()).toEqual([]);
+inPage('makes the walker wave, while everything else walks on as it did', async ({ page }) => {
+  await openWalker(page);
+  const times = Array.from({ length: 65 }, (_, i) => i / 10);
+  const before = await worldsAt(page, times);
 
-      const after = await worldsAt(page, times);
-      const at = (seconds: number) => ((after[Math.round(seconds * 10)].dofs[ARM.rz] ?? 0) * 180) / Math.PI;
-      expect(at(2)).toBeCloseTo(70, 9);
-      expect(at(2.2)).toBeCloseTo(40, 9);
-      expect(at(2.4)).toBeCloseTo(70, 9);
-      // All other DOFs at all times, and the arm itself away from the wave.
-      times.forEach((time, i) => {
-        const [was, is] = [before[i].dofs, after[i].dofs].map((dofs) =>
-          time > 1.75 && time < 2.65 ? dofs.filter((_, d) => d !== ARM.rz) : dofs,
-        );
-        expectClose(is, was, 1e-9);
-      });
+  // One question, at the first key outside of the cycle; the second and third key are inside of what was baked.
+  await turnArm(page, 2, 70);
+  const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
+  await dialog.getByText('upper_arm_l rz repeats every 0.8 s. A key at 2 s would make it repeat').waitFor();
+  await page.keyboard.press('Enter');
+  await dialog.waitFor({ state: 'detached' });
+  await turnArm(page, 2.2, 40);
+  await turnArm(page, 2.4, 70);
+  await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe(`Key rz of ${ARM.joint}`);
+  await expect.poll(() => page.locator('dialog').allTextContents()).toEqual([]);
 
-      // Three values set and three keys, each one step.
-      const steps = await pressAll(page, 'Control+z', 'undo');
-      expect(steps).toBe(6);
-      await expect.poll(() => worldsAt(page, times)).toEqual(before);
-    },
-    { walking: true },
-  ));
+  const after = await worldsAt(page, times);
+  const at = (seconds: number) => ((after[Math.round(seconds * 10)].dofs[ARM.rz] ?? 0) * 180) / Math.PI;
+  expect(at(2)).toBeCloseTo(70, 9);
+  expect(at(2.2)).toBeCloseTo(40, 9);
+  expect(at(2.4)).toBeCloseTo(70, 9);
+  // All other DOFs at all times, and the arm itself away from the wave.
+  times.forEach((time, i) => {
+    const [was, is] = [before[i].dofs, after[i].dofs].map((dofs) =>
+      time > 1.75 && time < 2.65 ? dofs.filter((_, d) => d !== ARM.rz) : dofs,
+    );
+    expectClose(is, was, 1e-9);
+  });
 
-it('a key outside the cycle is given up by escape, set inside the cycle, or lengthens it', () =>
-  withPage(
-    async ({ page }) => {
-      await openWalker(page);
-      const keyed = () => keys(page, ARM.rz);
-      const before = await keyed();
-      const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
-      await turnArm(page, 2, 70);
-      await dialog.waitFor();
-      // A press beside it, as to look at the pose, loses neither.
-      await page.mouse.click(300, 60);
-      await expect.poll(() => dialog.isVisible()).toBe(true);
-      await page.keyboard.press('Escape');
-      await dialog.waitFor({ state: 'detached' });
-      await expect.poll(() => keyed()).toEqual(before);
-      await expect.poll(() => dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
+  // Three values set and three keys, each one step.
+  const steps = await pressAll(page, 'Control+z', 'undo');
+  expect(steps).toBe(6);
+  await expect.poll(() => worldsAt(page, times)).toEqual(before);
+});
 
-      await page.keyboard.press('k');
-      await dialog.getByRole('button', { name: 'Key inside the cycle' }).click();
-      const inside = await keyed();
-      expect([inside[0].time, inside[inside.length - 1].time]).toEqual([0, 0.8]);
-      await expect.poll(() => dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
+inPage('a key outside the cycle is given up by escape, set inside the cycle, or lengthens it', async ({ page }) => {
+  await openWalker(page);
+  const keyed = () => keys(page, ARM.rz);
+  const before = await keyed();
+  const dialog = page.getByRole('dialog', { name: 'Key outside the cycle' });
+  await turnArm(page, 2, 70);
+  await dialog.waitFor();
+  // A press beside it, as to look at the pose, loses neither.
+  await page.mouse.click(300, 60);
+  await expect.poll(() => dialog.isVisible()).toBe(true);
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+  await expect.poll(() => keyed()).toEqual(before);
+  await expect.poll(() => dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
 
-      await page.keyboard.press('Control+z');
-      await page.keyboard.press('k');
-      await dialog.getByRole('button', { name: 'Lengthen the cycle' }).click();
-      await expect.poll(async () => (await keyed()).at(-1)?.time).toBe(2);
-      await page.getByText('upper_arm_l rz now repeats every 2 s instead of every 0.8 s.').first().waitFor();
-    },
-    { walking: true },
-  ));
+  await page.keyboard.press('k');
+  await dialog.getByRole('button', { name: 'Key inside the cycle' }).click();
+  const inside = await keyed();
+  expect([inside[0].time, inside[inside.length - 1].time]).toEqual([0, 0.8]);
+  await expect.poll(() => dof(page, ARM.rz)).toBeCloseTo((70 * Math.PI) / 180, 9);
 
-it('a key of another panel than the active one says where it belongs', () =>
-  withPage(
-    async ({ page }) => {
-      await openWalker(page);
-      // A click in the tree has selected an arm, and the focus is there.
-      const dofs = () => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
-      const before = await dofs();
-      await page.keyboard.press('+');
-      await page.getByText('Increase active DOF by a step: point at the viewport, or press F6').first().waitFor();
-      await expect.poll(dofs).toEqual(before);
-      await page.locator('.viewport canvas[role=application]').focus();
-      await page.keyboard.press('+');
-      await expect.poll(dofs).not.toEqual(before);
-    },
-    { walking: true },
-  ));
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('k');
+  await dialog.getByRole('button', { name: 'Lengthen the cycle' }).click();
+  await expect.poll(async () => (await keyed()).at(-1)?.time).toBe(2);
+  await page.getByText('upper_arm_l rz now repeats every 2 s instead of every 0.8 s.').first().waitFor();
+});
+
+inPage('a key of another panel than the active one says where it belongs', async ({ page }) => {
+  await openWalker(page);
+  // A click in the tree has selected an arm, and the focus is there.
+  const dofs = () => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
+  const before = await dofs();
+  await page.keyboard.press('+');
+  await page.getByText('Increase active DOF by a step: point at the viewport, or press F6').first().waitFor();
+  await expect.poll(dofs).toEqual(before);
+  await page.locator('.viewport canvas[role=application]').focus();
+  await page.keyboard.press('+');
+  await expect.poll(dofs).not.toEqual(before);
+});
 
 it('a joint is found, turned and keyed by keys alone, as the first steps tell whoever uses no mouse', () =>
   withPage(
@@ -362,53 +354,52 @@ it('a joint is found, turned and keyed by keys alone, as the first steps tell wh
     { walking: true, firstVisit: true },
   ));
 
-it('a key acts in the panel under the mouse, which is marked, and never on keys that nobody points at', () =>
-  withPage(
-    async ({ page }) => {
-      await openWalker(page);
-      const plot = page.locator('.curve-plot');
-      const timeline = page.getByRole('region', { name: 'Timeline' });
-      const viewport = page.locator('.stage');
-      await plot.focus();
-      await page.keyboard.press('Control+a');
-      const before = await keys(page, ARM.rz);
+inPage(
+  'a key acts in the panel under the mouse, which is marked, and never on keys that nobody points at',
+  async ({ page }) => {
+    await openWalker(page);
+    const plot = page.locator('.curve-plot');
+    const timeline = page.getByRole('region', { name: 'Timeline' });
+    const viewport = page.locator('.stage');
+    await plot.focus();
+    await page.keyboard.press('Control+a');
+    const before = await keys(page, ARM.rz);
 
-      const stage = (await viewport.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-      await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
-      await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
-      await expect.poll(() => timeline.getAttribute('data-active')).toBeNull();
-      await page.keyboard.press('Delete');
-      await page
-        .getByText('Delete selected keys: point at the timeline, or press F6 until it has the focus, to use this key.')
-        .first()
-        .waitFor();
-      await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
+    const stage = (await viewport.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+    await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
+    await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
+    await expect.poll(() => timeline.getAttribute('data-active')).toBeNull();
+    await page.keyboard.press('Delete');
+    await page
+      .getByText('Delete selected keys: point at the timeline, or press F6 until it has the focus, to use this key.')
+      .first()
+      .waitFor();
+    await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
 
-      // Back in the timeline it is the timeline's again.
-      const box = (await plot.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-      await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
-      await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
-      await expect.poll(() => viewport.getAttribute('data-active')).toBeNull();
-      await page.keyboard.press('2');
-      await expect.poll(() => keys(page, ARM.rz)).not.toEqual(before);
-      await page.keyboard.press('Control+z');
-      await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
-      // A finger in the panel with the focus overrides a mouse that rests in another.
-      await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
-      await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
-      await timeline.dispatchEvent('pointerdown', { pointerType: 'touch', pointerId: 7, bubbles: true });
-      await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
-      await expect.poll(() => viewport.getAttribute('data-active')).toBeNull();
-      await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
+    // Back in the timeline it is the timeline's again.
+    const box = (await plot.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
+    await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
+    await expect.poll(() => viewport.getAttribute('data-active')).toBeNull();
+    await page.keyboard.press('2');
+    await expect.poll(() => keys(page, ARM.rz)).not.toEqual(before);
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => keys(page, ARM.rz)).toEqual(before);
+    // A finger in the panel with the focus overrides a mouse that rests in another.
+    await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
+    await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
+    await timeline.dispatchEvent('pointerdown', { pointerType: 'touch', pointerId: 7, bubbles: true });
+    await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
+    await expect.poll(() => viewport.getAttribute('data-active')).toBeNull();
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height);
 
-      // The mouse goes away, and the focus comes back by keyboard: it has the keys again.
-      await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
-      await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
-      await page.keyboard.press('Tab');
-      await page.keyboard.press('Shift+Tab');
-      await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
-      await page.keyboard.press('Delete');
-      await expect.poll(() => keys(page, ARM.rz)).toEqual([]);
-    },
-    { walking: true },
-  ));
+    // The mouse goes away, and the focus comes back by keyboard: it has the keys again.
+    await page.mouse.move(stage.x + 0.8 * stage.width, stage.y + 0.8 * stage.height);
+    await expect.poll(() => viewport.getAttribute('data-active')).toBe('');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
+    await expect.poll(() => timeline.getAttribute('data-active')).toBe('');
+    await page.keyboard.press('Delete');
+    await expect.poll(() => keys(page, ARM.rz)).toEqual([]);
+  },
+);

@@ -1,6 +1,7 @@
 /** Light on characters, measured in pictures of them alone: faces are lit, and nothing of boxes and skins is near black. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropPaths, withPage } from '../helpers/page.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 
@@ -76,16 +77,14 @@ it.each(['dark', 'light'] as const)(
 );
 
 describeShared('characters of the course', () => {
-  it.each([
-    ['dragon.skel', 'dark'],
-    ['dragon.skel', 'light'],
-    ['test.skel', 'dark'],
-    ['wasp.skel,wasp.skin', 'dark'],
-    ['wasp.skel,wasp.skin', 'light'],
-    ['tube.skel,tube.skin', 'dark'],
-  ] as const)('nothing of %s is near black, in the %s theme', (names, colorScheme) =>
-    withPage(
-      async ({ page }) => {
+  for (const [colorScheme, all] of [
+    ['dark', ['dragon.skel', 'test.skel', 'wasp.skel,wasp.skin', 'tube.skel,tube.skin']],
+    ['light', ['dragon.skel', 'wasp.skel,wasp.skin']],
+  ] as const) {
+    const inPage = inOnePage({ colorScheme, drawn: true, size: SMALL });
+    for (const names of all) {
+      inPage(`nothing of ${names} is near black, in the ${colorScheme} theme`, async ({ page }) => {
+        await undoAll(page);
         const paths = names.split(',').map((name) => sharedPath(`data/cse169/${name}`));
         await dropPaths(page, paths, SMALL.width / 2, SMALL.height / 2);
         const name = names.split('.')[0];
@@ -93,8 +92,7 @@ describeShared('characters of the course', () => {
         const found = await lightNow(page);
         expect(found.nearBlack).toBeLessThanOrEqual(0.02);
         expect(found.upper).toBeGreaterThan(0.1);
-      },
-      { colorScheme, drawn: true, size: SMALL },
-    ),
-  );
+      });
+    }
+  }
 });

@@ -7,56 +7,59 @@ import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { testAll } from '../helpers/check.ts';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropFiles, dropPaths, readPixels, withPage } from '../helpers/page.ts';
 import { ARM, BY_HAND, dof, LOOK, openArm, RAISE, ready, shown } from './checks/page.ts';
 
-describe('dropping', () => {
-  it('takes a folder, and what is in its folders', () =>
-    withPage(async ({ page }) => {
-      const folder = mkdtempSync(join(tmpdir(), 'marrow-arm-'));
-      try {
-        writeFileSync(join(folder, 'arm.skel'), ARM);
-        writeFileSync(join(folder, 'arm_raise.anim'), RAISE);
-        await ready(page);
-        await dropPaths(page, [folder]);
-        await shown(page, 'arm');
-        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['arm_raise']);
-      } finally {
-        rmSync(folder, { recursive: true });
-      }
-    }));
+const inPage = inOnePage();
 
-  it('dropping takes a zip', () =>
-    withPage(async ({ page }) => {
+describe('dropping', () => {
+  inPage('takes a folder, and what is in its folders', async ({ page }) => {
+    const folder = mkdtempSync(join(tmpdir(), 'marrow-arm-'));
+    try {
+      writeFileSync(join(folder, 'arm.skel'), ARM);
+      writeFileSync(join(folder, 'arm_raise.anim'), RAISE);
       await ready(page);
-      const zip = zipSync({ 'arm/arm.skel': strToU8(ARM), 'arm/arm_raise.anim': strToU8(RAISE) });
-      await dropFiles(page, [{ name: 'arm.zip', bytes: zip }]);
+      await undoAll(page);
+      await dropPaths(page, [folder]);
       await shown(page, 'arm');
       await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['arm_raise']);
-    }));
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
 
-  it('shows names and lines of files as text, whatever is in them', () =>
-    withPage(async ({ page }) => {
-      await ready(page);
-      const trap = '<img src=x onerror=alert(1)>';
-      await dropFiles(page, [{ name: `${trap}.skel`, bytes: `balljoint root { offset ${trap} }` }]);
-      await page.getByText('onerror=alert(1)').first().waitFor();
-      await expect.poll(() => page.locator('img').count()).toBe(0);
-    }));
+  inPage('dropping takes a zip', async ({ page }) => {
+    await ready(page);
+    await undoAll(page);
+    const zip = zipSync({ 'arm/arm.skel': strToU8(ARM), 'arm/arm_raise.anim': strToU8(RAISE) });
+    await dropFiles(page, [{ name: 'arm.zip', bytes: zip }]);
+    await shown(page, 'arm');
+    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['arm_raise']);
+  });
 
-  it('puts files together that come one after another', () =>
-    withPage(async ({ page }) => {
-      await openArm(page);
-      await dropFiles(page, [{ name: 'raise.anim', bytes: RAISE }]);
-      await page.waitForFunction(() => window.marrow.characters()[0].takes.length === 1);
-      await page.evaluate(() => window.marrow.seek(1));
-      await expect.poll(() => dof(page, 3)).toBeCloseTo(0.5, 9);
-    }));
+  inPage('shows names and lines of files as text, whatever is in them', async ({ page }) => {
+    await ready(page);
+    await undoAll(page);
+    const trap = '<img src=x onerror=alert(1)>';
+    await dropFiles(page, [{ name: `${trap}.skel`, bytes: `balljoint root { offset ${trap} }` }]);
+    await page.getByText('onerror=alert(1)').first().waitFor();
+    await expect.poll(() => page.locator('img').count()).toBe(0);
+  });
+
+  inPage('puts files together that come one after another', async ({ page }) => {
+    await openArm(page);
+    await dropFiles(page, [{ name: 'raise.anim', bytes: RAISE }]);
+    await page.waitForFunction(() => window.marrow.characters()[0].takes.length === 1);
+    await page.evaluate(() => window.marrow.seek(1));
+    await expect.poll(() => dof(page, 3)).toBeCloseTo(0.5, 9);
+  });
 });
 
 describe('by hand', () => {
-  it('a click on a joint selects it, in the tree and in the inspector; on the name of a speck beside a giant, that', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'a click on a joint selects it, in the tree and in the inspector; on the name of a speck beside a giant, that',
+    async ({ page }) => {
       await openArm(page);
       await page.evaluate(() => window.marrow.run('draw.boxes.solid'));
       const selected = page.locator('[role=treeitem][aria-selected=true].row-joint');
@@ -85,10 +88,12 @@ describe('by hand', () => {
       await character.filter({ hasText: 'arm' }).waitFor();
       await page.getByRole('button', { name: 'Same height' }).click();
       await page.getByText('tall.').waitFor({ state: 'hidden' });
-    }));
+    },
+  );
 
-  it('letters typed in the tree go to rows when the focus came by keyboard, also after a right click there', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'letters typed in the tree go to rows when the focus came by keyboard, also after a right click there',
+    async ({ page }) => {
       await openArm(page);
       const tree = page.locator('.tree');
       await page.locator('.row-joint').first().click({ button: 'right' });
@@ -99,7 +104,8 @@ describe('by hand', () => {
       await page.keyboard.press('e');
       await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'elbow' }).waitFor();
       await expect.poll(() => page.locator('.mode-switch [aria-checked=true]').textContent()).toBe('Pose');
-    }));
+    },
+  );
 
   testAll(BY_HAND);
 });

@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles } from '../../helpers/page.ts';
 
 export const ARM = `balljoint shoulder {
@@ -21,6 +22,7 @@ export const ready = (page: Page) => page.waitForFunction(() => window.marrow?.c
 export const dof = (page: Page, index: number) => page.evaluate((i) => window.marrow.characters()[0].dofs[i], index);
 export const openArm = async (page: Page) => {
   await ready(page);
+  await undoAll(page);
   await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
   await shown(page, 'arm');
 };

@@ -37,9 +37,10 @@ export async function openArm(page: Page, joint = 'elbow'): Promise<void> {
   await page.getByRole('radio', { name: 'rx', exact: true }).waitFor();
 }
 
-/** Page position of the joint: the centre of its gizmo. */
+/** Page position of the joint: the centre of its gizmo, which comes to it with the next frame. */
 export const middle = (page: Page): Promise<Point> =>
-  page.evaluate(() => {
+  page.evaluate(async () => {
+    await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
     const box = document.querySelector('.joint-gizmo')?.getBoundingClientRect();
     return box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: Number.NaN, y: Number.NaN };
   });
