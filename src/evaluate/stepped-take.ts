@@ -1,16 +1,21 @@
 /**
  * Stepped preview: each keyed channel holds the value of its last key at or before a time, and before the first key
- * that of the first. Animators block poses so. It is a take like any other, which is evaluated as ever.
+ * that of the first; curves of goals, too. Animators block poses so. It is a take like any other, which is evaluated as
+ * ever.
  */
 import { type Character, shownTake } from '../model/document.ts';
 import { perObject } from '../model/per-object.ts';
+import { withChannelsOf } from '../model/takes/channels-with-goals.ts';
+import { withCurvesOfGoals } from '../model/takes/layer-code.ts';
 import { type KeyedChannel, NO_EXTRAPOLATION, type Take } from '../model/takes/take.ts';
 import { FLAT } from '../model/takes/tangent-kinds.ts';
 
 /** A take in which every key holds its value up to the next one; samples and resting channels are as they were; cached. */
 export const steppedTake = perObject((take: Take): Take => {
-  const channels = take.channels.map((channel) => (channel.kind === 'keys' ? steppedChannel(channel) : channel));
-  return { ...take, channels };
+  const { length } = take.channels;
+  const all = withCurvesOfGoals(take, length).channels;
+  const channels = all.map((channel) => (channel.kind === 'keys' ? steppedChannel(channel) : channel));
+  return withChannelsOf(take, channels, length);
 });
 
 /** The character with its shown take stepped; the same object without a take; cached. */

@@ -1,6 +1,7 @@
 /** Keying poses. */
 
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { steppedCharacter } from '../../evaluate/stepped-take.ts';
 import { shownTake } from '../../model/document.ts';
 import { indexIn } from '../arguments.ts';
 import { keyable } from '../channel-edits.ts';
@@ -10,7 +11,7 @@ import { keyDofs } from '../key-dofs.ts';
 import { touchedByActive } from '../layers/layer-values.ts';
 import { controlCountOf, goalValueAt, withGoalsPosed } from '../limbs/goal-dofs.ts';
 import { openValues } from '../pose/locks.ts';
-import { optional } from '../schema/shape.ts';
+import { boolean, optional } from '../schema/shape.ts';
 import { indices, KEY_OPTIONS, NOW } from '../schema/shared-shapes.ts';
 import { characterIn, dofsIn } from '../step-names.ts';
 
@@ -28,16 +29,19 @@ export const keyPose = command({
      * by its goal.
      */
     dofs: optional(indices),
+    /** Keys the pose that the stepped preview displays instead. */
+    stepped: optional(boolean),
     ...KEY_OPTIONS,
   },
   label: (document, { characterId, dofs }) =>
     dofs === undefined
       ? `Key pose of ${characterIn(document, characterId)}`
       : `Key ${dofsIn(requireCharacter(document, characterId), dofs)}`,
-  run(document, { characterId, dofs, timeSeconds, ...options }) {
+  run(document, { characterId, dofs, stepped, timeSeconds, ...options }) {
     const character = requireCharacter(document, characterId);
+    const displayed = stepped ? steppedCharacter(character) : character;
     const shown = new Float64Array(dofCountOf(character));
-    poseAt(character, timeSeconds, shown);
+    poseAt(displayed, timeSeconds, shown);
     const values = new Map<number, number>();
     const touched = touchedByActive(character);
     if (dofs === undefined) {
@@ -45,9 +49,9 @@ export const keyPose = command({
     } else
       for (const dof of dofs) {
         const index = indexIn(dof, 0, controlCountOf(character), 'DOF');
-        values.set(index, index < shown.length ? shown[index] : goalValueAt(character, index, timeSeconds));
+        values.set(index, index < shown.length ? shown[index] : goalValueAt(displayed, index, timeSeconds));
       }
-    const { open, locked } = openValues(character, withGoalsPosed(character, values, timeSeconds, true));
+    const { open, locked } = openValues(character, withGoalsPosed(displayed, values, timeSeconds, true));
     const { character: keyed, keys } = keyDofs(character, open, timeSeconds, options);
     const take = shownTake(keyed);
     if (take) keyable(take, [...open.keys()]);

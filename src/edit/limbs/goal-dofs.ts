@@ -13,7 +13,7 @@ export function controlCountOf(character: Character): number {
 
 /**
  * The values with which the pose is shown as wanted: those of limbs in IK are their goals'.
- * @param keys whether goals that stay where they are are given, too
+ * @param keys whether the pose is as displayed, and goals are given as they are, to be keyed
  */
 export function withGoalsPosed(
   character: Character,

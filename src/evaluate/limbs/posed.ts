@@ -70,7 +70,7 @@ export function dofsOfLimb(skeleton: Skeleton, { joints }: Limb): readonly numbe
  *
  * @param values of DOFs, as they should be displayed
  * @param timeSeconds of the transport
- * @param keys whether goals that stay are given, too, to be keyed
+ * @param keys whether the pose is as displayed, and goals are given as they are, to be keyed
  */
 export function posedByGoals(
   character: Character,
@@ -92,7 +92,8 @@ export function posedByGoals(
     if (!limb || !match || !(match.values[0] > 0)) return;
     if (!dofsOfLimb(skeleton, limb).some((dof) => values.has(dof))) return;
     const pole = hasPole(goal);
-    const isMoved = moves(limb, match, restExtent(skeleton) || 1);
+    // A goal that is out of reach is keyed where it is, not where the limb ends.
+    const isMoved = !keys && moves(limb, match, restExtent(skeleton) || 1);
     const set = isMoved ? matchValues(goal, limb, match, pole) : keys ? currentValues(goal, match) : [];
     const first = firstGoalChannel(wanted.length, g);
     for (const [name, value] of set) {

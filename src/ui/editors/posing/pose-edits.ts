@@ -9,9 +9,8 @@ import { onEachCharacter } from '../../../edit/in-turn.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { findKey } from '../../../edit/keys/same-time.ts';
 import { keysAtTime } from '../../../edit/keys/selection.ts';
-import { channelOf, dofCountOf, isDriven, poseAt } from '../../../evaluate/pose.ts';
+import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { steppedCharacter } from '../../../evaluate/stepped-take.ts';
 import { type Character, findCharacter, shownTake } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/skeleton/dofs.ts';
@@ -86,20 +85,14 @@ export function keyNow(
   });
   const keyed = found.filter(({ sampled }) => !sampled || sampled.keyable);
   const label = `Key pose of ${keyed.length} characters`;
-  const isHeld = ({ character, sampled }: (typeof found)[number]) => !sampled && silentChannels(character) === 0;
-  if (keyed.length > 0 && wb.settings.get().display.stepped && keyed.every(isHeld)) {
-    // What is keyed is what is shown.
-    addKeys(wb, onEachCharacter(setDofs, label), (outsideCycle) =>
-      keyed.map(({ character, dofs }) => ({
-        characterId: character.id,
-        dofs: heldValues(character, timeSeconds, dofs),
-        timeSeconds,
-        key: { ...options, ...(outsideCycle && { outsideCycle }) },
-      })),
-    );
-  } else if (keyed.length > 0) {
+  const { stepped } = wb.settings.get().display;
+  if (keyed.length > 0) {
     addKeys(wb, onEachCharacter(keyPose, label), (outsideCycle) =>
-      keyed.map(({ character, dofs }) => ({ characterId: character.id, dofs, timeSeconds, ...options, outsideCycle })),
+      keyed.map(({ character: { id: characterId }, dofs }) => ({
+        ...{ characterId, dofs, timeSeconds, ...options, outsideCycle },
+        // What is keyed is what is shown.
+        ...(stepped && { stepped }),
+      })),
     );
   }
   const last = found.findLast(({ sampled }) => sampled);
@@ -110,14 +103,6 @@ export function keyNow(
     module?.offerToConvert(wb, character.id, sampled.dofs, options);
   });
   return true;
-}
-
-/** The values that the stepped preview shows. */
-function heldValues(character: Character, timeSeconds: number, dofs?: readonly number[]): readonly DofValue[] {
-  const shown = new Float64Array(dofCountOf(character));
-  poseAt(steppedCharacter(character), timeSeconds, shown);
-  const own = dofs?.filter((dof) => dof < shown.length) ?? [...shown.keys()];
-  return own.map((index) => ({ index, value: shown[index] }));
 }
 
 /** Those of a character's DOFs that are sampled, and whether any others take keys; undefined if none are. */
