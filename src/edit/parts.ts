@@ -27,19 +27,28 @@ import { haveSameNames } from './pose/same-joints.ts';
 /** Returns a number that was never returned before. */
 export type Count = () => number;
 
-/** The document with every part marked; the same object if all are. */
-export function withParts(before: Document, after: Document, count: Count): Document {
+/** The document with every part marked; the same object if all are. The opening example is changed if a part of it is. */
+export function withParts(before: Document, after: Document, next: Count): Document {
   if (before === after) return after;
   let changed = false;
+  let isNew = false;
+  const count = () => {
+    isNew = true;
+    return next();
+  };
   const characters = after.characters.map((now) => {
     const was = findCharacter(before, now.id);
     if (was === now) return now;
     const parts = marksOf(was, now, count);
+    // The file of a skeleton holds the pose.
+    if (was && !sameValue(was.pose, now.pose)) isNew = true;
     if (parts === now.parts) return now;
     changed = true;
     return { ...now, parts };
   });
-  return changed ? { ...after, characters } : after;
+  const marked = changed ? { ...after, characters } : after;
+  const isChanged = isNew && before.isOpeningSample === true && after.isOpeningSample === true;
+  return isChanged ? { ...marked, isOpeningSample: 'changed' } : marked;
 }
 
 /** A document from another page, without that page's numbers, to be renumbered. */

@@ -27,8 +27,11 @@ export interface Document {
   readonly characters: readonly Character[];
   /** Files read without errors that belong to nothing in the document yet. */
   readonly unused: readonly UnusedFile[];
-  /** Whether the document still shows the example loaded at start, which the first opened file replaces. */
-  readonly isOpeningSample: boolean;
+  /**
+   * Whether the document still shows the example loaded at start, which the first opened file replaces unless something
+   * to be saved was changed in it.
+   */
+  readonly isOpeningSample: boolean | 'changed';
   /** Number of characters ever created; used for new ids, so that no id is reused. */
   readonly charactersMade: number;
   /** Takes that are reviewed, in the order of the list; their files are not part of the document. */

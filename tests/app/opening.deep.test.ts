@@ -1,7 +1,11 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
+
+import { setDofs } from '../../src/edit/commands/pose.ts';
+import { addToReview } from '../../src/edit/commands/review.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
+import { setHidden } from '../../src/edit/commands/spaces.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import { saveCharacter } from '../../src/files/save/saving.ts';
@@ -55,6 +59,36 @@ describe('the opening sample', () => {
     store.apply(createRig, {});
     await opening;
     expect(shown(store)).toEqual({ names: ['character'], isOpeningSample: false });
+  });
+
+  it('the opening example makes way for files only while nothing to be saved was changed in it', async () => {
+    const store = new Store();
+    const opener = openerOf(store);
+    await opener.open(sample, { asOpeningSample: true });
+    const dropSword = () =>
+      opener.open(() => [{ path: 'sword.skel', blob: new Blob([saveCharacter(character(), 'skel')[0].text]) }]);
+    const drop = { names: ['sword'], isOpeningSample: false };
+    const beside = { names: ['walker', 'sword'], isOpeningSample: false };
+    store.apply(setHidden, { ids: ['c1'], hidden: true });
+    await dropSword();
+    expect(shown(store)).toEqual(drop);
+    store.undo();
+    store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 0.5 }], timeSeconds: 0 });
+    expect(shown(store)).toEqual({ names: ['walker'], isOpeningSample: 'changed' });
+    await dropSword();
+    expect(shown(store)).toEqual(beside);
+    store.undo();
+    store.undo();
+    expect(shown(store)).toEqual({ names: ['walker'], isOpeningSample: true });
+    await dropSword();
+    expect(shown(store)).toEqual(drop);
+    store.undo();
+    store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 0.5 }], timeSeconds: 0, key: {} });
+    store.apply(createRig, {});
+    expect(shown(store).names).toEqual(['walker', 'character']);
+    store.undo();
+    store.apply(addToReview, { paths: ['a.bvh'] });
+    expect(shown(store).names).toEqual(['walker']);
   });
 });
 

@@ -13,7 +13,7 @@ const PATHS = { paths: list(filledText) } as const;
 const verdict = oneOf([...VERDICTS, '']);
 const stars = oneOf(Array.from({ length: MAX_STARS + 1 }, (_, count) => count));
 
-/** Those in the list stay as they are. Takes leave no room for the opening example. */
+/** Those in the list stay as they are. The unchanged opening example makes way for takes. */
 export const addToReview = command({
   id: 'review.add',
   args: PATHS,
@@ -24,7 +24,7 @@ export const addToReview = command({
     if (added.length === 0) return document;
     const list = [...(document.review ?? []), ...[...new Set(added)].map((path) => ({ path, ...NO_REVIEW }))];
     const opened = { ...document, review: list };
-    return document.isOpeningSample ? { ...opened, characters: [], isOpeningSample: false } : opened;
+    return document.isOpeningSample === true ? { ...opened, characters: [], isOpeningSample: false } : opened;
   },
 });
 

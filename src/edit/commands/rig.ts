@@ -60,10 +60,10 @@ export const createRig = command({
   },
 });
 
-/** The document that a new character is added to: it replaces the opening example, as opening files does. */
+/** The document that a new character is added to: it replaces the unchanged opening example, as opening files does. */
 function withoutExample(document: Document): Document {
   const { unused, charactersMade } = document;
-  return document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
+  return document.isOpeningSample === true ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
 }
 
 function newName(document: Document, name: string | undefined): string {

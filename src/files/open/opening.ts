@@ -14,8 +14,8 @@ export type OpenBeside = (opening: Opening, file: ParsedFile) => void;
 /** The state of one opening, which the steps of `open-in-steps.ts` add to. */
 export class Opening {
   /**
-   * The document without the opening example, which is replaced and never extended; it is kept only when nothing but
-   * poses is opened.
+   * The document without the opening example, which is replaced and never extended; it is kept only once it was changed,
+   * or when nothing but poses is opened.
    */
   readonly base: Document;
   /** Files left unused earlier; these files may make them usable. */
@@ -41,7 +41,7 @@ export class Opening {
     readonly openBeside: OpenBeside | undefined,
   ) {
     const { unused, charactersMade, review } = document;
-    const makesWay = document.isOpeningSample && !isForCharacters([...files, ...broken]);
+    const makesWay = document.isOpeningSample === true && !isForCharacters([...files, ...broken]);
     this.base = makesWay ? { ...EMPTY_DOCUMENT, unused, charactersMade, ...(review && { review }) } : document;
     this.characters = new OpenCharacters(this.base.characters);
     this.spaces = new OpenSpaces(this.base.characters, files);

@@ -59,7 +59,7 @@ export function filesList(wb: Uses<'store'>): FilesList {
     next = 0;
     const nothing =
       document.isOpeningSample && document.characters.length > 0
-        ? 'An example is open. It closes when you open your own files.'
+        ? `An example is open. It ${document.isOpeningSample === true ? 'closes' : 'was changed, so it stays'} when you open your own files.`
         : 'Files you open are listed here. Files that were not used say why.';
     list.replaceChildren(...(files.length ? [] : [element('p', { class: 'empty' }, nothing)]), end);
     listMore();
