@@ -1,6 +1,7 @@
 /** Bones fitted to positions: exact where they can be, near where not, and the best rotations. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { median } from '../../../src/evaluate/tree-fit/bones.ts';
 import { FittedTree } from '../../../src/evaluate/tree-fit/fit-tree.ts';
 import { type JointTree, knownCounts, treesOf } from '../../../src/evaluate/tree-fit/known-trees.ts';
 import { clearRotation, nearestRotation } from '../../../src/evaluate/tree-fit/nearest-rotation.ts';
@@ -26,6 +27,19 @@ setIdentity3(identity);
 const turnVectorOf = (r: Float64Array, [x, y, z]: readonly number[]) =>
   [0, 1, 2].map((k) => r[k] * x + r[3 + k] * y + r[6 + k] * z);
 const along = (m: Float64Array, r: Float64Array) => m.reduce((sum, v, k) => sum + v * r[k], 0);
+
+it('the median is that of sorted values, whichever repeat', () => {
+  const values = fc.oneof(fc.double({ noNaN: true, min: -1e9, max: 1e9 }), fc.integer({ min: 0, max: 3 }));
+  fc.assert(
+    fc.property(fc.array(values, { minLength: 1, maxLength: 60 }), (list) => {
+      const sorted = list.toSorted((a, b) => a - b);
+      const half = list.length >> 1;
+      const expected = list.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+      // Either zero will do.
+      expect(median(Float64Array.from(list)) + 0).toBe(expected + 0);
+    }),
+  );
+});
 
 describe('the rotation that fits vectors best', () => {
   it('is a rotation, and no other fits better', () => {

@@ -93,9 +93,14 @@ describe('a .npy', () => {
     expect(() => read(npyWith(text, new Uint8Array(8)))).toThrow(message);
   });
 
-  it('numbers that are not finite are named with their frame', () => {
-    const made = npyOf([[2, 2], Float64Array.of(1, 2, 3, Number.NaN)]);
-    expect(() => read(made)).toThrow('Expected finite numbers in x, found NaN in frame 1');
+  it('numbers that are not finite are named with their frame, wherever they are', () => {
+    for (const wrong of [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]) {
+      for (let i = 0; i < 14; i++) {
+        const made = npyOf([[7, 2], Float64Array.from({ length: 14 }, (_, k) => (k === i ? wrong : 9e29))]);
+        expect(() => read(made)).toThrow(`Expected finite numbers in x, found ${wrong} in frame ${i >> 1}`);
+      }
+    }
+    expect(read(npyOf([[7, 2], new Float64Array(14).fill(9e29)])).values).toHaveLength(14);
   });
 
   it('numbers that overflow when they are multiplied are refused', () => {
