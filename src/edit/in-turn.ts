@@ -31,16 +31,19 @@ export function onEachCharacter<Args extends { readonly characterId: string }>(
     ...inTurn(command, label),
     run(document, each) {
       const keysOf = new Map<string, readonly ChannelKeys[]>();
-      let now = document;
-      let locked = 0;
+      let all: Change = { document };
       for (const args of each) {
-        const change = command.run(now, args);
-        now = documentIn(change);
-        if (!isChange(change)) continue;
-        if (change.keys) keysOf.set(args.characterId, change.keys);
-        locked += change.locked ?? 0;
+        const change = command.run(all.document, args);
+        const locked = (all.locked ?? 0) + (isChange(change) ? (change.locked ?? 0) : 0);
+        all = { ...(isChange(change) && change), document: documentIn(change), ...(locked > 0 && { locked }) };
+        if (all.keys) keysOf.set(args.characterId, all.keys);
       }
-      return { document: now, keysOf, ...(locked > 0 && { locked }) };
+      // What one says of itself isn't said of all.
+      return each.length === 1 ? { ...all, keysOf } : { document: all.document, keysOf, ...lockedIn(all) };
     },
   };
+}
+
+function lockedIn({ locked }: Change): Pick<Change, 'locked'> {
+  return locked === undefined ? {} : { locked };
 }

@@ -1,7 +1,8 @@
 /** What is done to joints of several selected characters. */
 import { beforeEach, describe, expect, it } from 'vitest';
 import { removeCharacter } from '../../src/edit/commands/characters.ts';
-import { setDofs } from '../../src/edit/commands/pose.ts';
+import { setDofs, tweenPose } from '../../src/edit/commands/pose.ts';
+import { onEachCharacter } from '../../src/edit/in-turn.ts';
 import { nextKey, previousKey, shownKeys } from '../../src/evaluate/plot/shown-keys.ts';
 import { shownTake } from '../../src/model/document.ts';
 import { keysOf } from '../../src/model/takes/take.ts';
@@ -48,6 +49,26 @@ describe('keys of the selected joints of several characters', () => {
     ]);
   });
 
+  it('in a drag of the bar they are tweened together', () => {
+    const each = ['walker', 'flyer'].map((characterId) => ({
+      characterId,
+      timeSeconds: 0.25,
+      dofs: [6],
+      u: 1,
+      key: {},
+    }));
+    const command = onEachCharacter(tweenPose, 'Tween 2 characters');
+    const before = wb.store.document;
+    wb.store.apply(command, each);
+    expect([timesOf(0, 6), timesOf(1, 6)]).toEqual([
+      [0, 0.25, 1],
+      [0.5, 0.75, 1],
+    ]);
+    expect(wb.store.undoLabel).toBe('Tween 2 characters');
+    wb.store.undo();
+    expect(wb.store.document).toEqual(before);
+  });
+
   it('the whole pose is keyed of each', () => {
     seek(0.3);
     runAction(wb, 'key.pose');
@@ -82,6 +103,13 @@ describe('keys of the selected joints of several characters', () => {
 describe('the selection of several characters', () => {
   it('its joints are counted with their characters', () => {
     expect(selectedJointsText(wb)).toBe('2 joints of 2 characters');
+  });
+
+  it('joints are selected from those of each, and all joints of each', () => {
+    runAction(wb, 'select.parent');
+    expect(wb.store.selection).toMatchObject({ characterId: 'flyer', joint: 0, beside: [{ joint: 0 }] });
+    runAction(wb, 'select.allJoints');
+    expect(selectedJointsText(wb)).toBe('4 joints of 2 characters');
   });
 
   it('a removed character leaves it, and undo brings it back', () => {

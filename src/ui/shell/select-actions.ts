@@ -1,11 +1,13 @@
 /** Actions that select joints from those selected. */
 
+import { sameNumbers } from '../../math/same-numbers.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import { withJoints } from '../../model/skeleton/joint-selection.ts';
-import type { Joint } from '../../model/skeleton/skeleton.ts';
-import { currentCharacter } from '../state/actions/action.ts';
+import { partOf, selectionOf } from '../../model/skeleton/selected-joints.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
+import { selectedCharacters } from '../state/actions/action.ts';
 import { needs, needsCharacter, needsJoint, needsSkeleton } from '../state/actions/needs.ts';
-import { selectedJoints, selectedJointsOf } from '../state/joints/selected-joint.ts';
+import { selectedJointsOf } from '../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
 export const SELECT_ACTIONS: readonly Action[] = [
@@ -104,16 +106,11 @@ export const SELECT_ACTIONS: readonly Action[] = [
  * is left out, unless all are: then nothing changes.
  */
 function walk(wb: Uses<'store'>, step: (joints: readonly Joint[], joint: number) => number): void {
-  const character = currentCharacter(wb);
-  const joints = character?.skeleton?.joints;
-  if (!character || !joints?.length) return;
-  const from = selectedJointsOf(wb, character.id);
-  const to = from.length === 0 ? [0] : from.map((joint) => step(joints, joint));
-  selectThese(
-    wb,
-    character.id,
-    to.filter((joint) => joint >= 0 && joint < joints.length),
-  );
+  const isOne = selectedCharacters(wb).length === 1;
+  selectOfEach(wb, ({ joints }, from) => {
+    const to = from.length === 0 && isOne ? [0] : from.map((joint) => step(joints, joint));
+    return to.filter((joint) => joint >= 0 && joint < joints.length);
+  });
 }
 
 /** The previous or next sibling, cyclically. */
@@ -126,36 +123,41 @@ function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number 
 
 /** Adds the descendants; the active joint stays active. */
 function selectHierarchy(wb: Uses<'store'>): void {
-  const selected = selectedJoints(wb);
-  if (!selected) return;
-  const { character, skeleton, joints } = selected;
-  const isInside = new Set(joints);
-  skeleton.joints.forEach(({ parent }, joint) => {
-    if (isInside.has(parent)) isInside.add(joint);
+  selectOfEach(wb, (skeleton, joints) => {
+    const isInside = new Set(joints);
+    skeleton.joints.forEach(({ parent }, joint) => {
+      if (isInside.has(parent)) isInside.add(joint);
+    });
+    return isInside.size > joints.length ? [...isInside, ...joints.slice(-1)] : joints;
   });
-  if (isInside.size > joints.length) selectThese(wb, character.id, [...isInside, ...joints.slice(-1)]);
 }
 
 async function selectMirrored(wb: Uses<'store'>): Promise<void> {
   const { counterpartOf } = await import('../../edit/pose/mirror.ts');
-  const selected = selectedJoints(wb);
-  if (!selected) return;
-  const { character, skeleton, joints } = selected;
-  const others = joints.flatMap((joint) => counterpartOf(skeleton, joint) ?? []);
-  if (others.some((other, i) => other !== joints[i])) selectThese(wb, character.id, others);
+  selectOfEach(wb, (skeleton, joints) => joints.flatMap((joint) => counterpartOf(skeleton, joint) ?? []));
 }
 
 function selectAll(wb: Uses<'store'>): void {
-  const character = currentCharacter(wb);
-  const count = character?.skeleton?.joints.length ?? 0;
-  if (!character || selectedJointsOf(wb, character.id).length === count) return;
-  const active = selectedJointsOf(wb, character.id).slice(-1);
-  selectThese(wb, character.id, [...Array(count).keys(), ...active]);
+  selectOfEach(wb, ({ joints: all }, joints) =>
+    joints.length === all.length ? joints : [...all.keys(), ...joints.slice(-1)],
+  );
 }
 
-/** The same selection if these are selected already, in this order; or if there are none. */
-function selectThese(wb: Uses<'store'>, characterId: string, joints: readonly number[]): void {
-  const before = selectedJointsOf(wb, characterId);
-  const isSame = before.length === joints.length && before.every((joint, i) => joint === joints[i]);
-  if (joints.length > 0 && !isSame) wb.store.select(withJoints({ characterId }, joints));
+/**
+ * Selects other joints of each selected character; the same selection if these are selected already, in this order.
+ * @param next the active one last; none: those that are selected stay
+ */
+function selectOfEach(
+  { store }: Uses<'store'>,
+  next: (skeleton: Skeleton, selected: readonly number[]) => readonly number[],
+): void {
+  let isSame = true;
+  const parts = selectedCharacters({ store }).map(({ id, skeleton }) => {
+    const before = selectedJointsOf({ store }, id);
+    const joints = skeleton?.joints.length ? next(skeleton, before) : before;
+    if (joints.length === 0 || sameNumbers(joints, before)) return partOf(store.selection, id) ?? { characterId: id };
+    isSame = false;
+    return withJoints({ characterId: id }, joints);
+  });
+  if (!isSame) store.select(selectionOf(parts));
 }

@@ -17,7 +17,7 @@ import { selectedJointsOf, selectedJointsText } from '../../state/joints/selecte
 import type { Action, Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { needsTake } from '../timeline/key-actions.ts';
-import { deleteKeysNow, dofsOfJoints, keyNow, keysNow, type OfCharacter } from './pose-edits.ts';
+import { deleteKeysNow, jointsOfEach, keyNow, keysNow, type OfCharacter } from './pose-edits.ts';
 
 const takeInView = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
@@ -215,14 +215,6 @@ function withJoints(wb: Uses<'store' | 'messages'>, run: (each: readonly OfChara
   const each = jointsOfEach(wb);
   if (each.length === 0) wb.messages.note(NO_JOINT);
   else run(each);
-}
-
-/** The DOFs of the selected joints, of each selected character. */
-function jointsOfEach(wb: Uses<'store'>): readonly OfCharacter[] {
-  return selectedCharacters(wb).flatMap((character) => {
-    const joints = selectedJointsOf(wb, character.id);
-    return joints.length ? { character, dofs: dofsOfJoints(character, joints) } : [];
-  });
 }
 
 /** What was changed by hand; if nothing was, the selected joints as they are. Neither keys what nobody has touched. */

@@ -15,7 +15,9 @@ import { type Character, findCharacter, shownTake } from '../../../model/documen
 import type { ChannelKeys } from '../../../model/session.ts';
 import { type DofValue, jointDofCount, rootDofCount } from '../../../model/skeleton/dofs.ts';
 import { keysOf } from '../../../model/takes/take.ts';
+import { selectedCharacters } from '../../state/actions/action.ts';
 import { addKeys } from '../../state/add-keys.ts';
+import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { PosingCommand } from '../../state/posing.ts';
@@ -166,4 +168,12 @@ export function dofsOfJoints(character: Character, joints: readonly number[]): r
 export function jointDofs(character: Character, joint: number): readonly number[] {
   const [first, end] = channelsOfJoint(character, joint);
   return Array.from({ length: end - first }, (_, i) => first + i);
+}
+
+/** The DOFs of the selected joints, of each selected character. */
+export function jointsOfEach(wb: Uses<'store'>): readonly OfCharacter[] {
+  return selectedCharacters(wb).flatMap((character) => {
+    const joints = selectedJointsOf(wb, character.id);
+    return joints.length ? { character, dofs: dofsOfJoints(character, joints) } : [];
+  });
 }

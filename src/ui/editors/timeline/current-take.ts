@@ -43,8 +43,7 @@ export function currentTake(wb: Uses<'store'>): CurrentTake | undefined {
 /** The selected keys of the takes that are shown, in view or not, for adding and removing. */
 export function selectedKeys(wb: Uses<'store'>): readonly ChannelKeys[] {
   const current = timelineTake(wb);
-  const keys = current ? keysOfAll(wb, current) : NO_KEY_SELECTION;
-  return keys.length ? keys : NO_KEY_SELECTION;
+  return current ? keysOfAll(wb, current) : NO_KEY_SELECTION;
 }
 
 /** Those in view. The same array as long as they are the same keys. */

@@ -6,10 +6,11 @@
  * Selection, settings of channels and commands know each character's own channels (`edit-all.ts`). With one character
  * selected this is its take itself.
  */
+import { NO_KEY_SELECTION } from '../../../edit/keys/selection.ts';
 import type { Store } from '../../../edit/store.ts';
 import type { Character } from '../../../model/document.ts';
-import type { ChannelKeys } from '../../../model/session.ts';
-import { partsOf } from '../../../model/skeleton/selected-joints.ts';
+import type { ChannelKeys, Selection } from '../../../model/session.ts';
+import { partOf } from '../../../model/skeleton/selected-joints.ts';
 import { type Channel, restChannel, type Take } from '../../../model/takes/take.ts';
 import { selectedCharacters } from '../../state/actions/action.ts';
 import { type ChannelView, NOTHING_PICKED, type Timeline, type TimelineView } from '../../state/timeline.ts';
@@ -140,15 +141,21 @@ export function channelsOfPart(
   return channels.filter((one) => isOfPart(part, one)).map((one) => one - part.first);
 }
 
-/** Keys of each part's own selection, in the numbers of all. */
-export function keysOfAll(wb: Uses<'store'>, { parts }: TimelineTake): readonly ChannelKeys[] {
-  const selected = partsOf(wb.store.selection);
-  const numbered = parts.toSorted((a, b) => a.first - b.first);
-  return numbered.flatMap(({ character, first }) => {
-    const own = selected.find(({ characterId }) => characterId === character.id)?.keys ?? [];
-    return first ? own.map(({ channel, indices }) => ({ channel: first + channel, indices })) : own;
-  });
+/** Keys of each part's own selection, in the numbers of all. The same array for the same selection. */
+export function keysOfAll({ store }: Uses<'store'>, { parts }: TimelineTake): readonly ChannelKeys[] {
+  const { selection } = store;
+  const of = ({ character: { id } }: TimelinePart) => partOf(selection, id)?.keys ?? NO_KEY_SELECTION;
+  if (parts.length === 1) return of(parts[0]);
+  const known = selectedKeys.get(selection);
+  if (known?.parts === parts) return known.keys;
+  const keys = parts
+    .toSorted((a, b) => a.first - b.first)
+    .flatMap((part) => of(part).map(({ channel, indices }) => ({ channel: part.first + channel, indices })));
+  selectedKeys.set(selection, { parts, keys });
+  return keys;
 }
+
+const selectedKeys = new WeakMap<Selection, Pick<TimelineTake, 'parts'> & { readonly keys: readonly ChannelKeys[] }>();
 
 /** Pinned, hidden, isolated and expanded channels of one character. */
 export function channelViewOf(view: TimelineView, characterId: string): ChannelView {

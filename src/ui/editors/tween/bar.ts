@@ -7,6 +7,7 @@ import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { easeKeys, relaxKeys, SCALE_ABOUT, scaleKeys, tweenKeys } from '../../../edit/commands/keys.ts';
 import { relaxPose, tweenPose } from '../../../edit/commands/pose.ts';
+import { onEachCharacter } from '../../../edit/in-turn.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import { keysWithin } from '../../../edit/keys/tween.ts';
 import { tweenedPose } from '../../../edit/pose/tween.ts';
@@ -14,7 +15,6 @@ import type { Document } from '../../../model/document.ts';
 import { lockedDofs } from '../../../model/sets.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
-import { selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { TWEEN_WAYS, type TweenKind, type TweenWay } from '../../state/tween-ways.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -26,7 +26,7 @@ import { icon } from '../../widgets/icons.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { autoKey, dofsOfJoints } from '../posing/pose-edits.ts';
+import { autoKey, jointsOfEach, type OfCharacter } from '../posing/pose-edits.ts';
 import { editOfTakes, onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
 import { timelineTake } from '../timeline/timeline-take.ts';
 
@@ -184,11 +184,11 @@ function ofKeys(wb: Parts, way: TweenWay | undefined): boolean {
   return way !== undefined && way.of !== 'pose' && (way.of === 'keys' || selectedKeysInView(wb).length > 0);
 }
 
-/** DOFs of the selected joints, else of the whole character. */
-function scopeOf(wb: Parts) {
+/** DOFs of the selected joints, of all characters, else of the whole current one. */
+function scopeOf(wb: Parts): readonly OfCharacter[] {
   const character = currentCharacter(wb);
-  const joints = character ? selectedJointsOf(wb, character.id) : [];
-  return { character, dofs: character && joints.length > 0 ? dofsOfJoints(character, joints) : undefined };
+  const each = jointsOfEach(wb);
+  return each.length || !character ? each : [{ character }];
 }
 
 function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefined {
@@ -208,17 +208,30 @@ function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefin
     const from = SCALE_ABOUT.find((each) => each === about) ?? 'first';
     return apply(onAllInHand(wb, scaleKeys), (valueFactor) => ({ ...of, valueFactor, about: from }));
   }
-  const { character, dofs } = scopeOf(wb);
-  if (!character) return undefined;
-  const of = {
-    characterId: character.id,
-    timeSeconds: wb.transport.get().timeSeconds,
+  const key = autoKey(wb);
+  const { timeSeconds } = wb.transport.get();
+  const each = scopeOf(wb).map(({ character, dofs }) => ({
+    ...{ characterId: character.id, timeSeconds },
     ...(dofs && { dofs }),
-    ...(autoKey(wb) && { key: autoKey(wb) }),
-  };
-  if (kind === 'relax') return (edit, amount) => edit.preview(relaxPose, { ...of, amount });
+    ...(key && { key }),
+  }));
+  if (each.length === 0) return undefined;
+  const label = (verb: string) => `${verb} ${each.length} characters`;
+  if (kind === 'relax') {
+    const command = onEachCharacter(relaxPose, label('Relax'));
+    return (edit, amount) =>
+      edit.preview(
+        command,
+        each.map((of) => ({ ...of, amount })),
+      );
+  }
   const toward = kind === 'rest' ? 'rest' : 'keys';
-  return (edit, u) => edit.preview(tweenPose, { ...of, u, toward });
+  const command = onEachCharacter(tweenPose, label('Tween'));
+  return (edit, u) =>
+    edit.preview(
+      command,
+      each.map((of) => ({ ...of, u, toward }) as const),
+    );
 }
 
 /** What it applies to, and what is left alone. */
@@ -233,12 +246,18 @@ function targetText(wb: Parts, way: TweenWay): string {
     const alone = count - changed;
     return `${plural(changed, 'selected key')}${alone > 0 ? `; ${alone} without keys on both sides left alone` : ''}`;
   }
-  const { character, dofs } = scopeOf(wb);
-  if (!character) return '';
-  const { values, leftAlone } = tweenedPose(character, wb.transport.get().timeSeconds, { kind: 'keys', u: 0 }, dofs);
-  if (values.size === 0) return 'No DOF here has a key on both sides.';
-  const locks = lockedDofs(character);
-  const locked = [...values.keys()].filter((dof) => locks.has(dof)).length;
+  const each = scopeOf(wb);
+  if (each.length === 0) return '';
+  let [count, leftAlone, locked] = [0, 0, 0];
+  for (const { character, dofs } of each) {
+    const tweened = tweenedPose(character, wb.transport.get().timeSeconds, { kind: 'keys', u: 0 }, dofs);
+    const locks = lockedDofs(character);
+    count += tweened.values.size;
+    leftAlone += tweened.leftAlone;
+    locked += [...tweened.values.keys()].filter((dof) => locks.has(dof)).length;
+  }
+  if (count === 0) return 'No DOF here has a key on both sides.';
+  const of = each.length > 1 ? ` of ${each.length} characters` : '';
   const alone = leftAlone > 0 ? `; ${leftAlone} without keys on both sides left alone` : '';
-  return `${plural(values.size - locked, 'DOF')}${alone}${locked > 0 ? `; ${locked} locked` : ''}`;
+  return `${plural(count - locked, 'DOF')}${of}${alone}${locked > 0 ? `; ${locked} locked` : ''}`;
 }

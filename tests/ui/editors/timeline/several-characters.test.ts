@@ -1,10 +1,13 @@
 /** Rows, curves and keys of two selected characters, of which one starts half a second into its take. */
 import fc from 'fast-check';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { moveKeys, scaleKeys } from '../../../../src/edit/commands/keys.ts';
 import { type Document, shownTake } from '../../../../src/model/document.ts';
 import { keysOf } from '../../../../src/model/takes/take.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
+import { keysDrag } from '../../../../src/ui/editors/curves/tools/move-keys.ts';
+import { slopeDrag } from '../../../../src/ui/editors/curves/tools/slope.ts';
+import type { PlotAccess } from '../../../../src/ui/editors/curves/tools/tool.ts';
 import { channelName } from '../../../../src/ui/editors/timeline/channels.ts';
 import {
   channelsInView,
@@ -41,6 +44,8 @@ beforeEach(() => {
   followCharacter(wb);
   wb.timeline.change({ tab: 'dope' });
 });
+
+afterEach(() => void vi.unstubAllGlobals());
 
 describe('the takes of several characters as one', () => {
   it('channels of the active one keep their numbers, and keys of the other are where the transport has them', () => {
@@ -244,6 +249,51 @@ describe('curves of several characters', () => {
     expect(selectedKeys(wb)).toHaveLength(2);
     isolateOfAll(wb, undefined);
     expect(scene().lines).toHaveLength(2);
+  });
+
+  const pointer = (x: number, y: number) => ({ x, y, shift: false, ctrl: false, alt: false });
+  const plotted = (): PlotAccess => {
+    const plot = new PlotScene(wb);
+    plot.width = 200;
+    plot.height = 200;
+    wb.store.subscribe(() => plot.invalidate());
+    return { wb, scene: () => plot.scene, look: () => {}, showBox: () => {}, say: () => {} };
+  };
+
+  it('a dragged key of one takes the selected ones of the other with it, as one step', () => {
+    vi.stubGlobal('window', { addEventListener: () => {}, removeEventListener: () => {} });
+    wb.timeline.change({ window: { from: 0, to: 2 }, snapsToFrames: false });
+    selectKeys(wb, [
+      { channel: 6, indices: [1] },
+      { channel: WALKER + 6, indices: [1] },
+    ]);
+    const before = wb.store.document;
+    // 100 pixels per second; the walker's second key is 1 s after the start.
+    const drag = keysDrag(plotted(), { kind: 'key', channel: WALKER + 6, index: 1 }, pointer(100, 100));
+    drag.move(pointer(125, 100));
+    drag.end(pointer(125, 100), true);
+    expect([now(0, 6), now(1, 6)]).toEqual([
+      [0, 1.25],
+      [0.5, 1.25],
+    ]);
+    expect(wb.store.undoLabel).toBe('Move keys of 2 characters');
+    wb.store.undo();
+    expect(wb.store.document).toEqual(before);
+  });
+
+  it('a handle of either sets its slope, and all keys stay selected', () => {
+    vi.stubGlobal('window', { addEventListener: () => {}, removeEventListener: () => {} });
+    const keys = [
+      { channel: 6, indices: [1] },
+      { channel: WALKER + 6, indices: [0] },
+    ];
+    selectKeys(wb, keys);
+    const before = wb.store.document.characters;
+    const drag = slopeDrag(plotted(), { kind: 'handle', channel: WALKER + 6, index: 0, side: 'out' });
+    drag.move(pointer(150, 20));
+    drag.end(pointer(150, 20), true);
+    expect(wb.store.document.characters.map((one, i) => one !== before[i])).toEqual([true, false]);
+    expect(selectedKeys(wb)).toEqual(keys);
   });
 
   it('a tool for one character is for the active one', async () => {
