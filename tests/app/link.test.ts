@@ -5,6 +5,7 @@ import { readLink } from '../../src/app/link/read-link.ts';
 import { wordsOf } from '../../src/model/display-words.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../src/model/session.ts';
 import { numbersOf, viewOf } from '../../src/view/camera/view-numbers.ts';
+import { anyText } from '../helpers/any-text.ts';
 
 describe('a link', () => {
   it('a link says what to show and how', () => {
@@ -45,7 +46,7 @@ describe('a link', () => {
   it('a link of any text is read, and gives numbers that can be drawn', () => {
     const names = ['files', 'sample', 'take', 'time', 'play', 'range', 'select', 'camera', 'show', 'panel', 'theme'];
     const value = fc.oneof(
-      fc.string({ unit: 'binary' }),
+      anyText(),
       fc.array(fc.double(), { maxLength: 7 }).map(String),
       fc.constantFrom('%', '%zz', '&&', '=', ',', 'skin|bones', '__proto__', 'constructor'),
     );

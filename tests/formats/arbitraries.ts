@@ -21,6 +21,7 @@ import {
 import type { Attachments, Material, Skin } from '../../src/model/skin.ts';
 import { type Channel, EXTRAPOLATIONS, type Take, type Tangents } from '../../src/model/takes/take.ts';
 import { FIXED_TANGENT, TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
+import { anyText } from '../helpers/any-text.ts';
 import { asRead } from '../helpers/as-read.ts';
 
 /** Any finite double, -0 included. */
@@ -35,12 +36,12 @@ const ordered = fc.tuple(finite, finite).map(([a, b]): [number, number] => (a <=
 /** One token that is no number and no brace. */
 export const token = fc.oneof(
   fc.constantFrom('root', 'hip_l', 'Größe', '骨', 'offset', 'balljoint', '"x', '12', '-', '\u{1F9B4}', '\uFEFFx'),
-  fc.string({ unit: 'binary', minLength: 1, maxLength: 8 }).filter((s) => /^[^ \t\r\n{}]+$/.test(s) && wellFormed(s)),
+  anyText({ minLength: 1, maxLength: 8 }).filter((s) => /^[^ \t\r\n{}]+$/.test(s) && wellFormed(s)),
 );
 const fileName = fc
   .oneof(
     token,
-    fc.string({ unit: 'binary', maxLength: 12 }).filter((s) => wellFormed(s)),
+    anyText({ maxLength: 12 }).filter((s) => wellFormed(s)),
     fc.constantFrom('my file.skel', '', 'a{b}.skin', 'skin', ' x', 'x.morph y'),
   )
   .filter((s) => !/[\r\n"]/.test(s));
