@@ -1,6 +1,7 @@
 /** The display bar, and the one kind of menu that it, the menu bar and selects open. Real mouse and keyboard. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { inOnePage } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 
 const TRIANGLE = `positions 3 { 0 0 0  1 0 0  0 1 0 }
@@ -41,8 +42,11 @@ it('the display bar has the styles that exist, all switches in one menu, and the
     { walking: true },
   ));
 
-it('a skin without a texture is solid, a skeleton alone has boxes, and nothing at all has no styles', () =>
-  withPage(async ({ page }) => {
+const inPage = inOnePage();
+
+inPage(
+  'a skin without a texture is solid, a skeleton alone has boxes, and nothing at all has no styles',
+  async ({ page }) => {
     const bar = page.getByRole('toolbar', { name: 'Display' });
     const texts = () => bar.getByRole('button').filter({ visible: true }).allInnerTexts();
     await expect.poll(texts).toEqual(['Boxes', 'Show', 'Camera']);
@@ -54,44 +58,44 @@ it('a skin without a texture is solid, a skeleton alone has boxes, and nothing a
     await bar.getByRole('button', { name: 'Skin: Solid' }).click();
     await expect.poll(() => menuLabels(page)).toContain('Wireframe');
     await expect.poll(() => menuLabels(page)).not.toContain('Textured');
-  }));
+  },
+);
 
-it('a select opens a menu of the page, by mouse and by keys, also in a dialog', () =>
-  withPage(async ({ page }) => {
-    await page.evaluate(() => window.marrow.run('page.tab.curves'));
-    const choice = page.getByRole('combobox', { name: 'Channels listed' });
-    await choice.click();
-    await page.getByRole('menuitemradio', { name: 'All channels' }).click();
-    const chosen = (of: typeof choice) => of.evaluate((e: HTMLSelectElement) => e.selectedOptions[0]?.label);
-    await expect.poll(() => chosen(choice)).toBe('All channels');
-    // The focus stays where keys have a meaning.
-    await expect.poll(() => choice.evaluate((e) => e === document.activeElement)).toBe(false);
-    await choice.click();
-    await choice.click();
-    await expect.poll(() => page.getByRole('menu').count()).toBe(0);
+inPage('a select opens a menu of the page, by mouse and by keys, also in a dialog', async ({ page }) => {
+  await page.evaluate(() => window.marrow.run('page.tab.curves'));
+  const choice = page.getByRole('combobox', { name: 'Channels listed' });
+  await choice.click();
+  await page.getByRole('menuitemradio', { name: 'All channels' }).click();
+  const chosen = (of: typeof choice) => of.evaluate((e: HTMLSelectElement) => e.selectedOptions[0]?.label);
+  await expect.poll(() => chosen(choice)).toBe('All channels');
+  // The focus stays where keys have a meaning.
+  await expect.poll(() => choice.evaluate((e) => e === document.activeElement)).toBe(false);
+  await choice.click();
+  await choice.click();
+  await expect.poll(() => page.getByRole('menu').count()).toBe(0);
 
-    await choice.focus();
-    await page.keyboard.press('Enter');
-    const focused = () => page.evaluate(() => document.activeElement?.textContent?.trim());
-    await expect.poll(focused).toBe('All channels');
-    await page.keyboard.press('ArrowDown');
-    await page.keyboard.press('Enter');
-    await expect.poll(() => chosen(choice)).not.toBe('All channels');
-    await expect.poll(() => choice.evaluate((e) => e === document.activeElement)).toBe(true);
+  await choice.focus();
+  await page.keyboard.press('Enter');
+  const focused = () => page.evaluate(() => document.activeElement?.textContent?.trim());
+  await expect.poll(focused).toBe('All channels');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => chosen(choice)).not.toBe('All channels');
+  await expect.poll(() => choice.evaluate((e) => e === document.activeElement)).toBe(true);
 
-    await page.evaluate(() => void window.marrow.run('save.video'));
-    const dialog = page.getByRole('dialog');
-    const format = dialog.getByLabel('Format');
-    // They come once it is known what the browser can write.
-    await expect.poll(() => format.locator('option').count()).toBeGreaterThan(0);
-    await format.click();
-    const last = page.getByRole('menuitemradio').last();
-    const label = await last.innerText();
-    // Escape closes the menu alone.
-    await page.keyboard.press('Escape');
-    await expect.poll(() => page.getByRole('menu').count()).toBe(0);
-    await expect.poll(() => dialog.count()).toBe(1);
-    await format.click();
-    await last.click();
-    await expect.poll(() => chosen(format)).toBe(label);
-  }));
+  await page.evaluate(() => void window.marrow.run('save.video'));
+  const dialog = page.getByRole('dialog');
+  const format = dialog.getByLabel('Format');
+  // They come once it is known what the browser can write.
+  await expect.poll(() => format.locator('option').count()).toBeGreaterThan(0);
+  await format.click();
+  const last = page.getByRole('menuitemradio').last();
+  const label = await last.innerText();
+  // Escape closes the menu alone.
+  await page.keyboard.press('Escape');
+  await expect.poll(() => page.getByRole('menu').count()).toBe(0);
+  await expect.poll(() => dialog.count()).toBe(1);
+  await format.click();
+  await last.click();
+  await expect.poll(() => chosen(format)).toBe(label);
+});

@@ -6,10 +6,11 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import { expectClose } from '../helpers/close.ts';
 import { commandJson, type PoseJson } from '../helpers/command.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
+import { dropFiles } from '../helpers/page.ts';
 
 const FRAMES = 241;
 const RATE = 60;
@@ -51,6 +52,7 @@ const run = (page: Page, id: string, args: Record<string, unknown>) =>
   page.evaluate(async ([name, given]) => void (await window.marrow.run(name, given)), [id, args] as const);
 
 async function opened(page: Page): Promise<void> {
+  await undoAll(page);
   await dropFiles(page, [{ name: 'swing.bvh', bytes: TAKE }]);
   await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'swing'));
   await page.evaluate(() => window.marrow.pause());
@@ -85,8 +87,11 @@ function points(page: Page, seconds: number): Promise<number[]> {
   }, seconds);
 }
 
-it('crops, smooths, converts to keys and drags one of them, each a step; all undone are the bytes that were dropped', () =>
-  withPage(async ({ page }) => {
+const inPage = inOnePage();
+
+inPage(
+  'crops, smooths, converts to keys and drags one of them, each a step; all undone are the bytes that were dropped',
+  async ({ page }) => {
     await opened(page);
     await expect.poll(() => saved(page)).toBe(TAKE);
     const steps: (string | undefined)[] = [await undoLabel(page)];
@@ -146,39 +151,38 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
       await page.keyboard.press('Control+Shift+z');
       await expect.poll(() => saved(page)).toBe(texts[step]);
     }
-  }));
+  },
+);
 
-it('turns a take around and back to the very numbers', () =>
-  withPage(async ({ page }) => {
-    await opened(page);
-    await find(page, 'Reverse');
-    await expect.poll(() => undoLabel(page)).toBe('Reverse swing');
-    await expect.poll(() => saved(page)).not.toBe(TAKE);
-    await find(page, 'Reverse');
-    await expect.poll(() => saved(page)).toBe(TAKE);
-  }));
+inPage('turns a take around and back to the very numbers', async ({ page }) => {
+  await opened(page);
+  await find(page, 'Reverse');
+  await expect.poll(() => undoLabel(page)).toBe('Reverse swing');
+  await expect.poll(() => saved(page)).not.toBe(TAKE);
+  await find(page, 'Reverse');
+  await expect.poll(() => saved(page)).toBe(TAKE);
+});
 
-it('saves a trimmed and resampled take, which plays in the command as on the page', () =>
-  withPage(async ({ page }) => {
-    await opened(page);
-    await page.evaluate(() => window.marrow.seek(1));
-    await run(page, 'samples.trim', { side: 'start', timeSeconds: 1 });
-    await applyTool(page, 'Resample samples', { 'Frames per second': '24' }, /181 → 73 frames/);
-    const text = await saved(page);
-    expect(text).toContain('Frames: 73');
-    const folder = mkdtempSync(join(tmpdir(), 'marrow-samples-'));
-    try {
-      writeFileSync(join(folder, 'swing.bvh'), text);
-      for (const frame of [0, 1, 40, 72]) {
-        const pose = await commandJson<PoseJson>(['pose', 'swing.bvh', '--frame', String(frame)], folder);
-        const [{ joints, endSites = [] }] = pose.characters;
-        const played = [
-          ...joints.map(({ world }) => world.slice(12, 15)),
-          ...endSites.map(({ position }) => position),
-        ].flat();
-        expectClose(played, await points(page, 1 + frame / 24), 1e-9);
-      }
-    } finally {
-      rmSync(folder, { recursive: true });
+inPage('saves a trimmed and resampled take, which plays in the command as on the page', async ({ page }) => {
+  await opened(page);
+  await page.evaluate(() => window.marrow.seek(1));
+  await run(page, 'samples.trim', { side: 'start', timeSeconds: 1 });
+  await applyTool(page, 'Resample samples', { 'Frames per second': '24' }, /181 → 73 frames/);
+  const text = await saved(page);
+  expect(text).toContain('Frames: 73');
+  const folder = mkdtempSync(join(tmpdir(), 'marrow-samples-'));
+  try {
+    writeFileSync(join(folder, 'swing.bvh'), text);
+    for (const frame of [0, 1, 40, 72]) {
+      const pose = await commandJson<PoseJson>(['pose', 'swing.bvh', '--frame', String(frame)], folder);
+      const [{ joints, endSites = [] }] = pose.characters;
+      const played = [
+        ...joints.map(({ world }) => world.slice(12, 15)),
+        ...endSites.map(({ position }) => position),
+      ].flat();
+      expectClose(played, await points(page, 1 + frame / 24), 1e-9);
     }
-  }));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
