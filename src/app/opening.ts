@@ -5,6 +5,7 @@
 
 import { type Playback, pause, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
+import { frameRateOf } from '../evaluate/samples/frame-rate.ts';
 import { adoptSkinFacts } from '../evaluate/skin/bounds.ts';
 import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { openingOf, skeletonKindFor } from '../files/kinds.ts';
@@ -227,6 +228,9 @@ export class Opener {
       for (const character of characters) {
         yield 1;
         this.parts.viewport.prepare(character);
+        // Who follows the document asks for all rates at once.
+        const take = shownTake(character);
+        if (take) frameRateOf(take);
       }
       yield 1;
     }
