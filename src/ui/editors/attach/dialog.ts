@@ -1,7 +1,7 @@
 /** The dialog for attaching a character to a joint of another one: the selected joint, or one of the list. */
-import { addAttachment } from '../../../edit/commands/beside/attach.ts';
-import type { Character, Document } from '../../../model/document.ts';
-import { findCharacter, rangeOfTakes } from '../../../model/document.ts';
+import type { ArgsOf, Command } from '../../../edit/command.ts';
+import { addAttachment, putDown } from '../../../edit/commands/beside/attach.ts';
+import { type Character, type Document, findCharacter, rangeOfTakes, shownTake } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { UserError } from '../../../model/user-error.ts';
@@ -9,13 +9,41 @@ import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { DialogContent } from '../../widgets/dialog.ts';
 import { element } from '../../widgets/dom.ts';
-import { type Answers, askChoice, askNumber } from '../../widgets/form/form.ts';
+import { askChoice, askNumber } from '../../widgets/form/form.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { toolDialog } from '../timeline/tool-dialog.ts';
 
 const TITLE = 'Attach to…';
 /** Seconds beyond the last take, so that its last frame is within. */
 const BEYOND = 1;
+
+/** What is to follow what, and when, in seconds of the timeline. */
+export interface Asked {
+  readonly follower: string;
+  /** Of `choiceOf`. */
+  readonly joint: string;
+  readonly from: number;
+  readonly until: number;
+}
+
+type Attached = ArgsOf<typeof addAttachment> & {
+  /** In seconds of the timeline; undefined: it is held to the end of the takes. */
+  readonly putDownAt: number | undefined;
+};
+
+/** Attaches, and puts down within the takes, so that nothing jumps there either. */
+export const attachUntil: Command<Attached> = {
+  id: addAttachment.id,
+  label: addAttachment.label,
+  run(document, { putDownAt, ...args }) {
+    const attached = addAttachment.run(document, args);
+    const { characterId, span } = args;
+    const character = findCharacter(attached, characterId);
+    const isTakenOn = character && shownTake(character)?.attached?.list.some((one) => one.span[0] === span[1]);
+    if (putDownAt === undefined || isTakenOn) return attached;
+    return putDown.run(attached, { characterId, timeSeconds: putDownAt });
+  },
+};
 
 export function attachDialog(
   wb: Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
@@ -28,7 +56,7 @@ export function attachDialog(
     return { title: TITLE, body: element('p', {}, 'Open two characters with skeletons first.'), kind: 'tool-dialog' };
   }
   const from = Number(wb.transport.get().timeSeconds.toFixed(3));
-  const until = Math.max(from, rangeOfTakes(document)?.[1] ?? 0) + BEYOND;
+  const until = Math.max(from, endOf(document));
   return toolDialog(wb, close, {
     title: TITLE,
     // The result is visible in the viewport.
@@ -39,33 +67,45 @@ export function attachDialog(
       askChoice('follower', 'Character', named(followers), { value: follower.id }),
       askChoice('joint', 'To', jointsOf(followers), { value: choiceOf(leader.id, leader.joint), autofocus: true }),
       askNumber('from', 'From', from, { unit: 's' }),
-      askNumber('until', 'Until', Number(until.toFixed(3)), { unit: 's' }),
+      askNumber('until', 'Until', until, { unit: 's' }),
     ],
-    command: addAttachment,
-    args: (answers) => argsOf(document, answers),
-    result: ({ characterId, leaderId, joint }, _after, answers) => {
+    command: attachUntil,
+    args: (answers) => {
+      const [follower, joint] = [answers.choice('follower'), answers.choice('joint')];
+      return argsOf(document, { follower, joint, from: answers.number('from'), until: answers.number('until') });
+    },
+    result: ({ characterId, leaderId, joint, putDownAt }, _after, answers) => {
       const to = findCharacter(document, leaderId);
       const name = findCharacter(document, characterId)?.name;
-      return `${name} follows ${jointName(to?.skeleton, joint)} of ${to?.name} from ${shown(answers.number('from'))} s.`;
+      const end = putDownAt === undefined ? 'to the end' : `until ${shown(putDownAt)} s, and stays where it is then`;
+      return `${name} follows ${jointName(to?.skeleton, joint)} of ${to?.name} from ${shown(answers.number('from'))} s ${end}.`;
     },
   });
 }
 
-function argsOf(document: Document, answers: Answers) {
-  const [leaderId, joint] = answers.choice('joint').split(SEPARATOR);
-  const follower = findCharacter(document, answers.choice('follower'));
+/** The arguments of `attachUntil`. */
+export function argsOf(document: Document, { follower: id, joint: choice, from, until }: Asked): Attached {
+  const [leaderId, joint] = choice.split(SEPARATOR);
+  const follower = findCharacter(document, id);
   if (!follower) throw new UserError('The character is no longer there.');
+  const end = endOf(document);
+  const putDownAt = until < end ? until : undefined;
   // Spans are in seconds of the take.
-  const at = (name: string) => answers.number(name) + follower.timeOffsetSeconds;
-  const span: [number, number] = [at('from'), at('until')];
+  const at = (seconds: number) => seconds + follower.timeOffsetSeconds;
+  const span: [number, number] = [at(from), at(putDownAt ?? Math.max(from, end) + BEYOND)];
   if (!(span[0] < span[1])) throw new UserError('It must begin before it ends.');
-  return { characterId: follower.id, leaderId, joint: Number(joint), span };
+  return { characterId: follower.id, leaderId, joint: Number(joint), span, putDownAt };
+}
+
+/** When the takes end, as it is offered. */
+function endOf(document: Document): number {
+  return Number((rangeOfTakes(document)?.[1] ?? 0).toFixed(3));
 }
 
 /** Between the parts of a choice's value; no id has it. */
 const SEPARATOR = ' ';
 
-function choiceOf(id: string, joint: number): string {
+export function choiceOf(id: string, joint: number): string {
   return `${id}${SEPARATOR}${joint}`;
 }
 

@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { addAttachment } from '../../../../src/edit/commands/beside/attach.ts';
-import { meantBy } from '../../../../src/ui/editors/attach/dialog.ts';
+import { addAttachment, putDown } from '../../../../src/edit/commands/beside/attach.ts';
+import type { Character } from '../../../../src/model/document.ts';
+import { argsOf, attachUntil, choiceOf, meantBy } from '../../../../src/ui/editors/attach/dialog.ts';
 import { detachNow, putDownNow } from '../../../../src/ui/editors/attach/edits.ts';
 import { tellFollows } from '../../../../src/ui/editors/posing/tell-follows.ts';
 import { followsText } from '../../../../src/ui/editors/retarget/moved-text.ts';
 import { dopeRows } from '../../../../src/ui/editors/timeline/dope-rows.ts';
-import { character, documentOf, skeleton, take, workbench } from '../../builders.ts';
+import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const BODY = skeleton(['hips', -1], ['hand', 0]);
 const walker = character({ id: 'w', name: 'walker', skeleton: BODY, takes: [take([0, 1])], shownTake: 0 });
@@ -19,7 +20,8 @@ const attached = () => {
   return wb;
 };
 const swordIn = (wb: ReturnType<typeof attached>) => wb.store.document.characters[1];
-const spans = (wb: ReturnType<typeof attached>) => swordIn(wb).takes[0].attached?.list.map(({ span }) => span);
+const spansOf = (one: Character) => one.takes[0].attached?.list.map(({ span }) => span);
+const spans = (wb: ReturnType<typeof attached>) => spansOf(swordIn(wb));
 
 describe('attaching on the page', () => {
   it('means the selected joint below a root as the one to follow, else the first other character', () => {
@@ -33,6 +35,35 @@ describe('attaching on the page', () => {
       leader: { id: 'w', joint: 0 },
     });
     expect(meantBy(documentOf(sword), {}, sword)).toEqual({ follower: sword, leader: undefined });
+  });
+
+  it('by the dialog is put down where it ends within the takes, as by hand, and is held to their end otherwise', () => {
+    const from = documentOf(
+      { ...walker, takes: [take([0, 2], { ...channel(0, 1, 2), values: Float64Array.of(0, 1, 3) })] },
+      { ...sword, timeOffsetSeconds: 0.3 },
+    );
+    const asked = { follower: 's', joint: choiceOf('w', 1), from: 0.5 };
+    const by = (until: number) => argsOf(from, { ...asked, until });
+    const { wb } = workbench(from);
+    wb.store.apply(attachUntil, by(1.2));
+    expect(wb.store.undoLabel).toBe('Attach sword to hand');
+    const hand = workbench(from).wb.store;
+    hand.apply(attachUntil, by(2));
+    expect(spansOf(hand.document.characters[1])).toEqual([[0.8, 3.3]]);
+    hand.apply(putDown, { characterId: 's', timeSeconds: 1.2 });
+    expect(wb.store.document.characters[1].takes[0].channels).toEqual(hand.document.characters[1].takes[0].channels);
+    expect(wb.store.document.characters[1].takes[0].channels[0].kind).toBe('keys');
+    expect(spansOf(wb.store.document.characters[1])).toEqual([[0.8, 1.5]]);
+    wb.store.undo();
+    expect(wb.store.document).toBe(from);
+    // What begins at that time takes it over.
+    wb.store.apply(addAttachment, { characterId: 's', leaderId: 'w', joint: 0, span: [1.5, 3] });
+    wb.store.apply(attachUntil, by(1.2));
+    expect(spansOf(wb.store.document.characters[1])).toEqual([
+      [0.8, 1.5],
+      [1.5, 3],
+    ]);
+    expect(() => by(0.5)).toThrow('It must begin before it ends.');
   });
 
   it('is put down at the current time, and detached', () => {
