@@ -15,6 +15,14 @@ const needsAttached = needs('The current character is not attached.', (wb: Uses<
   return character !== undefined && shownTake(character)?.attached !== undefined;
 });
 
+/** At its very end, too: it is keyed where it was then. */
+const needsHeld = needs('It follows nothing at this time. Go to a time at which it does.', (wb: Workbench) => {
+  const character = currentCharacter(wb);
+  const time = wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
+  const list = (character && shownTake(character)?.attached?.list) ?? [];
+  return list.some(({ span }) => span[0] <= time && time <= span[1]);
+});
+
 const OF_CHARACTER = { group: 'Edit', menu: 'Edit', section: 3 } as const;
 
 export const ATTACH_ACTIONS: readonly Action[] = [
@@ -32,7 +40,7 @@ export const ATTACH_ACTIONS: readonly Action[] = [
     ...OF_CHARACTER,
     id: 'character.putDown',
     label: 'Put down',
-    refuses: needsAttached,
+    refuses: (wb) => needsAttached(wb) ?? needsHeld(wb),
     run: (wb) => edit(wb, ({ putDownNow }) => putDownNow(wb)),
   },
   {

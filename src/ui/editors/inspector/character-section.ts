@@ -12,18 +12,19 @@ import {
   startSeconds,
 } from '../../../model/document.ts';
 import { lengthStep } from '../../../model/skeleton/reach.ts';
-import { tryById } from '../../state/actions/action.ts';
+import { findAction, reasonNot, tryById } from '../../state/actions/action.ts';
 import type { HandEdit } from '../../state/actions/hand-edit.ts';
+import { followWithNumbers } from '../../state/follow-time.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/joints/angles.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { button, element, setText } from '../../widgets/dom.ts';
+import { button, element, setAttribute, setText } from '../../widgets/dom.ts';
 import type { Units } from '../../widgets/numbers/arithmetic.ts';
 import { exact } from '../../widgets/numbers/number-text.ts';
 import { removeControllers, Slider, showIn } from '../../widgets/numbers/slider.ts';
 import { contentOf } from '../../widgets/section.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
 import { movedButtons } from '../retarget/moved.ts';
-import { followsText } from '../retarget/moved-text.ts';
+import { followsAt } from '../retarget/moved-text.ts';
 import { addSpaceRows } from './space-rows.ts';
 import { addTakeRows, askForTakeName } from './take-rows.ts';
 
@@ -34,6 +35,8 @@ export class CharacterSection {
   private character: Character | undefined;
   private copy = 0;
   private rows: (() => void)[] = [];
+  /** Of those, what also changes with the time. */
+  private timed: (() => void)[] = [];
   /** Rows made of several lil-gui controllers. */
   private lines: HTMLElement[] = [];
   private readonly buttons = element('div', { class: 'row-buttons' });
@@ -47,6 +50,7 @@ export class CharacterSection {
       button('Add an instance next to it', { class: 'plain' }, 'Add instance', () => tryById(wb, 'character.copy')),
       button('Remove this instance', { class: 'plain remove-copy' }, 'Remove instance', () => this.removeShownCopy()),
     );
+    followWithNumbers(wb.transport, () => this.updateTimed());
     wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, section));
   }
 
@@ -57,6 +61,7 @@ export class CharacterSection {
     for (const line of this.lines) line.remove();
     this.lines = [];
     this.rows = [];
+    this.timed = [];
     this.section.show(character !== undefined);
     if (this.character?.id !== character?.id) this.copy = 0;
     this.character = character;
@@ -119,8 +124,14 @@ export class CharacterSection {
     this.lines.push(line);
     this.rows.push(update);
     if (!take.attached) return;
-    const act = (label: string, tooltip: string, id: string) =>
-      button(tooltip, { class: 'plain' }, label, () => tryById(this.wb, id));
+    const act = (label: string, tooltip: string, id: string) => {
+      const made = button(tooltip, { class: 'plain' }, label, () => tryById(this.wb, id));
+      const action = findAction(this.wb, id);
+      const reason = () => action && reasonNot(this.wb, action);
+      setTooltip(made, () => reason() ?? tooltip);
+      this.timed.push(() => setAttribute(made, 'aria-disabled', reason() && 'true'));
+      return made;
+    };
     this.addMoved(
       element(
         'span',
@@ -137,10 +148,15 @@ export class CharacterSection {
     const line = element('div', { class: 'moved-row' }, text, buttons);
     contentOf(this.section).append(line);
     this.lines.push(line);
-    this.rows.push(() => {
-      const follows = this.character ? followsText(this.character) : '';
-      setText(text, `${follows.slice(0, 1).toUpperCase()}${follows.slice(1)}`);
+    this.timed.push(() => {
+      setText(text, this.character ? followsAt(this.character, this.wb.transport.get().timeSeconds) : '');
+      setTooltip(text, text.textContent ?? '');
     });
+    this.rows.push(() => this.updateTimed());
+  }
+
+  private updateTimed(): void {
+    for (const row of this.timed) row();
   }
 
   private addLimits(character: Character): void {

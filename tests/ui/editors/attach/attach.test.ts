@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { addAttachment, putDown } from '../../../../src/edit/commands/beside/attach.ts';
 import type { Character } from '../../../../src/model/document.ts';
+import { ATTACH_ACTIONS } from '../../../../src/ui/editors/attach/actions.ts';
 import { argsOf, attachUntil, choiceOf, meantBy } from '../../../../src/ui/editors/attach/dialog.ts';
 import { detachNow, putDownNow } from '../../../../src/ui/editors/attach/edits.ts';
 import { tellFollows } from '../../../../src/ui/editors/posing/tell-follows.ts';
-import { followsText } from '../../../../src/ui/editors/retarget/moved-text.ts';
+import { followsAt, followsText } from '../../../../src/ui/editors/retarget/moved-text.ts';
 import { dopeRows } from '../../../../src/ui/editors/timeline/dope-rows.ts';
 import { channel, character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
@@ -73,6 +74,20 @@ describe('attaching on the page', () => {
     expect(spans(wb)).toEqual([[0.5, 1.25]]);
     detachNow(wb);
     expect(spans(wb)).toBeUndefined();
+  });
+
+  it('is told by the time, and put down only where it is held', () => {
+    const wb = attached();
+    const at = (time: number) => {
+      wb.transport.update((p) => ({ ...p, timeSeconds: time }));
+      const refused = ATTACH_ACTIONS.find(({ id }) => id === 'character.putDown')?.refuses?.(wb);
+      return [followsAt(swordIn(wb), time), refused !== undefined];
+    };
+    expect(at(0.2)).toEqual(['Follows walker’s hand from 0.50 s', true]);
+    expect(at(1.2)).toEqual(['Follows walker’s hand', false]);
+    putDownNow(wb);
+    expect(at(1.2)).toEqual(['Followed walker’s hand until 1.20 s', false]);
+    expect(at(1.5)).toEqual(['Followed walker’s hand until 1.20 s', true]);
   });
 
   it('is told where the character is listed, and has a row in the dope sheet, with keys or without', () => {
