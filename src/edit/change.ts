@@ -13,6 +13,8 @@ export interface Change {
   readonly selected?: SelectedJoint;
   /** Number of locked DOFs that would have been changed, and were left alone; absent for none. */
   readonly locked?: number;
+  /** Number of keys that switch limbs, and were left as steps among others; absent for none. */
+  readonly switches?: number;
   /** A sentence on what it has done, for what else is said of it; absent where its label says all. */
   readonly done?: string;
 }

@@ -19,6 +19,7 @@ import { CommandError } from './command-error.ts';
 import type { EditedChannel } from './keys/arrange.ts';
 import { wholeSteps, withoutStepsAfter } from './keys/steps.ts';
 import type { TangentSide } from './keys/tangents.ts';
+import { stepsKept } from './limbs/switch-steps.ts';
 import { allLocked } from './pose/locks.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { requireTake, withTake } from './takes.ts';
@@ -109,7 +110,8 @@ export function changeKeys(
 }
 
 /**
- * Like `changeKeys`, for changes of tangents.
+ * Like `changeKeys`, for changes of tangents. Switches of limbs that are steps stay so among keys of other channels
+ * (`limbs/switch-steps.ts`); the edit says how many.
  * @param side held steps that follow the keys end unless this is `in`
  */
 export function changeTangents(
@@ -118,10 +120,24 @@ export function changeTangents(
   side: TangentSide,
   change: (channel: KeyedChannel, indices: readonly number[]) => KeyedChannel,
 ): Edit {
-  return changeKeys(document, of, (channel, indices) => {
-    const free = side === 'in' ? { channel, indices } : withoutStepsAfter(channel, indices);
+  const keptOf = stepsKept(requireCharacter(document, of.characterId), of.keys);
+  let switches = 0;
+  const edit = changeKeys(document, of, (channel, indices, entry) => {
+    const kept = keptOf(of.keys[entry].channel);
+    const stay = new Set(kept && indices.filter((k) => kept.stays(channel, k)));
+    switches += new Set([...stay].map((k) => channel.times[k])).size;
+    if (stay.size > 0)
+      return {
+        channel: change(
+          channel,
+          indices.filter((k) => !stay.has(k)),
+        ),
+        indices,
+      };
+    const free = side === 'in' ? { channel, indices } : withoutStepsAfter(channel, indices, kept?.spaceTimes);
     return { channel: change(free.channel, free.indices), indices: free.indices };
   });
+  return switches > 0 ? { ...edit, switches } : edit;
 }
 
 /** Keys of one channel, with the channel. */

@@ -34,16 +34,19 @@ export function onEachCharacter<Args extends { readonly characterId: string }>(
       let all: Change = { document };
       for (const args of each) {
         const change = command.run(all.document, args);
-        const locked = (all.locked ?? 0) + (isChange(change) ? (change.locked ?? 0) : 0);
-        all = { ...(isChange(change) && change), document: documentIn(change), ...(locked > 0 && { locked }) };
+        const told: Partial<Change> = isChange(change) ? change : {};
+        all = { ...told, document: documentIn(change), ...leftAlone(all, told) };
         if (all.keys) keysOf.set(args.characterId, all.keys);
       }
       // What one says of itself isn't said of all.
-      return each.length === 1 ? { ...all, keysOf } : { document: all.document, keysOf, ...lockedIn(all) };
+      return each.length === 1 ? { ...all, keysOf } : { document: all.document, keysOf, ...leftAlone(all) };
     },
   };
 }
 
-function lockedIn({ locked }: Change): Pick<Change, 'locked'> {
-  return locked === undefined ? {} : { locked };
+/** The numbers of what both have left alone. */
+function leftAlone(a: Partial<Change>, b: Partial<Change> = {}): Pick<Change, 'locked' | 'switches'> {
+  const locked = (a.locked ?? 0) + (b.locked ?? 0);
+  const switches = (a.switches ?? 0) + (b.switches ?? 0);
+  return { ...(locked > 0 && { locked }), ...(switches > 0 && { switches }) };
 }

@@ -51,7 +51,7 @@ interface OpenGesture extends Gesture {
 
 type Listener = (now: State, before: State) => void;
 /** What a change says of itself. */
-type Told = Pick<Change, 'done' | 'locked'>;
+type Told = Pick<Change, 'done' | 'locked' | 'switches'>;
 /** @param told by the change that made the step */
 type StepListener = (now: State, before: State, told: Told) => void;
 

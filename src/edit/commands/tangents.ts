@@ -17,7 +17,8 @@ import { keysIn } from '../step-names.ts';
 
 /**
  * `fixed` keeps the current slope as a number. `step`, on whichever side, makes keys hold up to the next one; any other
- * choice for the side after a key ends that.
+ * choice for the side after a key ends that. Among keys of other channels, those of a goal's `blend` and `bend` that are
+ * steps stay so, as do all steps between a goal's spaces.
  */
 export const setTangents = command({
   id: 'keys.setTangents',

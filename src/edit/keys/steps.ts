@@ -107,11 +107,16 @@ function isFlat({ tangentsOut }: KeyedChannel, key: number): boolean {
 /**
  * Removes the held steps that follow keys, so that another tangent can leave these.
  * @param indices ascending, unique; returned with their new positions
+ * @param lasting times of steps that stay
  */
-export function withoutStepsAfter(channel: KeyedChannel, indices: readonly number[]): EditedChannel {
+export function withoutStepsAfter(
+  channel: KeyedChannel,
+  indices: readonly number[],
+  lasting: readonly number[] = [],
+): EditedChannel {
   const gone = new Set(
     outerKeys(channel, wholeSteps(channel, indices))
-      .filter((k) => isStepped(channel, k))
+      .filter((k) => isStepped(channel, k) && !lasting.includes(channel.times[k + 1]))
       .map((k) => k + 1),
   );
   if (gone.size === 0) return { channel, indices };
