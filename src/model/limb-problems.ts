@@ -48,7 +48,7 @@ export function limbProblem(limb: Limb, skeleton: Skeleton, others: readonly Lim
   const broken = joints.findIndex((joint, k) => k > 0 && all[joint].parent !== joints[k - 1]);
   if (joints.length < 2) return { code: 'limb-not-a-chain', message: `${name} has fewer than two joints.` };
   if (broken > 0) {
-    const message = `of the joints of ${name}, ${called(joints[broken])} should be attached to ${called(joints[broken - 1])}.`;
+    const message = `${called(joints[broken])} of ${name} should be attached to ${called(joints[broken - 1])}.`;
     return { code: 'limb-not-a-chain', message };
   }
   const shared = joints.find((joint) => others.some((other) => other.joints.includes(joint)));

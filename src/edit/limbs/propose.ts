@@ -76,13 +76,32 @@ export function hasOtherSide(skeleton: Skeleton, joints: readonly number[], limb
   });
 }
 
+/** Whether a limb is of the counterparts of another's joints. */
+export function isMirrorOf(skeleton: Skeleton, limb: Limb, other: Limb): boolean {
+  const { partner } = reflectionOf(skeleton);
+  return (
+    limb !== other &&
+    limb.joints.length === other.joints.length &&
+    limb.joints.every((joint, k) => partner[joint] === other.joints[k])
+  );
+}
+
+/** The name of the limb on the other side, if it has one there. */
+export function nameOnOtherSide(
+  skeleton: Skeleton,
+  { name, joints }: Pick<Limb, 'name' | 'joints'>,
+): string | undefined {
+  const last = reflectionOf(skeleton).partner[joints[joints.length - 1]];
+  return mirroredName(name) ?? skeleton.joints[last]?.name;
+}
+
 /** The limb on the other side; undefined if a joint of it has no counterpart there. */
 export function mirroredLimb(skeleton: Skeleton, limb: Limb, taken: ReadonlySet<string>): Limb | undefined {
   const { partner, normal } = reflectionOf(skeleton);
   const joints = limb.joints.map((joint) => partner[joint]);
   if (joints.some((joint, k) => joint < 0 || joint === limb.joints[k])) return undefined;
   const last = limb.joints[limb.joints.length - 1];
-  const name = mirroredName(limb.name) ?? skeleton.joints[joints[joints.length - 1]].name;
+  const name = nameOnOtherSide(skeleton, limb) ?? limb.name;
   const compiled = compileSkeleton(skeleton);
   const pose = Float64Array.from(filePose(skeleton, 0));
   const world = new Float64Array(16 * compiled.jointCount);

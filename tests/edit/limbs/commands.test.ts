@@ -45,13 +45,22 @@ describe('limbs.add', () => {
     expect(leftArm).toMatchObject({ name: 'hand_l', orient: false, bend: { dof: 'ry', sign: -1 } });
     expect(rightArm).toMatchObject({ name: 'hand_r', bend: { dof: 'ry', sign: 1 } });
     expectClose([...rightArm.tip], [-0.1, 0.02, 0.03], 1e-9);
+    const label = (mirrored: boolean) => addLimb.label(walking(), { ...HERO, joints: arm, mirrored });
+    expect([true, false].map(label)).toEqual(['Add limbs hand_l and hand_r', 'Add limb hand_l']);
   });
 
   it('refuses what is no chain, shares a joint or a name, or has no other side, in words', () => {
     const legs = withLegs();
     const joints = ['thigh_l', 'foot_l'].map(jointCalled);
-    expect(() => addLimb.run(walking(), { ...HERO, joints })).toThrow(/foot_l should be attached to thigh_l/);
-    expect(() => addLimb.run(legs, { ...HERO, joints: LEG })).toThrow('Thigh_l of foot_l already belongs to leg_l.');
+    expect(() => addLimb.run(walking(), { ...HERO, joints })).toThrow(
+      /^foot_l of foot_l should be attached to thigh_l/,
+    );
+    expect(() => addLimb.run(legs, { ...HERO, joints: LEG })).toThrow(
+      /^leg_l is a limb already, as is its mirror, leg_r\.$/,
+    );
+    expect(() => addLimb.run(legs, { ...HERO, joints: LEG.slice(1) })).toThrow(
+      /^shin_l already belongs to the limb leg_l\.$/,
+    );
     const tail = ['tail_1', 'tail_2', 'tail_3'].map(jointCalled);
     expect(() => addLimb.run(legs, { ...HERO, joints: tail, name: 'leg_l' })).toThrow('Another limb is called');
     expect(() => addLimb.run(legs, { ...HERO, joints: tail, mirrored: true })).toThrow('has no counterpart');

@@ -9,6 +9,7 @@ import { type Character, type Document, shownTake } from '../../../model/documen
 import { limbProblem } from '../../../model/limb-problems.ts';
 import type { Limb } from '../../../model/limbs.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
+import { jointName } from '../../../model/skeleton/joint-name.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
 import { firstGoalChannel, withGoals } from '../../../model/takes/goals.ts';
 import { GOAL_CHANNELS, type GoalChannel } from '../../../model/takes/take.ts';
@@ -21,7 +22,7 @@ import { sameValue } from '../../delta.ts';
 import { refuseLayers } from '../../layers/refuse-layers.ts';
 import { goalOfLimb, keyedGoal, matchOfLimb, newGoal, switched, withGoal } from '../../limbs/change-goals.ts';
 import { solvedTake } from '../../limbs/flatten-goals.ts';
-import { mirroredLimb, proposedBend } from '../../limbs/propose.ts';
+import { isMirrorOf, mirroredLimb, nameOnOtherSide, proposedBend } from '../../limbs/propose.ts';
 import { inSpace, inSpaceFrom } from '../../limbs/spaces.ts';
 import { refuseMoved } from '../../refuse-moved.ts';
 import { freeName } from '../../rig/names.ts';
@@ -50,11 +51,15 @@ export const addLimb = command({
     /** Adds the limb of the other side, too. */
     mirrored: optional(boolean),
   },
-  label: (document, { characterId, joints, name }) =>
-    `Add limb ${cutName(name ?? lastName(document, characterId, joints))}`,
+  label(document, { characterId, joints, mirrored, name = lastName(document, characterId, joints) }) {
+    const { skeleton } = requireCharacter(document, characterId);
+    const other = mirrored && skeleton && nameOnOtherSide(skeleton, { name, joints });
+    return other ? `Add limbs ${cutName(name)} and ${cutName(other)}` : `Add limb ${cutName(name)}`;
+  },
   run: (document, { characterId, joints, mirrored = false, ...given }) =>
     changeLimbs(document, characterId, (list, skeleton) => {
       for (const joint of joints) indexIn(joint, 0, skeleton.joints.length, 'joint');
+      refuseTaken(list, joints, skeleton);
       const name = given.name ?? freeName(namesOf(list), lastName(document, characterId, joints));
       const limb = sound({ ...limbOf(skeleton, { joints, name, ...given }) }, skeleton, list);
       if (!mirrored) return [...list, limb];
@@ -201,7 +206,20 @@ function sound(limb: Limb, skeleton: Skeleton, others: readonly Limb[]): Limb {
   }
   const problem = limbProblem(limb, skeleton, others);
   if (!problem) return limb;
-  throw new CommandError(`${problem.message.charAt(0).toUpperCase()}${problem.message.slice(1)}`);
+  throw new CommandError(problem.message);
+}
+
+/** Refuses joints that belong to a limb, before another one has a name. */
+function refuseTaken(list: readonly Limb[], joints: readonly number[], skeleton: Skeleton): void {
+  const owner = list.find((limb) => limb.joints.some((joint) => joints.includes(joint)));
+  if (!owner) return;
+  const name = cutName(owner.name);
+  if (!sameValue(owner.joints, joints)) {
+    const shared = owner.joints.find((joint) => joints.includes(joint)) ?? 0;
+    throw new CommandError(`${jointName(skeleton, shared)} already belongs to the limb ${name}.`);
+  }
+  const mirror = list.find((limb) => isMirrorOf(skeleton, limb, owner));
+  throw new CommandError(`${name} is a limb already${mirror ? `, as is its mirror, ${cutName(mirror.name)}` : ''}.`);
 }
 
 /** The character with other limbs, and with the goals in its takes called as they are; none rather than no limbs. */
