@@ -5,6 +5,7 @@ import { needs } from '../../state/actions/needs.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
+import { rippleSeconds } from '../timeline/edit-all.ts';
 import { needsKeys, needsTake } from '../timeline/key-actions.ts';
 import { changeChannelView, channelViewOf, type TimelinePart, timelineTake } from '../timeline/timeline-take.ts';
 import { showCurves } from './show-curves.ts';
@@ -98,12 +99,9 @@ function ripple(id: string, label: string, shortcut: string, frames: number): Ac
     run(wb) {
       const current = timelineTake(wb);
       if (!current) return;
-      const seconds = frames / wb.transport.get().framesPerSecond;
-      wb.store.apply(onAllInHand(wb, rippleKeys), {
-        characterId: current.character.id,
-        keys: selectedKeysInView(wb),
-        seconds,
-      });
+      const keys = selectedKeysInView(wb);
+      const seconds = rippleSeconds(current, keys, frames / wb.transport.get().framesPerSecond);
+      wb.store.apply(onAllInHand(wb, rippleKeys), { characterId: current.character.id, keys, seconds });
     },
   };
 }

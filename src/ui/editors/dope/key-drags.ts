@@ -17,7 +17,7 @@ import type { Uses } from '../../state/workbench.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { secondsPerPixel, timeAt } from '../../widgets/time/time-window.ts';
 import { editOfTakes, keyPlacing, onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
-import { copiedOfPart } from '../timeline/edit-all.ts';
+import { copiedOfPart, rippleSeconds } from '../timeline/edit-all.ts';
 import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
 import { type TimelineTake, timelineTake } from '../timeline/timeline-take.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
@@ -120,7 +120,7 @@ export class MoveKeys extends KeyDrag {
         addKeys(wb, command, (outsideCycle) => each.map((pasted) => ({ ...pasted, outsideCycle }))),
       );
     } else if (way === 'ripple') {
-      edit.preview(this.rippling, { characterId, keys, seconds });
+      edit.preview(this.rippling, { characterId, keys, seconds: rippleSeconds(current, keys, seconds) });
     } else {
       edit.preview(this.moving, { characterId, keys, seconds, onCollision: wb.timeline.view.get().onCollision });
     }

@@ -3,6 +3,7 @@ import type { Change } from '../../../edit/change.ts';
 import type { Command } from '../../../edit/command.ts';
 import { onEachCharacter } from '../../../edit/in-turn.ts';
 import type { CopiedKeys } from '../../../edit/keys/clipboard.ts';
+import { rippleRoom } from '../../../edit/keys/ripple.ts';
 import { unionKeys } from '../../../edit/keys/selection.ts';
 import type { Character, Document } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
@@ -39,7 +40,8 @@ export function onAllShown<A extends OfAll>(
       const own = each(args);
       const label = command.label(document, own[0] ?? args);
       const verb = label.split(' ', 1)[0];
-      return own.length > 1 ? `${verb} ${args.keys ? 'keys' : 'curves'} of ${own.length} characters` : label;
+      const what = command.id.startsWith('keys.') ? 'keys' : 'curves';
+      return own.length > 1 ? `${verb} ${what} of ${own.length} characters` : label;
     },
     run(document, args) {
       const change = onEachCharacter(command, '').run(document, each(args));
@@ -80,6 +82,14 @@ function argsOf<A extends OfAll>({ character: active }: TimelineTake, part: Time
 }
 
 const TIMES: ReadonlySet<string> = new Set(['timeSeconds', 'pivotSeconds', 'offsetSeconds']);
+
+/** Seconds by which keys of all parts can ripple: those of all characters by the same. */
+export function rippleSeconds({ take }: TimelineTake, keys: readonly ChannelKeys[], seconds: number): number {
+  return keys.reduce((by, { channel, indices }) => {
+    const own = take.channels[channel];
+    return own?.kind === 'keys' ? Math.max(by, rippleRoom(own, indices[0])) : by;
+  }, seconds);
+}
 
 /** Added to times of the active character's take to have those of another's. */
 export function laterThan(active: Character, { timeOffsetSeconds }: Character): number {

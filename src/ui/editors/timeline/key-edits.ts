@@ -26,7 +26,7 @@ import {
   selectKeys,
   takeTime,
 } from './current-take.ts';
-import { copiedByCharacter, copiedOfAll } from './edit-all.ts';
+import { copiedByCharacter, copiedOfAll, rippleSeconds } from './edit-all.ts';
 import { pastableChannels, pasteTargets } from './paste-targets.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
 import { namedIn, partWith, timelineTake } from './timeline-take.ts';
@@ -154,7 +154,7 @@ export function nudge(
     wb.store.apply(onAllInHand(wb, rippleKeys), {
       characterId: current.character.id,
       keys,
-      seconds: frames / framesPerSecond,
+      seconds: rippleSeconds(current, keys, frames / framesPerSecond),
     });
     return;
   }

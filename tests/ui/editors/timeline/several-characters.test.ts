@@ -1,7 +1,7 @@
 /** Rows, curves and keys of two selected characters, of which one starts half a second into its take. */
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { moveKeys, scaleKeys } from '../../../../src/edit/commands/keys.ts';
+import { moveKeys, rippleKeys, scaleKeys } from '../../../../src/edit/commands/keys.ts';
 import { type Document, shownTake } from '../../../../src/model/document.ts';
 import { keysOf } from '../../../../src/model/takes/take.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
@@ -16,6 +16,7 @@ import {
   selectedKeysInView,
   selectKeys,
 } from '../../../../src/ui/editors/timeline/current-take.ts';
+import { rippleSeconds } from '../../../../src/ui/editors/timeline/edit-all.ts';
 import { followCharacter } from '../../../../src/ui/editors/timeline/follow-character.ts';
 import { selectedText, selectWhere } from '../../../../src/ui/editors/timeline/key-edits.ts';
 import { isolateOfAll, listedOfAll, toggleIn, viewOfAll } from '../../../../src/ui/editors/timeline/listed-of-all.ts';
@@ -165,6 +166,16 @@ describe('keys of several characters', () => {
     );
   });
 
+  it('they ripple by the same time, as far back as all of them can', () => {
+    selectKeys(wb, [
+      { channel: 6, indices: [1] },
+      { channel: WALKER + 6, indices: [1] },
+    ]);
+    const seconds = rippleSeconds(shown(), selectedKeys(wb), -0.8);
+    wb.store.apply(onAllInHand(wb, rippleKeys), { characterId: 'flyer', keys: selectedKeys(wb), seconds });
+    expect([now(0, 6)[1], now(1, 6)[1]]).toEqual([0.5, 0.5]);
+  });
+
   it('they are scaled about one time of the transport', () => {
     selectKeys(wb, [
       { channel: 1, indices: [0, 1] },
@@ -198,6 +209,7 @@ describe('keys of several characters', () => {
     runAction(wb, 'timeline.insertKey');
     expect(now(0, 6)).toEqual([0, 0.25, 1]);
     expect(now(1, 6)).toEqual([0.5, 0.25 + OFFSET, 1]);
+    expect(wb.store.undoLabel).toBe('Insert keys of 2 characters');
   });
 
   it('they are counted together', () => {
