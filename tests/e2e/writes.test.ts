@@ -8,6 +8,7 @@ import { star } from '../bench/gpu/scenes/star.ts';
 import { drawNothing } from '../helpers/gl-calls.ts';
 import { layoutsOf } from '../helpers/main-thread.ts';
 import { manyMorphs } from '../helpers/many-morphs.ts';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { type PageOptions, withPage } from '../helpers/page.ts';
 import { framesPass, type PageWrites, writesOf } from '../helpers/page-writes.ts';
 import { drawn, onPage, standing } from './checks/ik.ts';
@@ -65,6 +66,8 @@ async function costOf(page: Page): Promise<PageWrites & { layouts: number; paint
   return { ...writes, ...counted };
 }
 
+const inPage = inOnePage({ walking: true, before: drawNothing });
+
 describe('elements of the page while characters play', () => {
   it.each([
     ['the walker', 1, { walking: true }],
@@ -96,68 +99,64 @@ describe('elements of the page while characters play', () => {
       ),
   );
 
-  it('numbers change while it plays, are those of the time when it stops, and follow each move of the scrubber', () =>
-    withPage(
-      async ({ page }) => {
-        await allShown(page, 1);
-        const time = page.getByRole('textbox', { name: 'Time in seconds' });
-        const slider = page.locator('.dof input').first();
-        const seconds = async () => Number(await time.inputValue());
-        const before = [await seconds(), await slider.inputValue()];
-        await page.evaluate(() => window.marrow.play());
-        await expect.poll(seconds).not.toBe(before[0]);
-        await expect.poll(() => slider.inputValue()).not.toBe(before[1]);
-        await page.evaluate(() => window.marrow.pause());
-        // Of the scrubber, exact.
-        const exact = async () => Number(await page.locator('.scrubber').getAttribute('aria-valuenow'));
-        await expect.poll(async () => Math.abs((await exact()) - (await seconds()))).toBeLessThan(0.001);
+  inPage(
+    'numbers change while it plays, are those of the time when it stops, and follow each move of the scrubber',
+    async ({ page }) => {
+      await allShown(page, 1);
+      const time = page.getByRole('textbox', { name: 'Time in seconds' });
+      const slider = page.locator('.dof input').first();
+      const seconds = async () => Number(await time.inputValue());
+      const before = [await seconds(), await slider.inputValue()];
+      await page.evaluate(() => window.marrow.play());
+      await expect.poll(seconds).not.toBe(before[0]);
+      await expect.poll(() => slider.inputValue()).not.toBe(before[1]);
+      await page.evaluate(() => window.marrow.pause());
+      // Of the scrubber, exact.
+      const exact = async () => Number(await page.locator('.scrubber').getAttribute('aria-valuenow'));
+      await expect.poll(async () => Math.abs((await exact()) - (await seconds()))).toBeLessThan(0.001);
 
-        const ruler = await page.locator('.scrubber').boundingBox();
-        if (!ruler) throw new Error('There is no ruler.');
-        await page.mouse.move(ruler.x + 100, ruler.y + 8);
-        await page.mouse.down();
-        const shownTimes = new Set<string>();
-        for (let i = 1; i <= 5; i++) {
-          await page.mouse.move(ruler.x + 100 + 40 * i, ruler.y + 8);
-          await drawn(page);
-          shownTimes.add(await time.inputValue());
-        }
-        await page.mouse.up();
-        expect(shownTimes.size).toBe(5);
-      },
-      { walking: true, before: drawNothing },
-    ));
+      const ruler = await page.locator('.scrubber').boundingBox();
+      if (!ruler) throw new Error('There is no ruler.');
+      await page.mouse.move(ruler.x + 100, ruler.y + 8);
+      await page.mouse.down();
+      const shownTimes = new Set<string>();
+      for (let i = 1; i <= 5; i++) {
+        await page.mouse.move(ruler.x + 100 + 40 * i, ruler.y + 8);
+        await drawn(page);
+        shownTimes.add(await time.inputValue());
+      }
+      await page.mouse.up();
+      expect(shownTimes.size).toBe(5);
+    },
+  );
 });
 
 describe('elements of the page while a joint is dragged', () => {
-  it.each(['posing.pose', 'posing.fk', 'posing.ik'])('%s: only what has changed is written', (mode) =>
-    withPage(
-      async ({ page }) => {
-        await allShown(page, 1);
-        await page.evaluate((id) => window.marrow.run(id), mode);
-        await standing(page);
-        const now = await shown(page);
-        const from = await onPage(page, place(now, now.names.indexOf('hand_l')));
-        await page.mouse.move(from.x, from.y);
-        await drawn(page);
-        await page.mouse.down();
-        // The first move selects the joint, whose rows and curves come then.
-        await page.mouse.move(from.x + 5, from.y - 5);
-        await drawn(page);
-        await page.mouse.move(from.x + 10, from.y - 10);
-        await drawn(page);
-        const writes = await writesOf(page, async () => {
-          for (let i = 0; i < 10; i++) {
-            await page.mouse.move(from.x + 10 + 3 * i, from.y - 10 - 3 * i);
-            await drawn(page);
-          }
-        });
-        await page.mouse.up();
-        expect(writes.equal).toEqual([]);
-        // Numbers of the joint, its sliders, and the chip or label beside it; more than 80 when all panels wrote anew.
-        expect(writes.frames.flat().length / 10).toBeLessThan(40);
-      },
-      { walking: true, before: drawNothing },
-    ),
-  );
+  for (const mode of ['posing.pose', 'posing.fk', 'posing.ik'])
+    inPage(`${mode}: only what has changed is written`, async ({ page }) => {
+      await undoAll(page);
+      await allShown(page, 1);
+      await page.evaluate((id) => window.marrow.run(id), mode);
+      await standing(page);
+      const now = await shown(page);
+      const from = await onPage(page, place(now, now.names.indexOf('hand_l')));
+      await page.mouse.move(from.x, from.y);
+      await drawn(page);
+      await page.mouse.down();
+      // The first move selects the joint, whose rows and curves come then.
+      await page.mouse.move(from.x + 5, from.y - 5);
+      await drawn(page);
+      await page.mouse.move(from.x + 10, from.y - 10);
+      await drawn(page);
+      const writes = await writesOf(page, async () => {
+        for (let i = 0; i < 10; i++) {
+          await page.mouse.move(from.x + 10 + 3 * i, from.y - 10 - 3 * i);
+          await drawn(page);
+        }
+      });
+      await page.mouse.up();
+      expect(writes.equal).toEqual([]);
+      // Numbers of the joint, its sliders, and the chip or label beside it; more than 80 when all panels wrote anew.
+      expect(writes.frames.flat().length / 10).toBeLessThan(40);
+    });
 });
