@@ -52,6 +52,23 @@ describe('what a sample asks to be drawn', () => {
     expect(names()).toBe(false);
   });
 
+  it('display options of an example come back with it by undo, as they were left, and go again by redo', () => {
+    const { names, open, show, store, setNames } = settings();
+    open({ names: true, bones: false });
+    show('sample');
+    show('sword');
+    expect(names()).toBe(false);
+    store.undo();
+    expect(names()).toBe(true);
+    store.redo();
+    expect(names()).toBe(false);
+    store.undo();
+    setNames(false);
+    show('sample', 'sword');
+    store.undo();
+    expect(names()).toBe(false);
+  });
+
   it('display options of an example are not remembered', () => {
     const { all, names, setNames, open, display } = settings();
     open({ names: true });
