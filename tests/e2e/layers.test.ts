@@ -147,7 +147,7 @@ it('a capture’s leg is raised by a layer through the whole take, and its frame
     await expect.poll(async () => (await layers(page))[0].mute).toBe(true);
     await drag(page, 'LeftFoot', [0, 0, 0], [10, -20]);
     await page.keyboard.press('k');
-    await page.locator('.message-text', { hasText: 'Layer "layer" has no part in what is shown there' }).waitFor();
+    await page.locator('.message-text', { hasText: 'The layer "layer" is muted: keys there would not show' }).waitFor();
     await undoTo(page, opened);
     await expect.poll(() => saved(page, 'take.bvh')).toBe(text);
     expectSame(await dofsAt(page, times, 0.5), before);

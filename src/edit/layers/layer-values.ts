@@ -53,6 +53,11 @@ export function touchedByActive(character: Character): (dof: number) => boolean 
 function refused(character: Character): CommandError {
   const take = shownTake(character);
   const layer = take && activeLayer(take);
+  if (layer?.mute) {
+    return new CommandError(
+      `The layer "${layer.name}" is muted: keys there would not show. Unmute it, or choose another layer.`,
+    );
+  }
   const what = layer ? `Layer "${layer.name}"` : 'The base';
   return new CommandError(
     `${what} has no part in what is shown there: its weight, mute, solo, joints, or a layer above it keep it out.`,

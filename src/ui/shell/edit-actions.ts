@@ -200,8 +200,10 @@ function travel(wb: Uses<'store' | 'messages'>, way: 'undo' | 'redo'): void {
   wb.messages.leaveBehind(wb.messages.said);
   if (way === 'undo') wb.store.undo();
   else wb.store.redo();
-  if (label === undefined || idsOf(wb).join() === before) return;
-  wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo restores it.` : `Redone: ${label}.`);
+  const after = idsOf(wb).join();
+  if (label === undefined || after === before) return;
+  const text = way === 'undo' ? `Undone: ${label}. Redo restores it.` : `Redone: ${label}.`;
+  wb.messages.note(text, 'info', 'until a step', () => idsOf(wb).join() !== after);
 }
 
 function reset(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>, to: 'file' | 'zero'): void {

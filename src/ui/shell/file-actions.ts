@@ -16,6 +16,7 @@ export const FILE_ACTIONS: readonly Action[] = [
   {
     id: 'file.open',
     label: 'Open files…',
+    also: 'add beside',
     group: 'Files',
     menu: 'Open',
     shortcuts: ['Ctrl+O'],

@@ -69,7 +69,7 @@ describe('keying into a layer', () => {
     store.apply(setLayer, { ...WHO, layer: 0, mute: true });
     const { document } = store;
     const key = () => store.apply(keyPose, { ...WHO, dofs: [4], timeSeconds: 0 });
-    expect(key).toThrow('Layer "layer" has no part');
+    expect(key).toThrow('The layer "layer" is muted: keys there would not show.');
     expect(store.document).toBe(document);
     store.apply(setLayer, { ...WHO, layer: 0, mute: false, joints: [0] });
     store.apply(keyPose, { ...WHO, dofs: [4], timeSeconds: 0 });

@@ -15,6 +15,18 @@ beforeEach(() => {
   leaveRefusalsBehind(wb);
 });
 
+it('what was undone is said until it is there again', () => {
+  wb.store.replace('Open sword.skel', documentOf(character(), character({ id: 'c2', name: 'sword' })));
+  const run = (id: string) => {
+    const action = findAction(wb, id);
+    if (action) tryAction(wb, action);
+  };
+  run('edit.undo');
+  expect(wb.messages.passing.get()).toBe('Undone: Open sword.skel. Redo restores it.');
+  wb.store.replace('Open sword.skel', documentOf(character(), character({ id: 'c3', name: 'sword' })));
+  expect(wb.messages.passing.get()).toBeUndefined();
+});
+
 describe('a refusal', () => {
   it('a refusal leaves the line on the next step, and stays in the list', () => {
     wb.messages.note('No.', 'warning');

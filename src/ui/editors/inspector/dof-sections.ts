@@ -3,11 +3,12 @@
 import type { GUI } from 'lil-gui';
 import { cutName } from '../../../edit/cut-name.ts';
 import { matchingDofs } from '../../../edit/pose/same-change.ts';
-import type { Character } from '../../../model/document.ts';
+import { type Character, shownTake } from '../../../model/document.ts';
 import { motionHeading, motionText } from '../../../model/joint-types/texts.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { dofsOf } from '../../../model/skeleton/joint-types.ts';
+import { activeLayer } from '../../../model/takes/layers.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
 import { jointsText } from '../../state/joints/selected-joint.ts';
 import { element, setText, write } from '../../widgets/dom.ts';
@@ -96,7 +97,10 @@ export class DofSections {
     const what = plural(count, 'unkeyed change');
     const isAnySampled = character && unkeyed?.dofs.some((dof) => isSampled(character, dof));
     const keys = isAnySampled ? 'offers to convert sampled curves to keys' : `keys ${count === 1 ? 'it' : 'them'}`;
-    setText(this.note, `${what}, lost when the time changes${key ? `. ${key} ${keys}` : ''}.`);
+    const take = character && shownTake(character);
+    const layer = take && activeLayer(take);
+    const how = layer?.mute ? `. The layer “${layer.name}” is muted` : key ? `. ${key} ${keys}` : '';
+    setText(this.note, `${what}, lost when the time changes${how}.`);
   }
 
   private fillJoint(character: Character, dofs: readonly CharacterDof[], joints: readonly number[]): void {

@@ -2,11 +2,12 @@
  * All details of what is selected. Rebuilt for another joint or vertex, and updated while the character moves: ten
  * times a second at most, and only while visible.
  */
+import { sameValue } from '../../../edit/delta.ts';
 import { tipPosition } from '../../../evaluate/end-sites.ts';
 import { compileSkeleton, localMatrices } from '../../../evaluate/kinematics.ts';
 import { isVisible } from '../../../evaluate/visible-points.ts';
 import { determinant3 } from '../../../math/mat4.ts';
-import { type Character, shownSkin } from '../../../model/document.ts';
+import { type Character, DEFAULT_PLACEMENT, findCharacter, shownSkin } from '../../../model/document.ts';
 import { motionText } from '../../../model/joint-types/texts.ts';
 import { movedVertices } from '../../../model/moved-vertices.ts';
 import { firstDofs, rootDofs } from '../../../model/skeleton/dofs.ts';
@@ -119,7 +120,8 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
     local.grid.setMatrix(locals, 16 * index);
     const worlds = facts.worldMatrices();
     world.grid.setMatrix(worlds, 16 * index);
-    world.note(mirrorText(worlds, 16 * index));
+    const now = findCharacter(wb.store.document, id) ?? character;
+    world.note([mirrorText(worlds, 16 * index), placeText(now)].filter(Boolean).join(', '));
     if (length !== undefined) tip?.grid.setRow(0, tipPosition(length, worlds, index));
     fillEnds(worlds, facts.dofs);
   };
@@ -185,6 +187,11 @@ function parentLink(wb: Uses<'store'>, character: Character, parent: number): HT
   const made = element('button', { type: 'button', class: 'link' }, text);
   made.addEventListener('click', () => wb.store.select({ characterId: character.id, joint: parent }));
   return made;
+}
+
+/** World matrices are in the character's own world: notes where that is not the scene's. */
+export function placeText({ placements }: Character): string {
+  return placements.every((one) => sameValue(one, DEFAULT_PLACEMENT)) ? '' : 'without its place in the scene';
 }
 
 /** Notes a mirroring matrix, which flips normals and winding. */

@@ -17,6 +17,8 @@ const BY_KEYS = ['Press T, type a joint’s name, Enter', 'Press V for its DOF, 
 const BESIDE_MOUSE = /^(Tab|F6)$/;
 const LAST = 3;
 type StepsMode = keyof typeof STEPS;
+/** Instead of the first one where nothing has hands. */
+const DRAG_JOINT = 'Drag a joint';
 
 interface Seen {
   readonly document: Document;
@@ -40,9 +42,9 @@ export function firstSteps(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>, 
   );
   const show = () => {
     write(line, 'hidden', !areShown(wb));
-    const mode = stepsMode(wb);
+    const texts = isByKeys ? BY_KEYS : stepTexts(wb);
     steps.forEach(({ row, text }, i) => {
-      if (mode) setText(text, isByKeys ? BY_KEYS[i] : touchWords(STEPS[mode][i]));
+      if (texts) setText(text, isByKeys ? texts[i] : touchWords(texts[i]));
       row.classList.toggle('done', i < done);
       row.classList.toggle('next', i === done);
     });
@@ -92,6 +94,16 @@ export function areShown(wb: Uses<'store' | 'settings' | 'posing' | 'guide'>): b
   // Points have nothing to be posed.
   const canPose = characters.some(({ skeleton }) => !arePoints(skeleton));
   return wb.settings.get().firstSteps && canPose && stepsMode(wb) !== undefined;
+}
+
+/** What the steps say to those with a mouse; undefined in modes that have none. */
+export function stepTexts(wb: Uses<'store' | 'posing'>): readonly string[] | undefined {
+  const mode = stepsMode(wb);
+  if (mode === undefined) return undefined;
+  const hasLimbs = wb.store.document.characters.some(({ skeleton }) =>
+    skeleton?.joints.some(({ parent }) => (skeleton.joints[parent]?.parent ?? -1) >= 0),
+  );
+  return mode === 'pose' && !hasLimbs ? [DRAG_JOINT, ...STEPS.pose.slice(1)] : STEPS[mode];
 }
 
 function stepsMode({ posing }: Uses<'posing'>): StepsMode | undefined {

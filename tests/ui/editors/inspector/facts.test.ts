@@ -6,8 +6,9 @@ import { setIdentity } from '../../../../src/math/mat4.ts';
 import type { Morph } from '../../../../src/model/morph.ts';
 import { movedVertices } from '../../../../src/model/moved-vertices.ts';
 import { oneSurface, type Skin } from '../../../../src/model/skin.ts';
+import { placeText } from '../../../../src/ui/editors/inspector/joint-facts.ts';
 import { materialsAt, materialText } from '../../../../src/ui/editors/inspector/vertex-facts.ts';
-import { skeleton } from '../../builders.ts';
+import { character, skeleton } from '../../builders.ts';
 
 const bindings = new Float64Array(32);
 setIdentity(bindings, 0);
@@ -91,4 +92,11 @@ describe('the materials of a vertex', () => {
       'a.png',
     ]);
   });
+});
+
+it('world matrices say that they are without the place of the character in the scene, where it has one', () => {
+  const { placements } = character();
+  expect(placeText(character())).toBe('');
+  const moved = [...placements, { ...placements[0], position: [1, 0, 0] as const }];
+  expect(placeText(character({ placements: moved }))).toBe('without its place in the scene');
 });

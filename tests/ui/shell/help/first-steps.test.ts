@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { areShown, stepsDone as done } from '../../../../src/ui/shell/help/first-steps.ts';
+import { areShown, stepsDone as done, stepTexts } from '../../../../src/ui/shell/help/first-steps.ts';
 import { character, documentOf, skeleton, take, workbench } from '../../builders.ts';
 
 const stepsDone = (...[before, now, was]: [number, Parameters<typeof done>[1], Parameters<typeof done>[2]]) =>
@@ -54,6 +54,13 @@ it('first steps are shown only where a click selects a joint and a drag turns it
     wb.posing.mode.set(mode);
     expect(areShown(wb)).toBe(isShown);
   }
+});
+
+it('first steps name hands and feet only where something has limbs', () => {
+  const first = (...joints: [string, number][]) =>
+    stepTexts(workbench(documentOf({ ...start, skeleton: skeleton(...joints) })).wb)?.[0];
+  expect(first(['hilt', -1], ['blade', 0])).toBe('Drag a joint');
+  expect(first(['arm', -1], ['elbow', 0], ['hand', 1])).toBe('Drag a hand, a foot or the head');
 });
 
 it('first steps are of no use to points', () => {
