@@ -11,7 +11,7 @@ import type { Limb } from '../../../model/limbs.ts';
 import { characterDofs } from '../../../model/skeleton/dofs.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import type { Skeleton } from '../../../model/skeleton/skeleton.ts';
-import { firstGoalChannel, withGoals } from '../../../model/takes/goals.ts';
+import { firstGoalChannel, spaceAt, withGoals } from '../../../model/takes/goals.ts';
 import { GOAL_CHANNELS, type GoalChannel } from '../../../model/takes/take.ts';
 import { indexIn } from '../../arguments.ts';
 import { changeCharacter, requireCharacter } from '../../characters.ts';
@@ -125,13 +125,17 @@ export const keyLimb = command({
       const match = matchOfLimb(character, limb, now, timeSeconds);
       const asShown = matchValues(now, limb, match, false);
       const isBare = (place ?? pole ?? blend ?? space) === undefined;
+      // It goes into the other space from where it was dragged to.
+      const time = timeSeconds + character.timeOffsetSeconds;
+      const isOtherSpace = known !== undefined && space !== undefined && spaceAt(known, time) !== space;
+      const isMovedByHand = isOtherSpace && withoutByHand(character, goalIndex(character, limb)) !== character;
       const values = new Map<GoalChannel, number>([
-        ...(known ? (isBare ? currentValues(known, match) : []) : asShown),
+        ...(known ? (isBare || isMovedByHand ? currentValues(known, match) : []) : asShown),
         ...(place ? goalValues(GOAL_OF, place) : []),
         ...(pole ? goalValues(POLE_OF, pole) : []),
         ...(blend === undefined ? [] : ([['blend', blend]] as const)),
       ]);
-      const keyed = keyedGoal(now, values, timeSeconds + character.timeOffsetSeconds);
+      const keyed = keyedGoal(now, values, time);
       const next = withGoal(character, keyed);
       return space === undefined ? next : withGoal(next, inSpaceFrom(next, limb, keyed, space, timeSeconds));
     }),
@@ -280,11 +284,15 @@ function changeGoal(
     if (next === taking) return character;
     const { skeleton, limbs } = next;
     const goals = shownTake(next)?.goals;
-    const at = goals?.list.findIndex((goal) => goal.limb === one.name) ?? -1;
+    const at = goalIndex(next, one);
     const problem = skeleton && limbs && goals && goalProblems(goals, limbs, skeleton).find(({ goal }) => goal === at);
     if (problem) throw new CommandError(`${cutName(one.name)}: ${problem.message}`);
     return withoutByHand(next, at);
   });
+}
+
+function goalIndex(character: Character, { name }: Limb): number {
+  return shownTake(character)?.goals?.list.findIndex(({ limb }) => limb === name) ?? -1;
 }
 
 /** The character without unkeyed values of a goal, which is another one now; default: of all of them. */

@@ -1,8 +1,17 @@
 /** Edits of limbs and their goals, for menus and the inspector. Loaded on first use. */
-import { addLimb, flattenLimbs, keyLimb, removeLimb, switchLimb } from '../../../edit/commands/beside/limbs.ts';
+import {
+  addLimb,
+  flattenLimbs,
+  keyLimb,
+  removeLimb,
+  setLimbSpace,
+  switchLimb,
+} from '../../../edit/commands/beside/limbs.ts';
 import { inTurn } from '../../../edit/in-turn.ts';
 import { canOrient, hasOtherSide, proposedJoints } from '../../../edit/limbs/propose.ts';
 import { limbRows } from '../../../evaluate/limbs/infos.ts';
+import { GOAL_OF, POLE_OF } from '../../../evaluate/limbs/posed.ts';
+import { shownTake } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import { attempt } from '../../state/actions/attempt.ts';
 import { selectedJoints } from '../../state/joints/selected-joint.ts';
@@ -52,6 +61,22 @@ export function keyGoals(wb: Parts): void {
     const each = selected.limbs.map(({ index }) => ({ ...of(wb, selected), limb: index }));
     wb.store.apply(inTurn(keyLimb, `Key goal of ${namesOf(selected)}`), each);
   });
+}
+
+/**
+ * Puts the goal of the first of the selected joints' limbs into another space without moving it: from now on if it has
+ * keys, else for the whole take.
+ */
+export function putInSpace(wb: Parts, space: string): void {
+  const selected = selectedLimbs(wb);
+  if (!selected) return;
+  pausePlayback(wb);
+  const [{ index, limb }] = selected.limbs;
+  const goal = shownTake(selected.character)?.goals?.list.find((one) => one.limb === limb.name);
+  const names = [...GOAL_OF, ...POLE_OF];
+  const isKeyed = goal !== undefined && names.some((name) => typeof (goal.channels[name]?.curve ?? 0) !== 'number');
+  const command = isKeyed ? keyLimb : setLimbSpace;
+  attempt(wb.messages, () => wb.store.apply(command, { ...of(wb, selected), limb: index, space }));
 }
 
 /** Removes the limbs of the selected joints. */

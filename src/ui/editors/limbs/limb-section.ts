@@ -1,17 +1,17 @@
 /** The section of a limb in the inspector: share of IK, switch and space of the limb that the selected joint belongs to. */
 import type { GUI } from 'lil-gui';
-import { keyLimb, setLimbSpace } from '../../../edit/commands/beside/limbs.ts';
+import { keyLimb } from '../../../edit/commands/beside/limbs.ts';
 import { limbRows } from '../../../evaluate/limbs/infos.ts';
-import { findCharacter } from '../../../model/document.ts';
 import { jointReferences } from '../../../model/skeleton/joint-reference.ts';
 import { PARENT_SPACE, WORLD_SPACE } from '../../../model/takes/goals.ts';
 import { tryById } from '../../state/actions/action.ts';
-import { attempt } from '../../state/actions/attempt.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { followWithNumbers } from '../../state/follow-time.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { Slider } from '../../widgets/numbers/slider.ts';
+import { setTooltip } from '../../widgets/tooltip.ts';
+import { putInSpace } from './edits.ts';
 import { selectedLimbs } from './selected-limbs.ts';
 
 export class LimbSection {
@@ -40,6 +40,7 @@ export class LimbSection {
     this.switching = section.add(this.binding, 'switch').name('Switch to IK');
     section.add(this.binding, 'key').name('Key goal');
     this.space = section.add(this.binding, 'space', [WORLD_SPACE]).name('Space');
+    setTooltip(this.space.domElement, 'From the current time on, if the goal has keys; it stays where it is');
     this.space.onChange((space: string) => this.put(space));
     followWithNumbers(wb.transport, () => this.showNow());
   }
@@ -74,12 +75,9 @@ export class LimbSection {
   }
 
   private put(space: string): void {
-    const { store, messages } = this.wb;
-    const of = this.limb();
-    if (!of) return;
-    const before = findCharacter(store.document, of.characterId);
-    attempt(messages, () => store.apply(setLimbSpace, { ...of, space }));
-    if (findCharacter(store.document, of.characterId) === before) this.showNow();
+    const { document } = this.wb.store;
+    putInSpace(this.wb, space);
+    if (this.wb.store.document === document) this.showNow();
   }
 
   private limb() {
