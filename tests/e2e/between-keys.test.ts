@@ -82,10 +82,17 @@ inPage('the stepped preview holds each pose up to the next key, and changes noth
   await expect.poll(() => arm(page)).toBeCloseTo(first.value, 9);
   await page.evaluate(() => window.marrow.run('view.steppedPreview', { on: false }));
   await expect.poll(() => arm(page)).not.toBeCloseTo(first.value, 3);
+  const field = page.getByRole('textbox', { name: /^rz\b/ }).first();
+  const smooth = await field.inputValue();
+  const isOn = page.getByRole('button', { name: 'Stepped preview is on' });
+  await expect.poll(() => isOn.count()).toBe(0);
   await page.keyboard.press('Shift+D');
   await expect.poll(() => arm(page)).toBeCloseTo(first.value, 9);
-  await page.keyboard.press('Shift+D');
+  await expect.poll(() => field.inputValue()).not.toBe(smooth);
+  await isOn.click();
   await expect.poll(() => arm(page)).not.toBeCloseTo(first.value, 3);
+  await expect.poll(() => field.inputValue()).toBe(smooth);
+  await expect.poll(() => isOn.count()).toBe(0);
   const labelNow = await undoLabel(page);
   expect(labelNow).toBe(label);
 });

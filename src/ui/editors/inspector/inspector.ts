@@ -29,6 +29,9 @@ import { jointFacts } from './joint-facts.ts';
 import { LiveRows } from './live-rows.ts';
 import { displaySection, playbackSection } from './page-sections.ts';
 
+/** Another display may be another pose: that of the stepped preview. */
+const SHOWN_SETTINGS = ['angles', 'timeDisplay', 'display'] as const;
+
 /** @param panel empty, already in the page (`inspector-panel.ts`) */
 export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
@@ -85,7 +88,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     }
   });
   wb.settings.subscribe((now, before) => {
-    if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) showSoon();
+    if (SHOWN_SETTINGS.some((name) => now[name] !== before[name])) showSoon();
   });
   wb.transport.subscribe((now, before) => {
     if (now.framesPerSecond !== before.framesPerSecond) showSoon();

@@ -6,7 +6,7 @@ import { itemOf } from '../../state/actions/menu-entries.ts';
 import { setActionTooltip } from '../../state/actions/tooltips.ts';
 import { followWithNumbers } from '../../state/follow-time.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../widgets/dom.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText, write } from '../../widgets/dom.ts';
 import { toolbar } from '../../widgets/focus/roving.ts';
 import { oncePerFrame } from '../../widgets/frame.ts';
 import { type IconName, icon } from '../../widgets/icons.ts';
@@ -112,6 +112,19 @@ function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
 
 const KEY_LABEL = 'Key changes (or the selected joint)';
 
+/** Says that the stepped preview is on, which nothing else in the picture does, and switches it off. */
+function steppedSwitch(wb: Uses<'actions' | 'settings'>): HTMLElement {
+  const id = 'view.steppedPreview';
+  const made = keepsFocusElsewhere(
+    button('Stepped preview is on', { class: 'tool plain', 'aria-pressed': 'true' }, 'Stepped', () => tryById(wb, id)),
+  );
+  setActionTooltip(wb, made, id, 'Stepped preview is on: poses hold up to the next key');
+  const show = () => write(made, 'hidden', !wb.settings.get().display.stepped);
+  wb.settings.subscribe(show);
+  show();
+  return made;
+}
+
 /** The record switch: red while on, like the frame of the viewport. */
 function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   const key = keepsFocusElsewhere(button(KEY_LABEL, { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.changed')));
@@ -129,7 +142,7 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   };
   wb.timeline.autoKey.subscribe(show);
   show();
-  return toolbar(element('div', { class: 'tools', 'aria-label': 'Keying' }, key, auto));
+  return toolbar(element('div', { class: 'tools', 'aria-label': 'Keying' }, key, auto, steppedSwitch(wb)));
 }
 
 function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement {
