@@ -159,7 +159,9 @@ describe('a key of a motion path', () => {
     const [take] = after.characters[0].takes;
     expect(motionOf(take, -1)).toBe(motionOf(before.characters[0].takes[0], -1));
     expect(motionOf(take, 0).channels).not.toEqual(channels);
-    expect(() => movePathKey.run(layered([{ ...layer, mute: true }]), args)).toThrow('Layer "arm" has no part');
+    expect(() => movePathKey.run(layered([{ ...layer, mute: true }]), args)).toThrow(
+      'The layer "arm" is muted: keys there would not show.',
+    );
   });
 
   it('of a capture is the frame there, and no other number of the file changes', () => {

@@ -47,14 +47,14 @@ export async function loadTarget({ retarget, map, space }: TargetFiles, folder: 
   const [first] = characters;
   if (!first) throw new UsageError(`--retarget takes a file with a skeleton; ${retarget.join(', ')} has none.`);
   const names = characters.map(({ name }) => name).join(', ');
+  const isOne = new Set(characters.map(keyOf)).size === 1;
   // A file may hold several, such as the people of one capture.
-  if (new Set(characters.map(({ sources }) => sources[0]?.path)).size > 1) {
+  if (!isOne && new Set(characters.map(({ sources }) => sources[0]?.path)).size > 1) {
     throw new UsageError(
       `--retarget takes one character, found ${characters.length} (${names}). Name the files of one of them.`,
     );
   }
   const read = map === undefined ? undefined : readMap(map, folder);
-  const isOne = new Set(characters.map(keyOf)).size === 1;
   return {
     retargetOf(take) {
       const character = isOne ? first : characters.find((one) => keyOf(one) === keyOf(take));
