@@ -112,7 +112,7 @@ describe('what a newcomer is told', () => {
     withPage(
       async ({ page, url }) => {
         const steps = page.getByRole('region', { name: 'First steps' });
-        await steps.getByText('Drag a hand, a foot or the head').waitFor();
+        await steps.getByText('Drag a joint').waitFor();
         await page.evaluate(() => window.marrow.run('posing.ik'));
         await steps.waitFor({ state: 'hidden' });
         await page.evaluate(() => window.marrow.run('posing.fk'));
