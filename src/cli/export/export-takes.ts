@@ -117,41 +117,10 @@ function listedNotes(notes: ReadonlyMap<string, number>): ExportSummary['notes']
     .sort((a, b) => b.takes - a.takes || (a.note < b.note ? -1 : 1));
 }
 
-/** Of everything but the input that decides what its outputs are. */
-function keyOf(
-  {
-    to,
-    precision,
-    fps,
-    crop,
-    isRaw,
-    isMirrored,
-    rate,
-    retarget,
-    map,
-    space,
-    isChecked,
-    tolerance,
-  }: ExportTask['settings'],
-  dependsOn: readonly string[],
-): string {
-  const options = {
-    VERSION,
-    LAYOUT,
-    to,
-    precision,
-    fps,
-    crop,
-    isRaw,
-    isMirrored,
-    rate,
-    retarget,
-    map,
-    space,
-    isChecked,
-    tolerance,
-  };
+/** Of everything but the input that decides what its outputs are: any option that isn't about where and when. */
+function keyOf(settings: ExportTask['settings'], dependsOn: readonly string[]): string {
+  const { folder: _f, out: _o, parts: _p, replaces: _r, isTimed: _t, ...deciding } = settings;
   return createHash('sha256')
-    .update(JSON.stringify([options, dependsOn.map(hashOf)]))
+    .update(JSON.stringify([VERSION, LAYOUT, deciding, dependsOn.map(hashOf)]))
     .digest('hex');
 }
