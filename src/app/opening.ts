@@ -13,13 +13,14 @@ import type { Keep } from '../files/open/layers.ts';
 import { type DumpFile, type OpenResult, openInSteps } from '../files/open/open-in-steps.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, type Document, findCharacter, shownTake } from '../model/document.ts';
+import { type Character, type Document, findCharacter, rangeOfTakes, shownTake } from '../model/document.ts';
 import { sentenceOf } from '../model/failure.ts';
 import { byFileName, type ParsedFile, type SourceFile } from '../model/files.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import type { Observable } from '../ui/widgets/observable.ts';
 import type { ViewCamera } from '../view/camera/view-camera.ts';
+import { framedTimes } from '../view/shown-characters.ts';
 import { runInSlices } from '../view/slices.ts';
 import { type Runs, WorkerError } from '../worker/client.ts';
 import type { GivenBlob, ParseOutput } from '../worker/protocol.ts';
@@ -225,9 +226,11 @@ export class Opener {
     const characters = opened.flatMap((id) => findCharacter(document, id) ?? []);
     const size = characters.reduce((sum, { skeleton }) => sum + PER_CHARACTER + (skeleton?.joints.length ?? 0), 0);
     if (size > MANY_JOINTS) {
+      const seen = document.characters.filter(({ isHidden }) => !isHidden);
+      const times = framedTimes(rangeOfTakes(document) ?? this.parts.transport.get().range, seen);
       for (const character of characters) {
         yield 1;
-        this.parts.viewport.prepare(character);
+        this.parts.viewport.prepare(character, times);
         // Who follows the document asks for all rates at once.
         const take = shownTake(character);
         if (take) frameRateOf(take);

@@ -22,6 +22,26 @@ export interface ShownCharacter {
   placements: Float64Array;
   /** The character they were computed for; undefined if they change with the pose. */
   placedFor: Character | undefined;
+  /** Found before it was shown, for the first framing. */
+  motion?: FramedMotion | undefined;
+}
+
+/** At which times framing asks where characters are. */
+export interface FramedTimes {
+  readonly range: readonly [number, number];
+  /** Equal intervals of the range, at whose ends it asks; less than one: only now. */
+  readonly count: number;
+}
+
+/** Where a character is then; empty if nothing moves it. */
+interface FramedMotion extends FramedTimes {
+  readonly moments: readonly Box3[];
+}
+
+/** A view that is made before its character is in the document. */
+interface PreparedView {
+  readonly view: CharacterView;
+  readonly motion: FramedMotion | undefined;
 }
 
 /** Times of the playback range that framing considers: of one character, and of all of them together. */
@@ -37,7 +57,7 @@ const MAX_ROOM = 50;
 export class ShownCharacters {
   private readonly byId = new Map<string, ShownCharacter>();
   /** Of characters that aren't in the document yet. */
-  private readonly prepared = new Map<string, CharacterView>();
+  private readonly prepared = new Map<string, PreparedView>();
   /** The same as a list, since iterating it allocates nothing. */
   all: readonly ShownCharacter[] = [];
   /** Those that aren't hidden. */
@@ -69,15 +89,20 @@ export class ShownCharacters {
     return entry?.character.isHidden ? undefined : entry;
   }
 
-  /** Makes the view of a character that the next `show` will add: thousands at once would hold up the page. */
-  prepareView(character: Character, display: Display, timeSeconds: number): void {
+  /**
+   * Makes the view of a character that the next `show` will add: thousands at once would hold up the page.
+   *
+   * @param times what framing will ask, which is found, too; default: nothing
+   */
+  prepareView(character: Character, display: Display, timeSeconds: number, times?: FramedTimes): void {
     const { id, skeleton } = character;
     if (this.byId.has(id) || this.prepared.has(id)) return;
     const view = this.create(id);
     view.setVisible(false);
     view.show(character, display, undefined, timeSeconds);
     if (skeleton) for (const prepare of [nodesFor, sizesFor]) prepare(skeleton);
-    this.prepared.set(id, view);
+    const motion = times && motionOf(view, character, times, timeSeconds);
+    this.prepared.set(id, { view, motion });
   }
 
   /**
@@ -102,9 +127,9 @@ export class ShownCharacters {
     for (const character of document.characters) {
       let entry = byId.get(character.id);
       if (!entry) {
-        const view = prepared.get(character.id) ?? this.create(character.id);
+        const { view, motion } = prepared.get(character.id) ?? { view: this.create(character.id), motion: undefined };
         prepared.delete(character.id);
-        entry = { view, character, placements: new Float64Array(0), placedFor: undefined };
+        entry = { view, character, placements: new Float64Array(0), placedFor: undefined, motion };
         byId.set(character.id, entry);
         this.parent.add(entry.view.object);
       } else if (character === entry.character && (!everything || entry.view.isDrawnAlike(display))) continue;
@@ -115,14 +140,16 @@ export class ShownCharacters {
       entry.view.setVisible(!character.isHidden);
       const heatJoint = selection.characterId === character.id ? selection.joint : undefined;
       if (look?.characterId === character.id) {
+        entry.motion = undefined;
         entry.view.show(character, { ...display, skin: look.skin }, look.heat ?? heatJoint, timeSeconds);
       } else if (!entry.view.isShowing(character, display, heatJoint, timeSeconds)) {
+        entry.motion = undefined;
         entry.view.show(character, display, heatJoint, timeSeconds);
       }
       if (entry.view.needsPreparing) this.prepare(entry);
     }
     // Made for a document that didn't come.
-    for (const view of prepared.values()) view.dispose();
+    for (const { view } of prepared.values()) view.dispose();
     prepared.clear();
     this.all = [...byId.values()];
     this.visible = this.all.filter(({ character }) => !character.isHidden);
@@ -188,28 +215,21 @@ export class ShownCharacters {
    * One that leaves for kilometres, or jumps there by a broken frame, would be too small to see: it counts where it is
    * now.
    */
-  boundsOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3[] {
+  boundsOfMotion(range: readonly [number, number], timeSeconds: number, these = this.visible): Box3[] {
     const { own, size } = this;
     const all: Box3[] = [];
-    const wanted = Math.max(FEWEST_MOMENTS, Math.min(MOMENTS, ALL_MOMENTS / these.length));
-    const cost = these.reduce((sum, { character }) => sum + PER_POSE + (character.skeleton?.joints.length ?? 0), 0);
-    const steps = Math.floor(Math.min(wanted, ALL_JOINTS / cost));
-    for (const { view, character } of these) {
+    const times = framedTimes(
+      range,
+      these.map(({ character }) => character),
+    );
+    for (const entry of these) {
+      const { view, character, motion: found } = entry;
       const now = view.bounds(new Box3());
-      const isStill = !character.driver && !shownTake(character);
-      if (!(end > start) || isStill || steps < 1) {
-        all.push(now);
-        continue;
-      }
-      const moments: Box3[] = [];
+      const isFound = found?.range[0] === range[0] && found.range[1] === range[1] && found.count === times.count;
+      const { moments } = isFound ? found : motionOf(view, character, times, timeSeconds);
+      entry.motion = undefined;
       own.copy(now);
-      for (let i = 0; i <= steps; i++) {
-        view.seek(timeBetween(start, end, i / steps));
-        const moment = view.bounds(new Box3());
-        moments.push(moment);
-        own.union(moment);
-      }
-      view.seek(timeSeconds);
+      for (const moment of moments) own.union(moment);
       const isFar = own.getSize(size).length() > MAX_ROOM * now.getSize(size).length();
       all.push(now, ...(isFar ? [] : moments));
     }
@@ -218,11 +238,32 @@ export class ShownCharacters {
 
   dispose(): void {
     for (const { view } of this.all) view.dispose();
-    for (const view of this.prepared.values()) view.dispose();
+    for (const { view } of this.prepared.values()) view.dispose();
     this.prepared.clear();
     this.byId.clear();
     this.all = this.visible = [];
   }
+}
+
+/** When framing these together asks where they are. */
+export function framedTimes(range: readonly [number, number], these: readonly Character[]): FramedTimes {
+  const wanted = Math.max(FEWEST_MOMENTS, Math.min(MOMENTS, ALL_MOMENTS / these.length));
+  const cost = these.reduce((sum, { skeleton }) => sum + PER_POSE + (skeleton?.joints.length ?? 0), 0);
+  return { range, count: Math.floor(Math.min(wanted, ALL_JOINTS / cost)) };
+}
+
+/** Leaves the view posed at `timeSeconds`. */
+function motionOf(view: CharacterView, character: Character, times: FramedTimes, timeSeconds: number): FramedMotion {
+  const [start, end] = times.range;
+  const moments: Box3[] = [];
+  if (end > start && times.count >= 1 && (character.driver || shownTake(character))) {
+    for (let i = 0; i <= times.count; i++) {
+      view.seek(timeBetween(start, end, i / times.count));
+      moments.push(view.bounds(new Box3()));
+    }
+    view.seek(timeSeconds);
+  }
+  return { ...times, moments };
 }
 
 /** World position of a skin's vertex as drawn; false if there is none. */

@@ -11,7 +11,7 @@ import type { ShotParts } from './camera/shots.ts';
 import type { Look } from './look.ts';
 import type { Overlay } from './overlay.ts';
 import { Pointing } from './picking/pointing.ts';
-import { type ShownCharacter, vertexPosition } from './shown-characters.ts';
+import { type FramedTimes, type ShownCharacter, vertexPosition } from './shown-characters.ts';
 import { STAGE_THEMES, type ThemeName } from './theme.ts';
 import { View, type ViewEvents } from './view.ts';
 
@@ -36,10 +36,10 @@ export class Viewport extends View {
     container.append(this.orientation.element);
   }
 
-  /** Makes ready what `show` will need of a character that is about to be added: see `ShownCharacters`. */
-  prepare(character: Character): void {
+  /** Makes ready what `show` and framing will need of a character that is about to be added: see `ShownCharacters`. */
+  prepare(character: Character, times: FramedTimes): void {
     const { characters, display, timeSeconds } = this.shown;
-    this.tryShow(() => characters.prepareView(character, display, timeSeconds));
+    this.tryShow(() => characters.prepareView(character, display, timeSeconds, times));
   }
 
   /** Draws a character in another way than the display says; undefined: all as it says. */

@@ -4,7 +4,7 @@ import { fitEye, lookingFrom } from '../../src/math/framing.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { Grid } from '../../src/view/scene/grid.ts';
-import { ShownCharacters } from '../../src/view/shown-characters.ts';
+import { framedTimes, ShownCharacters } from '../../src/view/shown-characters.ts';
 import { DrawnSkins } from '../../src/view/skin/drawn-skins.ts';
 import { character, documentOf, joint, skin } from '../helpers/builders.ts';
 import { sharedCaptures } from '../helpers/bvh-files.ts';
@@ -232,6 +232,56 @@ describe('views of characters', () => {
       all.show(documentOf(now), display, selection, 0, false);
       expect(taken()).toEqual(['show post0', 'show post0']);
     }
+  });
+
+  it('framing asks no prepared one for the times that were found, unless what it asks has changed', () => {
+    const walk = (id: string, z: number) =>
+      captured(
+        skeleton,
+        takeOfRoots(
+          skeleton,
+          [0, 50, 300, 100].map((x) => [x, 85, z] as const),
+        ),
+        { id, space },
+      );
+    const walks = [walk('a', 0), walk('b', 200)];
+    const range = walks[0].takes[0].range;
+    let seeks = 0;
+    const prepared = (wide = DEFAULT_DISPLAY) => {
+      const all = new ShownCharacters(
+        new Group(),
+        () => {
+          const view = new CharacterView(new DrawnSkins());
+          const { seek } = view;
+          view.seek = (time) => {
+            seeks++;
+            seek.call(view, time);
+          };
+          return view;
+        },
+        () => {},
+      );
+      for (const one of walks) all.prepareView(one, DEFAULT_DISPLAY, 0, framedTimes(range, walks));
+      all.show(documentOf(...walks), wide, {}, 0, false);
+      seeks = 0;
+      return all;
+    };
+    const expected = (asked = range, display = DEFAULT_DISPLAY) => {
+      const all = shown();
+      all.show(documentOf(...walks), display, {}, 0, true);
+      return all.boundsOfMotion(asked, 0);
+    };
+    const all = prepared();
+    expect(all.boundsOfMotion(range, 0)).toEqual(expected());
+    expect(seeks).toBe(0);
+    expect(all.visible.map(({ view }) => view.dofs[0])).toEqual([0, 0]);
+    // Found once: the next framing may come after an edit.
+    expect(all.boundsOfMotion(range, 0)).toEqual(expected());
+    expect(seeks).toBeGreaterThan(100);
+    const half = [range[0], range[1] / 2] as const;
+    expect(prepared().boundsOfMotion(half, 0)).toEqual(expected(half));
+    const inPlace = { ...DEFAULT_DISPLAY, inPlace: true };
+    expect(prepared(inPlace).boundsOfMotion(range, 0)).toEqual(expected(range, inPlace));
   });
 
   it('a prepared one is posed at the time that is shown', () => {

@@ -170,7 +170,8 @@ export class CameraRig {
    */
   frame(boxes: readonly Box3[], coveredTop: number, smoothly: boolean): void {
     const { min, max } = this.drawable;
-    const corners = boxes.flatMap((box) => (this.limitBox(box) ? [...min.toArray(), ...max.toArray()] : []));
+    const corners: number[] = [];
+    for (const box of boxes) if (this.limitBox(box)) corners.push(min.x, min.y, min.z, max.x, max.y, max.z);
     if (corners.length === 0) return;
     const to = this.goal();
     const { axes } = this;
