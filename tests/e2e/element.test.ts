@@ -141,7 +141,11 @@ describe('the element', () => {
 
   it('the element is played by its controls, by keys while it has the focus, and by scripts', () =>
     withElement(
-      { html: `<marrow-viewer src="${WALKER}" controls alt="A red panda walks"></marrow-viewer>`, before },
+      {
+        html: `<marrow-viewer src="${WALKER}" controls alt="A red panda walks"></marrow-viewer>`,
+        before,
+        drawn: false,
+      },
       async ({ page }) => {
         await loaded(page);
         const stage = page.getByRole('img', { name: 'A red panda walks' });
@@ -175,7 +179,7 @@ describe('the element', () => {
     ));
 
   it('the element plays what it is asked to before it is loaded, and keeps no time of files that it showed before', () =>
-    withElement({ html: '<marrow-viewer></marrow-viewer>', before }, async ({ page }) => {
+    withElement({ html: '<marrow-viewer></marrow-viewer>', before, drawn: false }, async ({ page }) => {
       const asked = await element(page).evaluate((viewer: MarrowViewer, files) => {
         viewer.play();
         const empty = viewer.paused;
@@ -201,6 +205,7 @@ describe('the element', () => {
         html: '<marrow-viewer src="broken.skel" controls></marrow-viewer>',
         files: { 'broken.skel': 'balljoint a {\n  offset 1 two 3\n}\n' },
         before,
+        drawn: false,
         expected: /answered 404|status of 404/,
       },
       async ({ page }) => {

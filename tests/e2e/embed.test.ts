@@ -6,7 +6,7 @@ import type { Browser, Frame, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { FromEmbedded } from '../../src/app/embed/embed-messages.ts';
 import { launchChromium } from '../helpers/chromium.ts';
-import { screenshot } from '../helpers/page.ts';
+import { fillNoPixels } from '../helpers/page.ts';
 import { type StaticServer, serveFolder } from '../helpers/server.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
@@ -56,6 +56,7 @@ async function embedded(
     page.on('pageerror', (error) => problems.push(error.message));
     page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
     const address = `${server.url}?embed=1&${query}`;
+    await page.addInitScript(fillNoPixels, false);
     await page.goto(`${origin}/?frame=${encodeURIComponent(address)}`);
     const frame = page.frames().find((one) => one.url().startsWith(server.url));
     if (!frame) throw new Error('The page has no frame.');
@@ -95,7 +96,6 @@ describe('the embedded page', () => {
         await expect.poll(() => last(page, 'error')).toMatchObject({ message: 'There is no joint wing.' });
         await say(page, { marrow: 'dance' });
         await expect.poll(async () => (await last(page, 'error'))?.message).toContain('There is no message "dance"');
-        await screenshot(page, 'embed');
         await say(page, { marrow: 'open', files: ['samples/crawler.skel', 'samples/crawler_walk.anim'] });
         await expect.poll(() => last(page, 'ready')).toMatchObject({ characters: ['crawler'] });
         await say(page, { marrow: 'open', files: ['samples/nowhere.skel'] });

@@ -39,8 +39,8 @@ export interface PageOptions {
   readonly early?: boolean;
   /** With what newcomers see: the hint over the viewport, and shadows. */
   readonly firstVisit?: boolean;
-  /** With the pixels of the viewport, for tests that look at them. */
-  readonly drawn?: boolean;
+  /** With the pixels of the viewport, for tests that look at them; `later`: from when `fillPixels` says so. */
+  readonly drawn?: boolean | 'later';
   /** Run in the page before any of its own scripts. */
   readonly before?: (() => void) | readonly (() => void)[];
   /** With the page's service worker; by default there is none, so that no test reads what another has stored. */
@@ -106,32 +106,66 @@ function asKnownVisitor(): void {
 }
 
 /**
- * Runs in the page: the viewport stays empty. Everything is computed, sent to the GPU and checked as ever, but of what is
- * shown no vertex is moved and no pixel is filled, which in software takes most of the time of a test. What lies under the
- * pointer is drawn out of sight, and found as ever.
+ * Runs in the page: the viewport stays empty. Everything is computed, sent to the GPU and checked as ever, but what is
+ * shown is drawn without a vertex or a pixel, and out of sight, so that the browser has no picture of it to lay over the
+ * page: in software both take most of the time of a test. What lies under the pointer is found as ever.
+ * @param later whether the page may be shown after all
  */
-function fillNoPixels(): void {
+export function fillNoPixels(later: boolean): void {
   const { prototype } = HTMLCanvasElement;
   const { getContext } = prototype;
   const { prototype: drawing } = WebGL2RenderingContext;
   const seen = new WeakSet<WebGL2RenderingContext>();
-  /** Those of them that draw what is shown now, and nothing out of sight. */
+  /** Those of them that draw what is shown now, and nothing that is out of sight in the page too. */
   const showing = new WeakSet<object>();
+  let isFilled = false;
   const stayEmpty = (gl: WebGL2RenderingContext) => {
     seen.add(gl);
-    showing.add(gl);
-    gl.enable(gl.RASTERIZER_DISCARD);
-    gl.canvas.addEventListener('webglcontextrestored', () => gl.enable(gl.RASTERIZER_DISCARD), { capture: true });
-    gl.bindFramebuffer = (target, buffer) => {
-      drawing.bindFramebuffer.call(gl, target, buffer);
+    let unseen: WebGLFramebuffer | null = null;
+    const show = (target: number) => {
+      drawing.bindFramebuffer.call(gl, target, isFilled ? null : unseen);
       if (target === gl.READ_FRAMEBUFFER) return;
-      if (buffer) {
+      if (isFilled) {
         showing.delete(gl);
         gl.disable(gl.RASTERIZER_DISCARD);
       } else {
         showing.add(gl);
         gl.enable(gl.RASTERIZER_DISCARD);
       }
+    };
+    const begin = () => {
+      unseen = gl.createFramebuffer();
+      drawing.bindFramebuffer.call(gl, gl.FRAMEBUFFER, unseen);
+      for (const [attachment, format] of [
+        [gl.COLOR_ATTACHMENT0, gl.RGBA8],
+        [gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH24_STENCIL8],
+      ] as const) {
+        const buffer = gl.createRenderbuffer();
+        gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+        gl.renderbufferStorage(gl.RENDERBUFFER, format, 1, 1);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
+      }
+      gl.bindRenderbuffer(gl.RENDERBUFFER, null);
+      show(gl.FRAMEBUFFER);
+    };
+    begin();
+    gl.canvas.addEventListener('webglcontextrestored', begin, { capture: true });
+    gl.bindFramebuffer = (target, buffer) => {
+      if (!buffer) return show(target);
+      drawing.bindFramebuffer.call(gl, target, buffer);
+      if (target === gl.READ_FRAMEBUFFER) return;
+      showing.delete(gl);
+      gl.disable(gl.RASTERIZER_DISCARD);
+    };
+    gl.drawBuffers = (buffers) =>
+      drawing.drawBuffers.call(
+        gl,
+        [...buffers].map((buffer) => (buffer === gl.BACK && !isFilled ? gl.COLOR_ATTACHMENT0 : buffer)),
+      );
+    // Between frames, when what is shown is bound.
+    window.fillPixels = (filled) => {
+      isFilled = filled;
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     };
   };
   // Scripts of tests that run after this one see how much would be drawn. WebGL's methods by name.
@@ -151,10 +185,17 @@ function fillNoPixels(): void {
   // It has an overload for each kind of context.
   prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: object) {
     if (kind !== 'webgl2') return getContext.call(this, kind, options);
-    const gl = getContext.call(this, kind, { ...options, antialias: false });
+    const gl = getContext.call(this, kind, later ? options : { ...options, antialias: false });
     if (gl instanceof WebGL2RenderingContext && !seen.has(gl)) stayEmpty(gl);
     return gl;
   } as typeof getContext;
+}
+
+declare global {
+  interface Window {
+    /** Of a page that is drawn later: its next frames have pixels, or none again. Set by `fillNoPixels`. */
+    fillPixels(isFilled: boolean): void;
+  }
 }
 
 let chromium: Promise<Browser> | undefined;
@@ -210,7 +251,7 @@ export async function openPage(options: PageOptions): Promise<OpenedPage> {
     collectProblems(another, server.url, problems);
     await another.addInitScript(tellViolations);
     if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
-    if (!options.drawn) await another.addInitScript(fillNoPixels);
+    if (options.drawn !== true) await another.addInitScript(fillNoPixels, options.drawn === 'later');
     for (const script of [options.before ?? []].flat()) await another.addInitScript(script);
     await another.goto(server.url + query);
     // If the page can't draw, it has neither.

@@ -2,7 +2,7 @@
  * A plain static host: the files of a folder under a sub-path, with the headers of docs/hosting.md; 404 for everything
  * else. Vite's own preview answers unknown addresses with the page, which would hide wrong addresses.
  */
-import { createReadStream, statSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { HEADERS, POLICY } from '../../plugins/policy.ts';
@@ -36,6 +36,18 @@ const TYPES: Readonly<Record<string, string>> = {
   '.ico': 'image/x-icon',
 };
 
+/** Read once by each process. */
+const read = new Map<string, { readonly changed: number; readonly content: Buffer }>();
+
+/** Of a file as it is now. @param changed milliseconds */
+function contentOf(file: string, changed: number): Buffer {
+  const before = read.get(file);
+  if (before?.changed === changed) return before.content;
+  const content = readFileSync(file);
+  read.set(file, { changed, content });
+  return content;
+}
+
 /**
  * @param subPath begins and ends with `/`
  * @param framedBy pages that may frame it, as in a policy
@@ -62,7 +74,7 @@ export async function serveFolder(folder: string, subPath: string, framedBy?: st
     const stats = file.startsWith(folder + sep) ? statSync(file, { throwIfNoEntry: false }) : undefined;
     if (!stats?.isFile()) return void response.writeHead(404).end();
     response.writeHead(200, { ...headers, 'content-length': stats.size });
-    createReadStream(file).pipe(response);
+    response.end(contentOf(file, stats.mtimeMs));
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   const address = server.address();

@@ -77,12 +77,18 @@ export class Pages {
     this.server.serve();
     return this.inPage(async (page) => {
       await this.openMarrow(page);
-      const { numbers, size } = await page.evaluate(async () => {
+      const { base64, size } = await page.evaluate(async () => {
         const { bytes } = await window.marrow.glb({ keys: 'linear' });
         const { width, height } = window.frameWatch.canvas();
-        return { numbers: Array.from(bytes), size: { width, height } };
+        // Numbers of an array would each be a message's text and a node of its tree.
+        const address = await new Promise<string>((resolve) => {
+          const reader = new FileReader();
+          reader.onload = () => resolve(String(reader.result));
+          reader.readAsDataURL(new Blob([bytes]));
+        });
+        return { base64: address.slice(address.indexOf(',') + 1), size: { width, height } };
       });
-      return { walker: Uint8Array.from(numbers), size };
+      return { walker: Buffer.from(base64, 'base64'), size };
     });
   }
 
