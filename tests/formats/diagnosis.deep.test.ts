@@ -2,6 +2,7 @@
  * Real files damaged at random by one token, with fixed seeds: the first problem told is on the very line, and hardly
  * anything follows. All shares, with more cases: `MARROW_CASES=200 npx vitest run tests/formats/diagnosis.deep`.
  */
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { ALL_BVH, bvhBytes } from '../helpers/bvh-files.ts';
 import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
@@ -125,4 +126,20 @@ describeShared('the broken motion capture files of the reference, as opened', ()
     expect(problems).toHaveLength(1);
     expect(lines).toContain(problems[0].line);
   });
+});
+
+it('reading never throws, and leaves a file with errors in errors, whatever it holds', () => {
+  const word = fc.constantFrom('balljoint', 'a', '{', '}', 'offset', 'pose', '0', '1.5', '2x', '\t', '"', '骨', 'rig');
+  const gap = fc.constantFrom(' ', '\n', '\r', '\r\r\n', '\n\t', '');
+  const text = fc.array(fc.tuple(word, gap), { maxLength: 40 }).map((parts) => parts.flat().join(''));
+  const property = fc.property(text, fc.constantFrom('skel', 'skin', 'anim', 'rig', 'bvh', 'pose'), (all, kind) => {
+    const { value, diagnostics } = readAsOpened(`x.${kind}`, all);
+    expect(value === undefined).toBe(diagnostics.some(({ severity }) => severity === 'error'));
+    const lines = all.split(/\r*\n|\r/).length;
+    for (const { line, excerpt } of diagnostics) {
+      expect(line).toBeLessThanOrEqual(lines);
+      expect(excerpt?.text.length ?? 0).toBeLessThanOrEqual(200);
+    }
+  });
+  fc.assert(property, { numRuns: 400 });
 });

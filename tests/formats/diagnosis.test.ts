@@ -1,4 +1,3 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { diagnose, isWorthDiagnosing } from '../../src/formats/diagnose/diagnose.ts';
 import { foldUnreadable } from '../../src/formats/diagnose/fold.ts';
@@ -209,36 +208,6 @@ describe('a second reading', () => {
     expect(worth(SKEL.replace('offset 0 0 0', 'mass 2'), 1e8)).toBe(false);
     expect(worth(SKEL.replace('offset 0 0 0', 'rotxlimit 1 0'))).toBe(false);
     expect(worth(SKEL.replace('offset 0 0 0', 'offset 0 0'), 1e9)).toBe(false);
-  });
-
-  it('never throws, and leaves a file with errors in errors, whatever it holds', () => {
-    const word = fc.constantFrom(
-      'balljoint',
-      'a',
-      '{',
-      '}',
-      'offset',
-      'pose',
-      '0',
-      '1.5',
-      '2x',
-      '\t',
-      '"',
-      '骨',
-      'rig',
-    );
-    const gap = fc.constantFrom(' ', '\n', '\r', '\r\r\n', '\n\t', '');
-    const text = fc.array(fc.tuple(word, gap), { maxLength: 40 }).map((parts) => parts.flat().join(''));
-    const property = fc.property(text, fc.constantFrom('skel', 'skin', 'anim', 'rig', 'bvh', 'pose'), (all, kind) => {
-      const { value, diagnostics } = readAsOpened(`x.${kind}`, all);
-      expect(value === undefined).toBe(diagnostics.some(({ severity }) => severity === 'error'));
-      const lines = all.split(/\r*\n|\r/).length;
-      for (const { line, excerpt } of diagnostics) {
-        expect(line).toBeLessThanOrEqual(lines);
-        expect(excerpt?.text.length ?? 0).toBeLessThanOrEqual(200);
-      }
-    });
-    fc.assert(property, { numRuns: 400 });
   });
 });
 

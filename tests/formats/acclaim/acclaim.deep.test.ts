@@ -6,6 +6,7 @@ import { eachFrame } from '../../../src/evaluate/bake.ts';
 import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { toBvhCapture } from '../../../src/evaluate/bvh-capture.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { boneNames } from '../../../src/formats/acclaim/names.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/math/degrees.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Capture } from '../../../src/model/files.ts';
@@ -22,7 +23,7 @@ import {
   UNLIMITED,
 } from '../../../src/model/skeleton/skeleton.ts';
 import { restChannel, SAMPLED } from '../../../src/model/takes/take.ts';
-import { readAmcText, readAsfText, writtenText } from '../../helpers/acclaim.ts';
+import { ODD_ASF, readAmcText, readAsfText, writtenText } from '../../helpers/acclaim.ts';
 
 /** Of the digits that files have. */
 const small = fc.integer({ min: -300_000, max: 300_000 }).map((v) => v / 1e5);
@@ -317,5 +318,31 @@ describe('a motion of Acclaim', () => {
         },
       ),
     );
+  });
+});
+
+describe('files of hostile size', () => {
+  it('an .asf is read in time with its size, whatever it repeats', async () => {
+    const count = 100_000;
+    const numbered = (line: (i: number) => string) => Array.from({ length: count }, (_, i) => line(i)).join('\n');
+    const hostile = [
+      ODD_ASF.replace('angle rad', `angle rad\n${numbered(() => 'mass 1')}`),
+      ODD_ASF.replace('(-inf inf)', numbered(() => '0').replaceAll('\n', ' ')),
+      ODD_ASF.replace(':bonedata', `:bonedata\n${numbered((i) => `begin\nname b${i}\nend`)}`).replace(
+        'low rod stick',
+        `low rod stick\n${numbered((i) => `b${i} b${i + 1}`).replace(/ b\d+$/, '')}`,
+      ),
+    ];
+    const told = await Promise.all(hostile.map((text) => readAsfText(text)));
+    expect(told.map(({ value }) => value?.skeleton.joints.length)).toEqual([5, 5, 5]);
+    const { skeleton } = told[0].value ?? {};
+    const same = skeleton && { ...skeleton, joints: [skeleton.joints[0], ...Array(count).fill(skeleton.joints[1])] };
+    expect(same && new Set(boneNames(same)).size).toBe(count + 1);
+  });
+
+  it('an .amc takes no memory for frames without values', async () => {
+    const bare = Array.from({ length: 3_000_000 }, (_, f) => `${f + 1}\n`).join('');
+    const { diagnostics } = await readAmcText(`:FULLY-SPECIFIED\n${bare}`);
+    expect(diagnostics.map(({ severity, code }) => `${severity} ${code}`)).toContain('error frames-bare');
   });
 });

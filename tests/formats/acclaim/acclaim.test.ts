@@ -5,7 +5,6 @@ import { bareCharacter } from '../../../src/evaluate/bare-character.ts';
 import { endSitePositions } from '../../../src/evaluate/end-sites.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { skeletonNameFor } from '../../../src/files/acclaim-names.ts';
-import { boneNames } from '../../../src/formats/acclaim/names.ts';
 import { dofsOf } from '../../../src/model/skeleton/joint-types.ts';
 import { ODD_AMC, ODD_ASF, readAmcText, readAsfText, writtenText } from '../../helpers/acclaim.ts';
 
@@ -96,24 +95,6 @@ describe('an .asf', () => {
     expect(value === undefined).toBe(diagnostics.some(({ severity }) => severity === 'error'));
   });
 
-  it('is read in time with its size, whatever it repeats', async () => {
-    const count = 100_000;
-    const numbered = (line: (i: number) => string) => Array.from({ length: count }, (_, i) => line(i)).join('\n');
-    const hostile = [
-      ODD_ASF.replace('angle rad', `angle rad\n${numbered(() => 'mass 1')}`),
-      ODD_ASF.replace('(-inf inf)', numbered(() => '0').replaceAll('\n', ' ')),
-      ODD_ASF.replace(':bonedata', `:bonedata\n${numbered((i) => `begin\nname b${i}\nend`)}`).replace(
-        'low rod stick',
-        `low rod stick\n${numbered((i) => `b${i} b${i + 1}`).replace(/ b\d+$/, '')}`,
-      ),
-    ];
-    const told = await Promise.all(hostile.map((text) => readAsfText(text)));
-    expect(told.map(({ value }) => value?.skeleton.joints.length)).toEqual([5, 5, 5]);
-    const { skeleton } = told[0].value ?? {};
-    const same = skeleton && { ...skeleton, joints: [skeleton.joints[0], ...Array(count).fill(skeleton.joints[1])] };
-    expect(same && new Set(boneNames(same)).size).toBe(count + 1);
-  });
-
   it('is written with names that are no words of the file', async () => {
     const { value } = await readAsfText(ODD_ASF);
     if (!value) throw new Error('It was not read.');
@@ -200,12 +181,6 @@ describe('an .amc', () => {
       expect.objectContaining({ code: 'skeleton-assumed', assumed: 'used x.asf, the only one' }),
     );
     expect(told((await readAmcText(ODD_AMC)).diagnostics).join()).not.toContain('skeleton-assumed');
-  });
-
-  it('takes no memory for frames without values', async () => {
-    const bare = Array.from({ length: 3_000_000 }, (_, f) => `${f + 1}\n`).join('');
-    const { diagnostics } = await readAmcText(`:FULLY-SPECIFIED\n${bare}`);
-    expect(told(diagnostics).join()).toContain('error frames-bare');
   });
 
   it('moves the children of a bone that lengthens, and its end', async () => {
