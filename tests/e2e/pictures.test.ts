@@ -225,3 +225,22 @@ it('pictures and videos are what the viewport shows at their times, and leave th
     },
     { size: { width: 1024, height: 640 }, drawn: true },
   ));
+
+it('a picture taken as soon as the time is another shows where the followed walker is then, and leaves it in view', () =>
+  withPage(
+    async ({ page }) => {
+      await page.waitForFunction(() => window.marrow?.characters()[0]?.dofs.length === 93);
+      const pair = await page.evaluate(async () => {
+        const size = { width: 120, height: 90, hasGrid: false };
+        const text = async () =>
+          JSON.stringify([...new Uint8Array((await window.marrow.picture(size).then((b) => b?.arrayBuffer())) ?? [])]);
+        window.marrow.seek(3.2);
+        const atOnce = await text();
+        for (let f = 0; f < 3; f++) await new Promise((resolve) => requestAnimationFrame(resolve));
+        return [atOnce, await text()];
+      });
+      expect(pair[0]).toBe(pair[1]);
+      expect(pair[0].length).toBeGreaterThan(1000);
+    },
+    { walking: true, drawn: true },
+  ));

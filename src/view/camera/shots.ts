@@ -44,6 +44,8 @@ export interface ShotParts {
 export function beginShots({ screen, shown, rig, redraw, update }: ShotParts, options: ShotOptions): Shots {
   const { canvas, renderer, height } = screen;
   const { timeSeconds } = shown;
+  // The camera may not have followed yet to where characters are now: what it is put back to would leave them.
+  update();
   const { view } = rig;
   const ratio = options.height / height;
   const end = () => {
