@@ -6,9 +6,11 @@ import { onEachCharacter } from '../../src/edit/in-turn.ts';
 import { nextKey, previousKey, shownKeys } from '../../src/evaluate/plot/shown-keys.ts';
 import { shownTake } from '../../src/model/document.ts';
 import { keysOf } from '../../src/model/takes/take.ts';
+import { meantOfEach } from '../../src/ui/editors/posing/pose-edits.ts';
 import { runAction } from '../../src/ui/state/actions/action.ts';
-import { selectedJointsText } from '../../src/ui/state/joints/selected-joint.ts';
+import { allJointsText } from '../../src/ui/state/joints/selected-joint.ts';
 import type { Workbench } from '../../src/ui/state/workbench.ts';
+import { character, documentOf } from './builders.ts';
 import { OFFSET, withTwoCharacters } from './two-characters.ts';
 
 let wb: Workbench;
@@ -69,8 +71,22 @@ describe('keys of the selected joints of several characters', () => {
     expect(wb.store.document).toEqual(before);
   });
 
-  it('the whole pose is keyed of each', () => {
+  it('without joints the bar tweens the whole of each, as Shift+K keys it', () => {
+    expect(meantOfEach(wb).map(({ dofs }) => dofs)).toEqual([
+      [6, 7, 8],
+      [6, 7, 8],
+    ]);
+    wb.store.select({ characterId: 'flyer', beside: [{ characterId: 'walker' }] });
+    expect(meantOfEach(wb).map(({ character: { id }, dofs }) => [id, dofs])).toEqual([
+      ['walker', undefined],
+      ['flyer', undefined],
+    ]);
+  });
+
+  it('the whole pose is keyed of each that has a skeleton', () => {
     seek(0.3);
+    wb.store.replace('Add', documentOf(...wb.store.document.characters, character({ id: 'prop', name: 'Prop' })));
+    wb.store.select({ ...wb.store.selection, beside: [{ characterId: 'prop' }, { characterId: 'walker' }] });
     runAction(wb, 'key.pose');
     expect([timesOf(0, 3), timesOf(1, 3)]).toEqual([
       [0.3, 1],
@@ -102,14 +118,23 @@ describe('keys of the selected joints of several characters', () => {
 
 describe('the selection of several characters', () => {
   it('its joints are counted with their characters', () => {
-    expect(selectedJointsText(wb)).toBe('2 joints of 2 characters');
+    expect(allJointsText(wb)).toBe('2 joints of 2 characters');
+  });
+
+  it('what is for the active character alone says so, and no more', () => {
+    const labelOf = (id: string) => wb.actions.all().flatMap((one) => (one.id === id ? wb.actions.label(one) : []));
+    const ofAll = wb.actions.all().filter((action) => wb.actions.label(action).includes('of 2 characters'));
+    expect(ofAll.map(({ id }) => id).sort()).toEqual(['key.deleteJointHere', 'key.joint', 'timeline.jointCurves']);
+    expect(labelOf('pose.resetJoints')).toEqual(['Reset wing of Flyer to file pose']);
+    wb.store.select({ characterId: 'flyer', joint: 1, beside: [{ characterId: 'walker' }] });
+    expect(labelOf('pose.resetJoints')).toEqual(['Reset wing to file pose']);
   });
 
   it('joints are selected from those of each, and all joints of each', () => {
     runAction(wb, 'select.parent');
     expect(wb.store.selection).toMatchObject({ characterId: 'flyer', joint: 0, beside: [{ joint: 0 }] });
     runAction(wb, 'select.allJoints');
-    expect(selectedJointsText(wb)).toBe('4 joints of 2 characters');
+    expect(allJointsText(wb)).toBe('4 joints of 2 characters');
   });
 
   it('a removed character leaves it, and undo brings it back', () => {

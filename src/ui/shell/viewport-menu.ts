@@ -16,12 +16,7 @@ import type { CanvasPointer } from '../editors/viewport/canvas-tools.ts';
 import { currentCharacter } from '../state/actions/action.ts';
 import { menuEntries, sectionsOf } from '../state/actions/menu-entries.ts';
 import { activateJoint } from '../state/joints/select-joints.ts';
-import {
-  type ResolvedJoint,
-  selectedJoint,
-  selectedJointsOf,
-  selectedJointsText,
-} from '../state/joints/selected-joint.ts';
+import { allJointsText, type ResolvedJoint, selectedJoint, selectedJointsOf } from '../state/joints/selected-joint.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { type MenuEntry, openMenu } from '../widgets/menu.ts';
 import { shown } from '../widgets/numbers/number-text.ts';
@@ -72,7 +67,7 @@ function open(
   byKey: boolean,
   before: Selection,
 ) {
-  const name = subject === 'joint' ? selectedJointsText(wb) : currentCharacter(wb)?.name;
+  const name = subject === 'joint' ? allJointsText(wb) : currentCharacter(wb)?.name;
   const label = subject === 'background' || name === undefined ? 'Viewport' : name;
   openMenu(at, viewportEntries(wb, subject, before), { label, opener: wb.viewport.canvas, focusFirst: byKey });
 }
@@ -85,7 +80,7 @@ function open(
 export function viewportEntries(wb: Workbench, subject: MenuSubject, before?: Selection): MenuEntry[] {
   const selected = subject === 'joint' ? selectedJoint(wb) : undefined;
   if (selected)
-    return [titleOf(selectedJointsText(wb)), ...addingEntries(wb, selected, before), ...jointEntries(wb, selected)];
+    return [titleOf(allJointsText(wb)), ...addingEntries(wb, selected, before), ...jointEntries(wb, selected)];
   const character = subject === 'character' ? currentCharacter(wb) : undefined;
   if (character) return [titleOf(character.name), ...sectionsOf(wb, CHARACTER)];
   return backgroundEntries(wb);

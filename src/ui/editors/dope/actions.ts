@@ -6,7 +6,7 @@ import type { Action, Uses } from '../../state/workbench.ts';
 import { onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
 import { rippleSeconds } from '../timeline/edit-all.ts';
-import { needsKeys, needsTake } from '../timeline/key-actions.ts';
+import { needsKeys, needsTimeline } from '../timeline/key-actions.ts';
 import { changeChannelView, channelViewOf, type TimelinePart, timelineTake } from '../timeline/timeline-take.ts';
 import { showCurves } from './show-curves.ts';
 
@@ -59,7 +59,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
     menu: MENU,
     section: 17,
     panel: 'timeline',
-    refuses: needsTake,
+    refuses: needsTimeline,
     run(wb) {
       for (const { character, take } of partsOf(wb))
         changeChannelView(wb.timeline, character.id, { unfolded: allFolds(character, take) });

@@ -13,11 +13,11 @@ import { currentCharacter, selectedCharacters } from '../../state/actions/action
 import { NO_JOINT, needs, needsSkeleton } from '../../state/actions/needs.ts';
 import { keyNameOf } from '../../state/actions/tooltips.ts';
 import { askForMoment } from '../../state/add-keys.ts';
-import { selectedJointsOf, selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { allJointsText, selectedJointsOf } from '../../state/joints/selected-joint.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { shown } from '../../widgets/numbers/number-text.ts';
 import { needsTake } from '../timeline/key-actions.ts';
-import { deleteKeysNow, jointsOfEach, keyNow, keysNow, type OfCharacter } from './pose-edits.ts';
+import { deleteKeysNow, jointsOfEach, keyNow, keysNow, type OfCharacter, posesOfEach } from './pose-edits.ts';
 
 const takeInView = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
@@ -42,12 +42,12 @@ export const KEYING_ACTIONS: readonly Action[] = [
     menu: 'Keys',
     shortcuts: ['Shift+K'],
     refuses: needsSkeleton,
-    run: (wb) => keyEach(wb, ofEach(wb)),
+    run: (wb) => keyEach(wb, posesOfEach(wb)),
   },
   {
     id: 'key.joint',
     name: 'Key all DOFs of selected joints',
-    label: (wb) => `Key all DOFs of ${selectedJointsText(wb)}`,
+    label: (wb) => `Key all DOFs of ${allJointsText(wb)}`,
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Ctrl+Alt+K'],
@@ -78,12 +78,12 @@ export const KEYING_ACTIONS: readonly Action[] = [
     section: 1,
     shortcuts: ['Alt+K'],
     refuses: needs('There are no keys at the current time.', (wb) => hasKeysHere(wb)),
-    run: (wb) => deleteKeysNow(wb, ofEach(wb)),
+    run: (wb) => deleteKeysNow(wb, posesOfEach(wb)),
   },
   {
     id: 'key.deleteJointHere',
     name: 'Delete selected joints’ keys at current time',
-    label: (wb) => `Delete keys of ${selectedJointsText(wb)} at current time`,
+    label: (wb) => `Delete keys of ${allJointsText(wb)} at current time`,
     group: 'Keys',
     menu: 'Keys',
     section: 1,
@@ -203,11 +203,6 @@ export const KEYING_ACTIONS: readonly Action[] = [
 function withCharacter(wb: Uses<'store'>, run: (character: Character) => void): void {
   const character = currentCharacter(wb);
   if (character) run(character);
-}
-
-/** All DOFs, of each selected character. */
-function ofEach(wb: Uses<'store'>): readonly OfCharacter[] {
-  return selectedCharacters(wb).map((character) => ({ character }));
 }
 
 /** A shortcut that silently does nothing without a selected joint would be confusing. */

@@ -177,3 +177,14 @@ export function jointsOfEach(wb: Uses<'store'>): readonly OfCharacter[] {
     return joints.length ? { character, dofs: dofsOfJoints(character, joints) } : [];
   });
 }
+
+/** All DOFs of each selected character with a skeleton. */
+export function posesOfEach(wb: Uses<'store'>): readonly OfCharacter[] {
+  return selectedCharacters(wb).flatMap((character) => (character.skeleton ? { character } : []));
+}
+
+/** DOFs of the selected joints, of all characters, else of the whole of each. */
+export function meantOfEach(wb: Uses<'store'>): readonly OfCharacter[] {
+  const each = jointsOfEach(wb);
+  return each.length ? each : posesOfEach(wb);
+}

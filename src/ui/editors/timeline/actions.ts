@@ -2,13 +2,13 @@
 
 import { OUTSIDE_CYCLE } from '../../../edit/keys/cycle.ts';
 import { needs, needsJoint } from '../../state/actions/needs.ts';
-import { selectedJointsText } from '../../state/joints/selected-joint.ts';
+import { allJointsText } from '../../state/joints/selected-joint.ts';
 import { openPanel } from '../../state/panels/panels.ts';
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsToEdit, currentTake, ownChannelsToEdit, selectedKeysInView } from './current-take.ts';
 import { OUTSIDE_LABELS } from './cycle-text.ts';
-import { needsCurveInView, needsKeys, needsTake } from './key-actions.ts';
+import { needsCurveInView, needsKeys, needsTimeline } from './key-actions.ts';
 import { addTo, isolateOfAll, setOfAll, viewOfAll } from './listed-of-all.ts';
 import type { SampleTool } from './sample-tools.ts';
 import { timelineTake } from './timeline-take.ts';
@@ -121,14 +121,14 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   {
     id: 'timeline.jointCurves',
     name: 'Show curves of selected joints',
-    label: (wb) => `Show curves of ${selectedJointsText(wb)}`,
+    label: (wb) => `Show curves of ${allJointsText(wb)}`,
     group: 'Curves',
     menu: 'View',
     section: 3,
     refuses: needsJoint,
     run(wb) {
       openPanel(wb, 'timeline', true);
-      wb.timeline.isolate(undefined);
+      isolateOfAll(wb, undefined);
       wb.timeline.change({ tab: 'curves', list: 'selected', filter: '' });
     },
   },
@@ -250,7 +250,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('showAll', 'Show all channels', ['Alt+H'], {
     menu: 'Keys/Channels',
     section: 18,
-    refuses: needsTake,
+    refuses: needsTimeline,
     run(wb) {
       isolateOfAll(wb, undefined);
       setOfAll(wb, 'hidden', []);
@@ -268,7 +268,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     menu: 'Keys/Scroll and zoom',
     section: 15,
     icon: 'fitAll',
-    refuses: needsTake,
+    refuses: needsTimeline,
     run: (wb) => wb.timeline.tab?.fitAll(),
   }),
   {

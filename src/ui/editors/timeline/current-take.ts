@@ -83,7 +83,8 @@ export function onAllInHand<A extends OfAll, R extends Document | Change>(
   command: Command<A, R>,
 ): Command<A, R | Change> {
   const current = timelineTake(wb);
-  if (!current || current.parts.length === 1) return aboutKeysInHand(wb, command);
+  const isOwn = current?.parts.length === 1 && current.character === currentCharacter(wb);
+  if (!current || isOwn) return aboutKeysInHand(wb, command);
   return onAllShown(current, command, unseenKeys(wb));
 }
 

@@ -44,7 +44,10 @@ export const needsKeys = needs(
   (wb) => (timelineTake(wb) ? 'Select keys first.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => selectedKeysInView(wb).length > 0,
 );
+/** Of the current character. */
 export const needsTake = needs(noTakeText, (wb: Uses<'store'>) => currentTake(wb) !== undefined);
+/** Of any selected character. */
+export const needsTimeline = needs(noTakeText, (wb: Uses<'store'>) => timelineTake(wb) !== undefined);
 const needsCopied = needs(
   (wb) => (timelineTake(wb) ? 'Copy keys first.' : noTakeText(wb)),
   (wb: Uses<'store' | 'timeline'>) => timelineTake(wb) !== undefined && wb.timeline.copied !== undefined,

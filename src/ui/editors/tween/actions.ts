@@ -2,7 +2,7 @@
 
 import { TWEEN_WAYS, type TweenWay } from '../../state/tween-ways.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
-import { needsKeys, needsTake } from '../timeline/key-actions.ts';
+import { needsKeys, needsTimeline } from '../timeline/key-actions.ts';
 
 const ways: readonly TweenWay[] = TWEEN_WAYS;
 
@@ -15,7 +15,7 @@ export const TWEEN_ACTIONS: readonly Action[] = ways.map(
     menu: 'Keys/Between keys',
     section: 11,
     shortcuts: [shortcut],
-    refuses: (wb: Uses<'store' | 'timeline'>) => needsTake(wb) ?? (of === 'keys' ? needsKeys(wb) : undefined),
+    refuses: (wb: Uses<'store' | 'timeline'>) => needsTimeline(wb) ?? (of === 'keys' ? needsKeys(wb) : undefined),
     checked: (wb) => wb.timeline.tween.get() === kind,
     run: (wb) => wb.timeline.tween.update((now) => (now === kind ? undefined : kind)),
   }),

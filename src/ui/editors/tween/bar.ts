@@ -13,7 +13,6 @@ import { keysWithin } from '../../../edit/keys/tween.ts';
 import { tweenedPose } from '../../../edit/pose/tween.ts';
 import type { Document } from '../../../model/document.ts';
 import { lockedDofs } from '../../../model/sets.ts';
-import { currentCharacter } from '../../state/actions/action.ts';
 import { HandEdit } from '../../state/actions/hand-edit.ts';
 import { pausePlayback } from '../../state/pause-playback.ts';
 import { TWEEN_WAYS, type TweenKind, type TweenWay } from '../../state/tween-ways.ts';
@@ -26,7 +25,7 @@ import { icon } from '../../widgets/icons.ts';
 import { NumberField } from '../../widgets/numbers/number-field.ts';
 import { plural, shown } from '../../widgets/numbers/number-text.ts';
 import { setTooltip } from '../../widgets/tooltip.ts';
-import { autoKey, jointsOfEach, type OfCharacter } from '../posing/pose-edits.ts';
+import { autoKey, meantOfEach } from '../posing/pose-edits.ts';
 import { editOfTakes, onAllInHand, selectedKeysInView } from '../timeline/current-take.ts';
 import { timelineTake } from '../timeline/timeline-take.ts';
 
@@ -184,13 +183,6 @@ function ofKeys(wb: Parts, way: TweenWay | undefined): boolean {
   return way !== undefined && way.of !== 'pose' && (way.of === 'keys' || selectedKeysInView(wb).length > 0);
 }
 
-/** DOFs of the selected joints, of all characters, else of the whole current one. */
-function scopeOf(wb: Parts): readonly OfCharacter[] {
-  const character = currentCharacter(wb);
-  const each = jointsOfEach(wb);
-  return each.length || !character ? each : [{ character }];
-}
-
 function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefined {
   const way = ways.find((each) => each.kind === kind);
   if (ofKeys(wb, way)) {
@@ -210,7 +202,7 @@ function previewOf(wb: Parts, kind: TweenKind, about: string): Preview | undefin
   }
   const key = autoKey(wb);
   const { timeSeconds } = wb.transport.get();
-  const each = scopeOf(wb).map(({ character, dofs }) => ({
+  const each = meantOfEach(wb).map(({ character, dofs }) => ({
     ...{ characterId: character.id, timeSeconds },
     ...(dofs && { dofs }),
     ...(key && { key }),
@@ -246,7 +238,7 @@ function targetText(wb: Parts, way: TweenWay): string {
     const alone = count - changed;
     return `${plural(changed, 'selected key')}${alone > 0 ? `; ${alone} without keys on both sides left alone` : ''}`;
   }
-  const each = scopeOf(wb);
+  const each = meantOfEach(wb);
   if (each.length === 0) return '';
   let [count, leftAlone, locked] = [0, 0, 0];
   for (const { character, dofs } of each) {

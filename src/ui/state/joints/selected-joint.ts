@@ -1,4 +1,5 @@
 /** The selected joints, for menus, tools and panels. */
+import { cutName } from '../../../edit/cut-name.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/skeleton/joint-name.ts';
 import { jointsIn, partOf, partsOf } from '../../../model/skeleton/selected-joints.ts';
@@ -60,11 +61,29 @@ export function jointsText(skeleton: Skeleton | undefined, joints: readonly numb
   return joints.length === 1 ? jointName(skeleton, joints[0]) : plural(joints.length, 'joint');
 }
 
-/** `leg_l`, `3 joints`, `3 joints of 2 characters`, or `selected joint` if none is. */
+/**
+ * Those of the active character, for what is for it alone: `leg_l`, `3 joints`, `leg_l of Wasp` if joints of others are
+ * selected, too, or `selected joint` if none is.
+ */
 export function selectedJointsText(wb: Uses<'store'>): string {
   const selected = selectedJoints(wb);
-  const each = partsOf(wb.store.selection).map(jointsIn);
-  const { length } = each.filter((joints) => joints.length > 0);
-  if (length > 1) return `${plural(each.flat().length, 'joint')} of ${plural(length, 'character')}`;
-  return selected ? jointsText(selected.skeleton, selected.joints) : 'selected joint';
+  if (!selected) return 'selected joint';
+  const { character, skeleton, joints } = selected;
+  const text = jointsText(skeleton, joints);
+  return jointsOfParts(wb).length > 1 ? `${text} of ${cutName(character.name)}` : text;
+}
+
+/** Those of all characters: `leg_l`, `3 joints`, `3 joints of 2 characters`, or `selected joint` if none is. */
+export function allJointsText(wb: Uses<'store'>): string {
+  const each = jointsOfParts(wb);
+  const { length } = each;
+  return length > 1
+    ? `${plural(each.flat().length, 'joint')} of ${plural(length, 'character')}`
+    : selectedJointsText(wb);
+}
+
+function jointsOfParts({ store }: Uses<'store'>): readonly (readonly number[])[] {
+  return partsOf(store.selection)
+    .map(jointsIn)
+    .filter((joints) => joints.length > 0);
 }

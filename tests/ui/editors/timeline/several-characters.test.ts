@@ -166,6 +166,23 @@ describe('keys of several characters', () => {
     );
   });
 
+  it('those of the one with a take are edited where the active one has none, and stay selected', () => {
+    wb = withTwoCharacters({ takes: [] });
+    followCharacter(wb);
+    wb.timeline.change({ tab: 'dope' });
+    const keys = [{ channel: 6, indices: [0] }];
+    selectKeys(wb, keys);
+    runAction(wb, 'timeline.later');
+    runAction(wb, 'timeline.later');
+    expect(now(0, 6)).toEqual([0.2, 1]);
+    expect(wb.store.selection).toEqual({
+      ...{ characterId: 'flyer', joint: 1 },
+      beside: [{ characterId: 'walker', joint: 1, keys }],
+    });
+    runAction(wb, 'dope.unfoldAll');
+    expect(wb.timeline.view.get().others.walker.unfolded).toEqual([-1, 0, 1]);
+  });
+
   it('they ripple by the same time, as far back as all of them can', () => {
     selectKeys(wb, [
       { channel: 6, indices: [1] },
