@@ -4,6 +4,7 @@
  */
 import { dofCountOf } from '../evaluate/pose.ts';
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
+import { steppedCharacter } from '../evaluate/stepped-take.ts';
 import { type Character, shownTake } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { withChannelsOf } from '../model/takes/channels-with-goals.ts';
@@ -28,6 +29,8 @@ export interface KeyOptions {
   readonly playedRange?: readonly [number, number];
   /** For keys outside the cycle of a repeating channel (`keys/cycle.ts`); default `lengthen`. */
   readonly outsideCycle?: OutsideCycle;
+  /** Values are those that the stepped preview displays. */
+  readonly stepped?: boolean;
 }
 
 /** A character after keying, and its new keys. */
@@ -49,7 +52,7 @@ export function keyDofs(
   character: Character,
   values: ReadonlyMap<number, number>,
   timeSeconds: number,
-  { tangents = 'smooth', playedRange, outsideCycle = 'lengthen' }: KeyOptions = {},
+  { tangents = 'smooth', playedRange, outsideCycle = 'lengthen', stepped }: KeyOptions = {},
 ): Keyed {
   const silent = silentChannels(character);
   if ([...values.keys()].some((dof) => dof < silent)) refuseMoved(character);
@@ -73,7 +76,7 @@ export function keyDofs(
   const wanted = new Map([...values].filter(([dof]) => dof < count && keyable.includes(dof)));
   // What a layer adds to a quaternion is none.
   const signed = take.layers
-    ? layerValues(taking, wanted, timeSeconds)
+    ? layerValues(stepped ? steppedCharacter(taking) : taking, wanted, timeSeconds)
     : withNearerSigns(character, values, (dof) => placeOf(channels[dof], time, placing));
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];

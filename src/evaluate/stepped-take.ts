@@ -1,30 +1,46 @@
 /**
  * Stepped preview: each keyed channel holds the value of its last key at or before a time, and before the first key
- * that of the first; curves of goals, too. Animators block poses so. It is a take like any other, which is evaluated as
- * ever.
+ * that of the first; curves of goals and all layers, too, and what it follows. Animators block poses so. It is a take
+ * like any other, which is evaluated as ever.
  */
-import { type Character, shownTake } from '../model/document.ts';
+import { type Character, type Driver, shownTake } from '../model/document.ts';
 import { perObject } from '../model/per-object.ts';
 import { withChannelsOf } from '../model/takes/channels-with-goals.ts';
-import { withCurvesOfGoals } from '../model/takes/layer-code.ts';
-import { type KeyedChannel, NO_EXTRAPOLATION, type Take } from '../model/takes/take.ts';
+import { layerCode, withCurvesOfGoals } from '../model/takes/layer-code.ts';
+import { type Channel, type KeyedChannel, NO_EXTRAPOLATION, type Take } from '../model/takes/take.ts';
 import { FLAT } from '../model/takes/tangent-kinds.ts';
 
 /** A take in which every key holds its value up to the next one; samples and resting channels are as they were; cached. */
 export const steppedTake = perObject((take: Take): Take => {
   const { length } = take.channels;
-  const all = withCurvesOfGoals(take, length).channels;
-  const channels = all.map((channel) => (channel.kind === 'keys' ? steppedChannel(channel) : channel));
-  return withChannelsOf(take, channels, length);
+  const stepped = withChannelsOf(take, withCurvesOfGoals(take, length).channels.map(steppedIfKeyed), length);
+  if (!take.layers) return stepped;
+  // Whichever of them is active.
+  return layerCode(take).withMotions(stepped, (motion, layer) =>
+    layer === take.layers?.active ? motion : { ...motion, channels: motion.channels.map(steppedIfKeyed) },
+  );
 });
 
-/** The character with its shown take stepped; the same object without a take; cached. */
+/** The character with its shown take stepped, and what else moves it; the same object without a take; cached. */
 export const steppedCharacter = perObject((character: Character): Character => {
+  const { driver, leaders } = character;
   const take = shownTake(character);
-  if (!take) return character;
+  if (!take && !driver) return character;
   const takes = character.takes.map((each) => (each === take ? steppedTake(take) : each));
-  return { ...character, takes };
+  return { ...character, takes, ...(driver && { driver: steppedDriver(driver) }), ...steppedLeaders(leaders) };
 });
+
+const steppedDriver = perObject((driver: Driver): Driver => {
+  const { source } = driver;
+  const { take, leaders } = source;
+  return { ...driver, source: { ...source, take: steppedTake(take), ...steppedLeaders(leaders) } };
+});
+
+function steppedLeaders(leaders: Character['leaders']): Pick<Character, 'leaders'> {
+  return leaders ? { leaders: leaders.map(steppedCharacter) } : {};
+}
+
+const steppedIfKeyed = (channel: Channel) => (channel.kind === 'keys' ? steppedChannel(channel) : channel);
 
 /** Two keys per key: where it begins, and where the next one ends it. */
 function steppedChannel({ times, values }: KeyedChannel): KeyedChannel {

@@ -11,7 +11,7 @@ import { keyDofs } from '../key-dofs.ts';
 import { touchedByActive } from '../layers/layer-values.ts';
 import { controlCountOf, goalValueAt, withGoalsPosed } from '../limbs/goal-dofs.ts';
 import { openValues } from '../pose/locks.ts';
-import { boolean, optional } from '../schema/shape.ts';
+import { optional } from '../schema/shape.ts';
 import { indices, KEY_OPTIONS, NOW } from '../schema/shared-shapes.ts';
 import { characterIn, dofsIn } from '../step-names.ts';
 
@@ -29,17 +29,15 @@ export const keyPose = command({
      * by its goal.
      */
     dofs: optional(indices),
-    /** Keys the pose that the stepped preview displays instead. */
-    stepped: optional(boolean),
     ...KEY_OPTIONS,
   },
   label: (document, { characterId, dofs }) =>
     dofs === undefined
       ? `Key pose of ${characterIn(document, characterId)}`
       : `Key ${dofsIn(requireCharacter(document, characterId), dofs)}`,
-  run(document, { characterId, dofs, stepped, timeSeconds, ...options }) {
+  run(document, { characterId, dofs, timeSeconds, ...options }) {
     const character = requireCharacter(document, characterId);
-    const displayed = stepped ? steppedCharacter(character) : character;
+    const displayed = options.stepped ? steppedCharacter(character) : character;
     const shown = new Float64Array(dofCountOf(character));
     poseAt(displayed, timeSeconds, shown);
     const values = new Map<number, number>();

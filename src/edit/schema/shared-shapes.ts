@@ -9,7 +9,20 @@ import { COLLISIONS } from '../keys/arrange.ts';
 import { OUTSIDE_CYCLE } from '../keys/cycle.ts';
 import { TANGENT_SIDES } from '../keys/tangents.ts';
 import { SKIN_MODES } from '../rig/rigging.ts';
-import { filledText, index, list, number, oneOf, optional, record, type Shape, text, tuple, whole } from './shape.ts';
+import {
+  boolean,
+  filledText,
+  index,
+  list,
+  number,
+  oneOf,
+  optional,
+  record,
+  type Shape,
+  text,
+  tuple,
+  whole,
+} from './shape.ts';
 
 /** One character, by its id. */
 export const CHARACTER = { characterId: text } as const;
@@ -33,11 +46,15 @@ export const placement = record({ position: vector, turn: vector, scale: number 
 
 /** Treatment of a key outside a cycle; see `OUTSIDE_CYCLE`. */
 export const outsideCycle = oneOf(OUTSIDE_CYCLE);
-/** How a DOF is keyed: kind of tangents, the playback range of a new take, and what a key outside a cycle means. */
+/**
+ * How a DOF is keyed: kind of tangents, the playback range of a new take, what a key outside a cycle means, and whether
+ * what is displayed is the stepped preview.
+ */
 export const KEY_OPTIONS = {
   tangents: optional(oneOf(NEW_KEY_TANGENTS)),
   playedRange: optional(range),
   outsideCycle: optional(outsideCycle),
+  stepped: optional(boolean),
 } as const;
 const keyOptions: Shape<KeyOptions> = record(KEY_OPTIONS);
 /** Auto-key. */

@@ -9,6 +9,7 @@ import {
 import { placeCharacter, removeCharacter } from '../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { Store } from '../../../src/edit/store.ts';
+import { steppedCharacter } from '../../../src/evaluate/stepped-take.ts';
 import { writeRotationPart } from '../../../src/math/mat3.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, findCharacter } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
@@ -91,6 +92,12 @@ describe('an attached root', () => {
         const seen = [0, ...times, 1].map((part) => sceneOf(leader, joint, at + part * length));
         fc.pre(seen.every(isRegular));
         for (const part of times) expect(offBy(leader, now, at + part * length)).toBeLessThan(TINY);
+        // Or what the stepped preview shows.
+        const [held, follower] = [steppedCharacter(leader), steppedCharacter(now)];
+        for (const part of times) {
+          const time = at + part * length;
+          if (isRegular(sceneOf(held, joint, time))) expect(offBy(held, follower, time)).toBeLessThan(TINY);
+        }
         expect(difference(sceneOf(now, 0, at), sceneOf(prop, 0, at))).toBeLessThan(TINY);
         // Before and after it is what it was.
         expect(difference(sceneOf(now, 0, at - 0.1), sceneOf(prop, 0, at - 0.1))).toBeLessThan(TINY);

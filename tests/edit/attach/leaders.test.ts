@@ -9,6 +9,7 @@ import { Store } from '../../../src/edit/store.ts';
 import { bakeTake, framesOf } from '../../../src/evaluate/bake.ts';
 import { measuredFrames, trackJoints } from '../../../src/evaluate/measure/tracks.ts';
 import { dofCountOf, poseAt, poseSource } from '../../../src/evaluate/pose.ts';
+import { steppedCharacter } from '../../../src/evaluate/stepped-take.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/skeleton/dofs.ts';
@@ -122,6 +123,8 @@ describe('a character that is retargeted from one that follows another', () => {
     const [moved] = poses(store.document);
     expect(differenceOf(moved, first)).toBeGreaterThan(1);
     expectSame(store.document);
+    // As the stepped preview shows them, too.
+    expectSame({ ...store.document, characters: store.document.characters.map(steppedCharacter) });
     store.undo();
     expect(store.document).toEqual(before);
     expectSame(store.document);

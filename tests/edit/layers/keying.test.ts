@@ -14,6 +14,7 @@ import { mirrorTakes, setTakeSpeed } from '../../../src/edit/commands/take-edits
 import { abruptKey, keyedPose } from '../../../src/edit/keys/keyed-pose.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
+import { steppedCharacter } from '../../../src/evaluate/stepped-take.ts';
 import { type Document, shownTake } from '../../../src/model/document.ts';
 import { baseOf } from '../../../src/model/takes/take.ts';
 import { character, documentOf, skeleton, takeOfValues } from '../../helpers/builders.ts';
@@ -45,6 +46,24 @@ function layered(more: { readonly mode?: 'additive' | 'override'; readonly weigh
 }
 
 describe('keying into a layer', () => {
+  it('keeps what the stepped preview shows, as unkeyed and as keyed', () => {
+    const store = layered();
+    store.apply(activateLayer, { ...WHO, layer: -1 });
+    for (const [timeSeconds, value] of [
+      [0, 0],
+      [1, 1],
+    ])
+      store.apply(setDofs, { ...WHO, dofs: [{ index: 0, value }], timeSeconds, key: {} });
+    store.apply(activateLayer, { ...WHO, layer: 0 });
+    const NOW = { ...WHO, timeSeconds: 0.75 };
+    const seen = () => shownIn(documentOf(steppedCharacter(store.document.characters[0])), 0.75)[0];
+    expect(seen()).toBe(0);
+    store.apply(keyPose, { ...NOW, dofs: [0], stepped: true });
+    expect(seen()).toBe(0);
+    store.apply(setDofs, { ...NOW, dofs: [{ index: 0, value: 4 }], key: { stepped: true } });
+    expect(seen()).toBe(4);
+  });
+
   it('shows what was wanted, and leaves the base as it was', () => {
     const mode = fc.constantFrom('additive' as const, 'override' as const);
     fc.assert(

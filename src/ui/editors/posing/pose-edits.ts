@@ -31,6 +31,8 @@ function keyOptions(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions
   return {
     tangents: wb.settings.get().newKeyTangents,
     playedRange: wb.transport.get().range,
+    // What is keyed is what is shown.
+    ...(wb.settings.get().display.stepped && { stepped: true }),
     ...(outsideCycle !== 'ask' && { outsideCycle }),
   };
 }
@@ -87,13 +89,10 @@ export function keyNow(
   });
   const keyed = found.filter(({ sampled }) => !sampled || sampled.keyable);
   const label = `Key pose of ${keyed.length} characters`;
-  const { stepped } = wb.settings.get().display;
   if (keyed.length > 0) {
     addKeys(wb, onEachCharacter(keyPose, label), (outsideCycle) =>
       keyed.map(({ character: { id: characterId }, dofs }) => ({
         ...{ characterId, dofs, timeSeconds, ...options, outsideCycle },
-        // What is keyed is what is shown.
-        ...(stepped && { stepped }),
       })),
     );
   }
