@@ -54,6 +54,20 @@ const filesIn = (name: string) =>
 const meta = (name: string): Record<string, unknown> => JSON.parse(String(npz(name).meta.values[0]));
 
 describe('marrow export', () => {
+  it.each([['--no-times'], ['--raw'], ['--float64']])(
+    'points that were exported are points again, missing where they were: %s',
+    async (...how) => {
+      const rows = ['frame,A.x,A.y,A.z,B.x,B.y,B.z', '0,,,,0,1.5,0.25', '1,0.5,0,1,,,', '2,0.5,0.25,1,0,1.75,0.5'];
+      writeFileSync(join(folder, 'p.csv'), rows.join('\n'));
+      await exported('p.csv', '--to', 'npz', '--out', 'once', ...how);
+      const { code, err } = await exported('once', '--to', 'npz', '--out', 'twice', ...how);
+      expect([code, err]).toEqual([0, '']);
+      const { meta: _, ...once } = npz('once/p.npz');
+      expect(once.positions.values.filter(Number.isNaN)).toHaveLength(6);
+      expect(npz('twice/p.npz')).toMatchObject(once);
+    },
+  );
+
   it('marrow export writes each take at its path below the folder that was named, and a manifest', async () => {
     const { code, out, err } = await exported('takes', '--to', 'npz', '--out', 'out');
     expect([code, err]).toEqual([0, '']);

@@ -148,15 +148,16 @@ function inMemory({ type, size }: NumpyHeader): 4 | 8 {
 
 /**
  * The array in all bytes of a `.npy`. Numbers are a view of the bytes if they are as they are in memory.
+ * @param mayMiss whether NaN is a number that is missing
  * @throws ImportError, also if a number isn't finite
  */
-export function readNpy(bytes: Uint8Array, name: string): NumpyArray {
+export function readNpy(bytes: Uint8Array, name: string, mayMiss = false): NumpyArray {
   const header = npyHeader(bytes, name);
   checkHeader(header, bytes.length, name);
   const { shape, type } = header;
   if (type === 'U' || type === 'S') return { name, shape, values: new Float64Array(0), texts: textsOf(bytes, header) };
   const values = inRows(numbersOf(bytes, header), header);
-  const wrong = firstWrong(values);
+  const wrong = firstWrong(values, mayMiss);
   if (wrong >= 0) {
     const [rows = 1] = shape;
     const place = shape.length > 1 ? ` in frame ${Math.floor(wrong / (values.length / rows))}` : '';
@@ -167,14 +168,16 @@ export function readNpy(bytes: Uint8Array, name: string): NumpyArray {
 }
 
 /** Index of the first number that is not finite, or so large that products of it would not be; -1 if there is none. */
-function firstWrong(values: Numbers): number {
+function firstWrong(values: Numbers, mayMiss: boolean): number {
   let i = 0;
   // No number is larger than its sum with others of no sign. Written so that NaN counts.
   for (; i + 4 <= values.length; i += 4) {
     const sum = Math.abs(values[i]) + Math.abs(values[i + 1]) + Math.abs(values[i + 2]) + Math.abs(values[i + 3]);
     if (!(sum <= LARGEST)) break;
   }
-  for (; i < values.length; i++) if (!(Math.abs(values[i]) <= LARGEST)) return i;
+  for (; i < values.length; i++) {
+    if (!(Math.abs(values[i]) <= LARGEST) && !(mayMiss && Number.isNaN(values[i]))) return i;
+  }
   return -1;
 }
 

@@ -88,8 +88,12 @@ export class Arrays {
     }
   }
 
-  /** An array with all its numbers; undefined if there is none. @throws ImportError if it can't be read */
-  array(name: string): NumpyArray | undefined {
+  /**
+   * An array with all its numbers; undefined if there is none.
+   * @param mayMiss whether NaN is a number that is missing
+   * @throws ImportError if it can't be read
+   */
+  array(name: string, mayMiss = false): NumpyArray | undefined {
     const entry = this.entries.get(name);
     if (!entry) return undefined;
     const size = entry instanceof Uint8Array ? entry.length : entry.size;
@@ -104,7 +108,7 @@ export class Arrays {
       checkHeader(header, size, name);
       this.budget.spend(itemsOf(header), name);
     }
-    return readNpy(entry instanceof Uint8Array ? entry : unpacked(this.bytes, entry, name), name);
+    return readNpy(entry instanceof Uint8Array ? entry : unpacked(this.bytes, entry, name), name, mayMiss);
   }
 }
 

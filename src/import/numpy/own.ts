@@ -4,9 +4,10 @@ import { statedSpace } from '../../evaluate/space/metres.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { FileSpace } from '../../model/space.ts';
 import type { Remarks } from '../imported.ts';
+import { holdMissing, POINT_WIDTH } from '../points/table.ts';
 import { framesOf, rateOf, turnBack } from './frames.ts';
 import type { ArraysKind, ReadMotion } from './kind.ts';
-import { fail, type Numbers } from './npy.ts';
+import { fail, type Numbers, type NumpyArray } from './npy.ts';
 import type { Arrays } from './npz.ts';
 
 /** How far a joint may be off its offset, as a fraction of the size, before it has positions of its own. */
@@ -33,6 +34,11 @@ function readOwn(arrays: Arrays, remarks: Remarks): ReadMotion {
     fail('arrays-shape', `Expected parents, offsets and local_quat (T, J, 4) of ${count} joints, found ${found}.`);
   }
   if (!areTrees(parents)) fail('parents-loop', 'Expected in parents the index of another joint, or -1, found a loop.');
+  const places = pointsOf(arrays, parents, turns);
+  if (places) {
+    const framesPerSecond = rateOf(arrays, remarks);
+    return { points: { labels: names, frameCount, framesPerSecond, values: places }, ...spaceOf(arrays) };
+  }
   const world = worldOf(arrays, frameCount, count);
   const roots = world ? undefined : framesOf(arrays, ['root_positions'], frameCount, 3);
   const ends = endsOf(arrays, names, frameCount, world);
@@ -58,6 +64,29 @@ function readOwn(arrays: Arrays, remarks: Remarks): ReadMotion {
     },
     ...spaceOf(arrays),
   };
+}
+
+/**
+ * Where points are, `POINT_WIDTH` numbers each; undefined of a skeleton. Points are roots that never turn, and NaN
+ * where they are missing; a skeleton has one root.
+ */
+function pointsOf(arrays: Arrays, parents: ArrayLike<number>, turns: NumpyArray): Float64Array | undefined {
+  const count = parents.length;
+  const isStill = (value: number, i: number) => value === (i % 4 === 3 ? 1 : 0);
+  if (!arrays.has('positions') || !Array.from(parents).every((p) => p < 0) || !turns.values.every(isStill))
+    return undefined;
+  const positions = arrays.array('positions', true)?.values;
+  const frameCount = turns.shape[0];
+  if (positions?.length !== 3 * count * frameCount) return undefined;
+  if (count === 1 && !positions.some(Number.isNaN)) return undefined;
+  const values = new Float64Array(POINT_WIDTH * count * frameCount);
+  for (let from = 0, to = 0; from < positions.length; from += 3, to += POINT_WIDTH) {
+    if (Number.isNaN(positions[from] + positions[from + 1] + positions[from + 2])) continue;
+    for (let k = 0; k < 3; k++) values[to + k] = positions[from + k];
+    values[to + 3] = 1;
+  }
+  holdMissing(values, count, frameCount);
+  return values;
 }
 
 /** Positions and rotations of joints in the world, frame by frame. */

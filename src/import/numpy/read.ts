@@ -1,5 +1,6 @@
 /** Reads `.npy` and `.npz` files by what they hold: the first kind of arrays that fits. */
 import { capturesOfFrames } from '../../evaluate/captured-frames.ts';
+import { pointCapture } from '../../evaluate/point-capture.ts';
 import { metresPerUnit, statedSpace } from '../../evaluate/space/metres.ts';
 import { upText } from '../../evaluate/space/space.ts';
 import { guessSharedSpace } from '../../evaluate/space/space-guess.ts';
@@ -59,7 +60,9 @@ function capturesIn(arrays: Arrays, fileName: string, remarks: Remarks): ReadCap
     return fail('arrays-unknown', unknown(arrays));
   }
   const motion = kind.read(arrays, remarks);
-  const captures = capturesOfFrames(stemOfName(fileName), motion.joints, motion.frames);
+  const name = stemOfName(fileName);
+  const captures =
+    'points' in motion ? [pointCapture(name, motion.points)] : capturesOfFrames(name, motion.joints, motion.frames);
   motion.told?.();
   return { captures, space: spaceOf(captures, motion, remarks) };
 }
