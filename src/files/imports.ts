@@ -12,7 +12,7 @@ export type ImportedKind = 'gltf' | 'fbx';
 
 /** The result of reading a file of another program. */
 export interface ImportedFile<C = FileContent> {
-  /** Absent if and only if there is an error. */
+  /** Absent if there is an error, or a warning that the file is skipped. */
   readonly value?: C;
   readonly diagnostics: readonly Diagnostic[];
   /** Other files that were used. */

@@ -5,6 +5,7 @@ import { strToU8, zipSync } from 'fflate';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { readNpz } from '../dataset/read-npz.ts';
 import { command } from '../helpers/command.ts';
+import { npzOf } from '../helpers/numpy.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 import { bvh, makeTakes, WALK } from './captures.ts';
 
@@ -54,6 +55,23 @@ const filesIn = (name: string) =>
 const meta = (name: string): Record<string, unknown> => JSON.parse(String(npz(name).meta.values[0]));
 
 describe('marrow export', () => {
+  it('the shape of a body is no take: it is skipped, told and fails nothing but a command that has only such', async () => {
+    const shape = npzOf({ betas: [[16], new Float64Array(16)], v_template: [[2, 3], new Float64Array(6)] });
+    writeFileSync(join(folder, 'takes', 'walk_stagei.npz'), shape);
+    const { code, out, err } = await exported('takes', '--to', 'npz', '--out', 'out');
+    expect([code, out]).toEqual([0, expect.stringMatching(/^out: 4 takes exported, [\d.]+ MB\n$/)]);
+    expect(err).toMatch(
+      /^1 file skipped \(takes\/walk_stagei.npz\): It has the shape of a body \(betas\) without motion/,
+    );
+    expect(manifest()).toHaveLength(4);
+    const listed = await command(['review', 'takes'], folder);
+    expect([listed.code, listed.err]).toEqual([0, expect.stringContaining('(skipped)')]);
+    const alone = ['takes/walk_stagei.npz'];
+    expect((await exported(...alone, '--to', 'npz', '--out', 'none')).code).toBe(1);
+    expect((await command(['info', ...alone], folder)).code).toBe(1);
+    expect((await command(['convert', ...alone, 'x.bvh'], folder)).code).toBe(1);
+  });
+
   it.each([['--no-times'], ['--raw'], ['--float64']])(
     'points that were exported are points again, missing where they were: %s',
     async (...how) => {

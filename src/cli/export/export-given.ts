@@ -88,8 +88,12 @@ async function exportAll(
     (done, of, failed) => io.progress?.(progressText(done, of, failed, left(done, of))),
   );
   io.progress?.('');
-  const { written, kept, bytes, warned, notes, failures, stale } = summary;
+  const { written, kept, bytes, warned, notes, failures, skipped, stale } = summary;
   for (const { input, error } of failures) io.err(`${input}: ${error}\n`);
+  for (const why of new Set(skipped.map((each) => each.why))) {
+    const names = skipped.filter((each) => each.why === why).map(({ input }) => input);
+    io.err(`${counted(names.length, 'file')} skipped (${few(names)}): ${why}\n`);
+  }
   for (const { note, takes } of notes.slice(0, MAX_NOTES)) io.err(`${counted(takes, 'take')}: ${note}\n`);
   if (notes.length > MAX_NOTES) {
     io.err(`${counted(notes.length - MAX_NOTES, 'more note')} of this kind are in the manifest.\n`);
@@ -100,10 +104,12 @@ async function exportAll(
       `marrow: ${stale.length} output${s} from earlier runs ${verb} no longer listed but still exist${verb === 'is' ? 's' : ''}: ${few(stale)}.\n`,
     );
   }
+  // A command that did nothing has failed; other parts may have takes.
+  const isVain = skipped.length > 0 && written + kept === 0 && !shard;
   if (json) await printJson(summary, io);
   else {
     const part = shard ? `part ${shard.index} of ${shard.count}: ` : '';
-    const nothing = written === 0 && failures.length === 0;
+    const nothing = written === 0 && failures.length === 0 && !isVain;
     const sentence = nothing
       ? `nothing to do: ${counted(kept, 'take')} already exported`
       : [
@@ -114,7 +120,7 @@ async function exportAll(
         ].join('; ');
     await io.out(`${out}: ${part}${sentence}\n`);
   }
-  return failures.length > 0 ? 1 : 0;
+  return failures.length > 0 || isVain ? 1 : 0;
 }
 
 function progressText(done: number, of: number, failed: number, left: string): string {

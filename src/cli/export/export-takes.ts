@@ -34,6 +34,8 @@ export interface ExportSummary {
   /** What files don't state and was assumed, with how many of the takes written it concerns. */
   readonly notes: readonly { readonly note: string; readonly takes: number }[];
   readonly failures: readonly FailedTake[];
+  /** Inputs that hold no take by their kind. */
+  readonly skipped: readonly { readonly input: string; readonly why: string }[];
   /** Outputs of earlier runs that are none of this list any more. */
   readonly stale: readonly string[];
 }
@@ -58,6 +60,7 @@ export async function exportTakes(
   const pieces = inShard(inputs, shard).map((input): ExportPiece => ({ input, before: earlier.get(input.path) ?? [] }));
   const manifest = new Manifest(out, shard, adds ? [...known.values()].flat() : pieces.flatMap(({ before }) => before));
   const failures: FailedTake[] = [];
+  const skipped: ExportSummary['skipped'][number][] = [];
   const replaced: string[] = [];
   const notes = new Map<string, number>();
   let [written, kept, bytes, warned, done] = [0, 0, 0, 0, 0];
@@ -69,7 +72,8 @@ export async function exportTakes(
       pieces,
       ...(threads !== undefined && { threads }),
       few: FEW,
-      done({ input, before }, { records, isKept }: ExportResult) {
+      done({ input, before }, { records, isKept, skipped: why }: ExportResult) {
+        if (why !== undefined) skipped.push({ input: input.path, why });
         const there = adds && !records.some(isWritten) ? known.get(input.path)?.filter(isWritten) : undefined;
         manifest.add(there?.length ? there : records);
         const outputs = new Set(records.filter(isWritten).map(({ output }) => output));
@@ -97,7 +101,7 @@ export async function exportTakes(
   if (adds && !shard) for (const [input, records] of known) if (!listed.has(input)) manifest.add(records);
   manifest.finish();
   const gone = [...earlier].filter(([input]) => !listed.has(input)).flatMap(([, records]) => records);
-  failures.sort((a, b) => (a.input < b.input ? -1 : 1));
+  for (const list of [failures, skipped]) list.sort((a, b) => (a.input < b.input ? -1 : 1));
   const unlisted = gone.filter(isWritten).map(({ output }) => output);
   return {
     written,
@@ -106,6 +110,7 @@ export async function exportTakes(
     warned,
     notes: listedNotes(notes),
     failures,
+    skipped,
     stale: [...unlisted, ...replaced.sort()],
   };
 }

@@ -35,6 +35,8 @@ export interface ExportResult {
   readonly records: readonly TakeRecord[];
   /** Whether they are those of the earlier run. */
   readonly isKept: boolean;
+  /** Why an input is none, by what it holds: a sentence. */
+  readonly skipped?: string;
 }
 
 /** For the threads (`threads.ts`). */
@@ -73,7 +75,7 @@ async function exportInput({ input, before }: ExportPiece, exporter: Exporter): 
     if (isWhole && written.every((take) => isThere(take, input, key, exporter))) {
       return { records: written, isKept: true };
     }
-    return { records: await takesOf(input, { ...read, key }, exporter), isKept: false };
+    return { ...(await takesOf(input, { ...read, key }, exporter)), isKept: false };
   } catch (error) {
     if (error instanceof CommandError) return failed(error.message, hash);
     return failed(`The export stopped: ${reasonOf(error)}.`, hash);
@@ -105,12 +107,12 @@ function keyOf(options: string, hash: string, { skeleton }: TakeInput): string {
   return createHash('sha256').update(parts.join('\n')).digest('hex').slice(0, 32);
 }
 
-/** A record for each take that the input has. @throws CommandError */
+/** A record for each take that the input has, or why it has none. @throws CommandError */
 async function takesOf(
   input: TakeInput,
   { hash, key, bytes: content }: Identity,
   { settings, target, pool, parts }: Exporter,
-): Promise<readonly TakeRecord[]> {
+): Promise<Pick<ExportResult, 'records' | 'skipped'>> {
   const begun = performance.now();
   const { path, skeleton } = input;
   const files = [...(skeleton ? [skeleton] : []), { ...input, ...(content && { bytes: content }) }];
@@ -118,6 +120,8 @@ async function takesOf(
   const { document, diagnostics } = openLoaded(loaded);
   const error = diagnostics.find(({ severity }) => severity === 'error');
   if (error) throw new CommandError(sentenceOf(error));
+  const unread = loaded.broken.length > 0 && diagnostics.find(({ code }) => code === 'format-unknown');
+  if (unread) return { records: [], skipped: unread.message };
   // The file of its skeleton may have takes of its own.
   const isOwn = ({ parts }: Character, i: number) => !skeleton || parts?.takes[i]?.file?.source.path === path;
   const takes = document.characters.flatMap((c) =>
@@ -162,7 +166,7 @@ async function takesOf(
     });
     since = now;
   }
-  return records;
+  return { records };
 }
 
 /** In one line, without the file's name: `Line 128: Expected 3069 frames as declared, found 3070. (used 3070)` */

@@ -15,7 +15,7 @@ import { fail, shapeText } from './npy.ts';
 import { Arrays } from './npz.ts';
 import { OWN } from './own.ts';
 import { HUMANML3D, POSITIONS } from './positions.ts';
-import { SMPL } from './smpl.ts';
+import { isShapeAlone, SMPL } from './smpl.ts';
 
 const KINDS: readonly ArraysKind[] = [OWN, SMPL, POSITIONS, HUMANML3D];
 
@@ -35,7 +35,7 @@ export interface ReadCaptures {
   readonly space: FileSpace;
 }
 
-/** The captures of a file; absent if it has errors. Never throws for anything that the file holds. */
+/** The captures of a file; absent if it has errors, or no motion by its kind. Never throws for anything that the file holds. */
 export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'>): {
   readonly value?: ReadCaptures;
   readonly diagnostics: readonly Diagnostic[];
@@ -44,7 +44,13 @@ export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'
   try {
     const most = mostNumbers(bytes.length, BASE);
     const budget = new Budget(bytes.length, () => fail('numpy-packed', tooPacked(bytes.length, most)), most);
-    const value = capturesIn(new Arrays(bytes, fileName, budget), fileName, remarks);
+    const arrays = new Arrays(bytes, fileName, budget);
+    if (isShapeAlone(arrays)) {
+      const message = 'It has the shape of a body (betas) without motion, as AMASS keeps one beside its takes.';
+      remarks.warn('format-unknown', message, 'skipped');
+      return { diagnostics: remarks.finish() };
+    }
+    const value = capturesIn(arrays, fileName, remarks);
     return { value, diagnostics: remarks.finish() };
   } catch (error) {
     if (!(error instanceof ImportError)) throw error;

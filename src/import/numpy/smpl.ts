@@ -38,6 +38,11 @@ export const SMPL: ArraysKind = {
   read: readSmpl,
 };
 
+/** Whether a file has the shape of a body alone, such as `shape.npz` and `…_stagei.npz` of AMASS. */
+export function isShapeAlone(arrays: Arrays): boolean {
+  return arrays.has('betas') && !hasOne(arrays, ['poses', ...ROOT, ...BODY, ...WHERE]);
+}
+
 function hasOne(arrays: Arrays, names: readonly string[]): boolean {
   return names.some((name) => arrays.has(name));
 }
