@@ -21,9 +21,12 @@ export interface SampleListing {
   readonly shows?: Sample['shows'];
 }
 
-/** The default one first. */
+let made: readonly Sample[] | undefined;
+
+/** The default one first; made once. */
 export function makeSamples(): readonly Sample[] {
-  return [walkerSample(), crawlerSample(), jointsSample(), tangentsSample(), cubeSample()];
+  made ??= [walkerSample(), crawlerSample(), jointsSample(), tangentsSample(), cubeSample()];
+  return made;
 }
 
 /** An example's files by name, the rig first. */

@@ -29,7 +29,14 @@ export interface Walk {
 const ROOT_TOLERANCE = 0.001;
 
 /** Channels of the root translation and all joints, in take order. Joint 0 turns with the path. */
-export function gaitChannels({ skeleton, path, poseAt, frame, care }: Walk): Channel[] {
+export function gaitChannels({ skeleton, path, poseAt: poseOf, frame, care }: Walk): Channel[] {
+  // Each channel asks for the poses of the same phases.
+  const known = new Map<number, WalkPose>();
+  const poseAt = (phase: number) => {
+    const pose = known.get(phase) ?? poseOf(phase);
+    known.set(phase, pose);
+    return pose;
+  };
   const stride = path.strideSeconds;
   const round = pathSeconds(path);
   const translation = [0, 1, 2].map((axis) =>
