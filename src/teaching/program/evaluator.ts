@@ -16,7 +16,7 @@ import { type CurveRules, channelValue, RIGHT_CURVES } from './curve-rules.ts';
 import { inFilePose } from './file-pose.ts';
 import { mayBeSame, sidesOf } from './jumps.ts';
 import type { Breadth, JointRules, Program, Wanted, WorldMap } from './program.ts';
-import { hasThreeAngles, isFor, ProgramSkeletons, turns } from './skeleton-rules.ts';
+import { hasThreeAngles, isFor, programSkeletons, turns } from './skeleton-rules.ts';
 import { SkinRun } from './skin-run.ts';
 
 /** Undefined: the file pose, without the animation. */
@@ -40,7 +40,7 @@ const IDENTITY_SCRATCH = new Float64Array(16);
 /** Evaluates one character by the rules of any program; its arrays are overwritten by the next frame. */
 export class Evaluator {
   readonly jointCount: number;
-  private readonly skeletons: ProgramSkeletons | undefined;
+  private readonly skeletons: ReturnType<typeof programSkeletons> | undefined;
   private readonly skin: SkinRun | undefined;
   private readonly dofs: Float64Array;
   private readonly moved: Float64Array;
@@ -61,7 +61,7 @@ export class Evaluator {
   constructor(readonly character: Character) {
     const { skeleton } = character;
     this.jointCount = skeleton?.joints.length ?? 0;
-    this.skeletons = skeleton && new ProgramSkeletons(skeleton);
+    this.skeletons = skeleton && programSkeletons(skeleton);
     this.dofs = new Float64Array(dofCountOf(character));
     this.moved = new Float64Array(this.dofs.length);
     this.world = new Float64Array(16 * this.jointCount);
@@ -154,7 +154,7 @@ export class Evaluator {
     return out;
   }
 
-  private joints(rules: JointRules, skeletons: ProgramSkeletons, given: Float64Array): void {
+  private joints(rules: JointRules, skeletons: ReturnType<typeof programSkeletons>, given: Float64Array): void {
     const { compiled, dofFrom } = skeletons.get(rules);
     const dofs = this.fileDofs(rules, compiled, given);
     if (this.character.clampsToLimits && rules.hasLimits) applyConstraints(compiled, dofs, true);

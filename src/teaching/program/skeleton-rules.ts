@@ -2,6 +2,7 @@
 
 import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
 import { eulerDofs } from '../../evaluate/rotations/euler-dofs.ts';
+import { perObject } from '../../model/per-object.ts';
 import {
   bvhChannelsOf,
   dofsOf,
@@ -28,18 +29,21 @@ export function isFor(motion: Motion, breadth: Breadth): boolean {
   return isOrdered && (breadth === 'ordered' || (dofsOf(motion).length === 3 && hasThreeAngles(motion)));
 }
 
-/** Whether rx, ry and rz are among its DOFs. */
-export function hasThreeAngles(motion: Motion): boolean {
-  return !isOfBvh(motion) && eulerDofs(motion) !== undefined;
-}
+/** Whether rx, ry and rz are among its DOFs; cached. */
+export const hasThreeAngles = perObject(
+  (motion: Motion): boolean => !isOfBvh(motion) && eulerDofs(motion) !== undefined,
+);
 
 /** Whether a joint rotates: one of its DOFs is an angle or part of a quaternion. */
 export function turns(motion: Motion): boolean {
   return dofsOf(motion).some(({ name, unit }) => unit === 'angle' || name.startsWith('q'));
 }
 
+/** The skeletons that programs make of one, each made once for all comparisons of a character; cached. */
+export const programSkeletons = perObject((skeleton: Skeleton) => new ProgramSkeletons(skeleton));
+
 /** The skeletons that programs make of one, each made once. */
-export class ProgramSkeletons {
+class ProgramSkeletons {
   private readonly known = new Map<string, ProgramSkeleton>();
   private readonly first: CompiledSkeleton;
 
