@@ -20,7 +20,7 @@ import { extreme, extremely, oddly } from './odd-arguments.ts';
 import { randomDocument, seeds } from './rig/random-rig.ts';
 
 /** Tries for each command; more by MARROW_TRIES. */
-const TRIES = Number(env.MARROW_TRIES ?? 12);
+const TRIES = Number(env.MARROW_TRIES ?? 6);
 
 const DEFAULTS = { timeSeconds: 0, playedRange: [0, 2] as const };
 

@@ -14,6 +14,7 @@ import {
 } from '../../src/model/takes/take.ts';
 import { FIXED_TANGENT, TANGENT_KINDS } from '../../src/model/takes/tangent-kinds.ts';
 import { expectClose } from '../helpers/close.ts';
+import { expectEqual } from '../helpers/equal.ts';
 import { referenceTake } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
 
@@ -350,7 +351,7 @@ describe('a compiled take', () => {
         const kept = compileTake(before);
         const channels = before.channels.with(at % list.length, made(other));
         const fresh = structuredClone(channels);
-        expect(compileTake({ ...take, channels })).toEqual(compileChannels(fresh));
+        expectEqual(compileTake({ ...take, channels }), compileChannels(fresh));
         expect(kept.channelCount).toBe(list.length);
       }),
     );
@@ -371,7 +372,7 @@ describe('a compiled take', () => {
           keyList = keyList.map((key, i): Key => (i === at ? [key[0], (to % 5) + 0, 'smooth', 'flat'] : key));
           const edited = channel(keyList, 'linear');
           held = compileTake({ ...take, channels: [edited] });
-          expect(held).toEqual(compileChannels([structuredClone(edited)]));
+          expectEqual(held, compileChannels([structuredClone(edited)]));
         }
       }),
       { numRuns: 60 },

@@ -24,7 +24,7 @@ function expectRoundTrip(fileName: string, content: FileContent): void {
 }
 
 describe('any model that is written and read', () => {
-  const RUNS = { numRuns: 400 };
+  const RUNS = { numRuns: 200 };
 
   it('any model that is written and read is the same skeleton', () => {
     const several = fc

@@ -29,7 +29,7 @@ describe('writing a decimal', () => {
         const text = written(value);
         if (text !== undefined) expect(text).toBe(String(value));
       }),
-      { numRuns: 20_000 },
+      { numRuns: 10_000 },
     );
   });
 
@@ -46,7 +46,7 @@ describe('writing a decimal', () => {
         const read = new TextEncoder().encode(text);
         expect(parseDecimal(read, 0, read.length)).toBe(value);
       }),
-      { numRuns: 20_000 },
+      { numRuns: 10_000 },
     );
   });
 

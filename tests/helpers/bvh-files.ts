@@ -27,6 +27,11 @@ export function readCaptures(name: string, bytes: Uint8Array | string): readonly
   return value.captures;
 }
 
+const known = new Map<string, readonly Capture[]>();
+
+/** Read once. */
 export function sharedCaptures(name: string): readonly Capture[] {
-  return readCaptures(name, bvhBytes(name));
+  const captures = known.get(name) ?? readCaptures(name, bvhBytes(name));
+  known.set(name, captures);
+  return captures;
 }

@@ -68,7 +68,7 @@ describeShared('damaged public glTF files', () => {
         }
         await expectResult(bytes, beside);
       }),
-      { numRuns: 100 },
+      { numRuns: 50 },
     );
   });
 
@@ -91,7 +91,7 @@ describeShared('damaged public glTF files', () => {
         }
         await expectResult(glbOf({ json, buffers: [binary ?? new Uint8Array(0)] }), beside);
       }),
-      { numRuns: 150 },
+      { numRuns: 75 },
     );
   });
 });

@@ -27,6 +27,6 @@ it('random glTF files are where three.js has them, at rest and between the keys 
         }
       });
     }),
-    { numRuns: 30 },
+    { numRuns: 20 },
   );
 });

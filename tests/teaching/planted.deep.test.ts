@@ -12,8 +12,8 @@ import { compared, kindsOf, namedIn, numbersBy, random, together, VARIANTS } fro
 const SINGLES_NAMED = 0.99;
 const PAIRS_NAMED = 0.95;
 /** Characters and kinds of numbers that each way to make a mistake is tried on. */
-const TRIES = 4;
-const PAIRS = 200;
+const TRIES = 2;
+const PAIRS = 110;
 const DUMPS = 60;
 
 const FILES: Readonly<Record<string, readonly string[]>> = { ...OWN, ...(hasShared && SHARED) };

@@ -5,6 +5,7 @@ import { partsOf } from '../../src/worker/parts.ts';
 import { passageOf } from '../../src/worker/passage.ts';
 import type { FromWorker } from '../../src/worker/protocol.ts';
 import { skin } from '../helpers/builders.ts';
+import { expectEqual } from '../helpers/equal.ts';
 import { walkerFiles } from '../helpers/hero.ts';
 
 const read = (count: number) => parse({ files: walkerFiles(count) }, () => undefined);
@@ -36,7 +37,7 @@ it('puts the parts together again: files in their order, and skins as they were 
     },
   };
   const received = await new WorkerClient(() => worker).run('parse', { files: [] });
-  expect(received).toEqual(expected);
+  expectEqual(received, expected);
   const skins = received.files.flatMap((file) => (file.kind === 'skin' ? [file.skin] : []));
   const morphs = received.files.flatMap((file) => (file.kind === 'morph' ? [file.morph] : []));
   expect(received.facts.every((known) => skins.includes(known.skin))).toBe(true);

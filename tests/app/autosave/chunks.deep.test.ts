@@ -186,7 +186,7 @@ describe('chunks', () => {
         const stored = store.sessions.get('s');
         expect([stored?.chunks.size, stored?.pieces.size]).toEqual([0, 0]);
       }),
-      { numRuns: 12 },
+      { numRuns: 6 },
     );
   });
 });

@@ -1,6 +1,6 @@
 /** Feet of real takes, held: measured at frames, halfway between them and at times that are neither. */
 import { describe, expect, it } from 'vitest';
-import { walkerSample } from '../../../examples/characters/walker/walker.ts';
+import { makeSamples } from '../../../examples/characters/examples.ts';
 import { loadFiles } from '../../../src/cli/load.ts';
 import { holdSteps } from '../../../src/edit/commands/hold.ts';
 import { pinPoint } from '../../../src/edit/commands/ik.ts';
@@ -49,7 +49,7 @@ function expectHeld(own: Character, { joints, range, tolerance }: Asked): void {
 }
 
 describe('the walker', () => {
-  const { skeleton, skin, morphs, take } = walkerSample();
+  const [{ skeleton, skin, morphs, take }] = makeSamples();
   const skins = skin ? [skin] : [];
   const walker = character({
     name: 'walker',

@@ -73,7 +73,7 @@ it('keys at whole frames move the limbs as the goals do, whatever the pose benea
         }
       });
     }),
-    { numRuns: 20 },
+    { numRuns: 10 },
   );
 });
 

@@ -41,7 +41,7 @@ describe('any sequence of rig commands', () => {
           expectSound(store);
         }
       }),
-      { numRuns: 60 },
+      { numRuns: 30 },
     );
   });
 
@@ -60,7 +60,7 @@ describe('any sequence of rig commands', () => {
         }
         expect(store.undo()).toBe(false);
       }),
-      { numRuns: 40 },
+      { numRuns: 20 },
     );
   });
 
@@ -86,7 +86,7 @@ describe('any sequence of rig commands', () => {
           expect(read.value).toEqual({ ...skin, name: 'x' });
         }
       }),
-      { numRuns: 40 },
+      { numRuns: 20 },
     );
   });
 });

@@ -75,14 +75,14 @@ describe('the Jacobian', () => {
   it('the Jacobian is what finite differences say, for joints of all kinds, with couples, points and orientations', () => {
     fc.assert(
       fc.property(anyProblem(false), (any) => expectSlopes(any, false)),
-      { numRuns: 600 },
+      { numRuns: 300 },
     );
   });
 
   it('knows that a linked DOF is constant at its own limit', () => {
     fc.assert(
       fc.property(anyProblem(true), (any) => expectSlopes(any, true)),
-      { numRuns: 200 },
+      { numRuns: 100 },
     );
   });
 });
@@ -142,7 +142,7 @@ describe('the screws of a joint', () => {
         }
         expect(jointMotion(of).stretches ?? false).toBe(false);
       }),
-      { numRuns: 500 },
+      { numRuns: 250 },
     );
   });
 

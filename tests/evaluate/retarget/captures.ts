@@ -49,8 +49,16 @@ const FINGERS: Readonly<Record<string, string>> = {
 
 export const HUMANOIDS: readonly string[] = Object.keys(LIMBS);
 
-/** Its first character as a character, position channels as its writer meant them. */
+const known = new Map<string, Character>();
+
+/** Its first character as a character, position channels as its writer meant them; made once. */
 export function captured(file: string, id = file): Character {
+  const found = known.get(`${id} ${file}`) ?? madeOf(file, id);
+  known.set(`${id} ${file}`, found);
+  return found;
+}
+
+function madeOf(file: string, id: string): Character {
   const [{ skeleton: read, take }] = sharedCaptures(file);
   const skeleton = withPositions(read, positionsMeant(read, take));
   return {

@@ -141,7 +141,7 @@ describe('joints that do more than rotate', () => {
         const source = dancer(skeleton, 'hips');
         expectSame(on(source, skeleton), source);
       }),
-      { numRuns: 40 },
+      { numRuns: 20 },
     );
   });
 });

@@ -173,7 +173,7 @@ describe('linear', () => {
         const expected = matrixOf(slerp(p, q, t));
         expectClose(rotationOf(take(bvh(axes), [from, to]), t), expected, 1e-10, `${order} at ${t}`);
       }),
-      { numRuns: 1000 },
+      { numRuns: 500 },
     );
   });
 

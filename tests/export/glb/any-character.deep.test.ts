@@ -17,7 +17,7 @@ describe('any character as GLB', () => {
           const { joints, vertices } = offBy(own, made, await inThree(made), 0, TIMES);
           expect(Math.max(joints, vertices)).toBeLessThanOrEqual(made.report.tolerance);
         }),
-        { numRuns: 25 },
+        { numRuns: 15 },
       );
     },
   );

@@ -34,7 +34,7 @@ const FILES: readonly (readonly string[])[] = [
 ];
 
 /** Seconds of a take: fitting keys to more of it takes longer, and shows nothing else; but one is fitted in several parts. */
-const MAX_SECONDS = 4;
+const MAX_SECONDS = 2;
 const WHOLE = 'data/bvh/cmu-01_01.bvh';
 
 function shortened(own: Character): Character {

@@ -92,7 +92,7 @@ describe('what any edits changed in files', () => {
           expect(again).toBe(after);
         }
       }),
-      { numRuns: 40 },
+      { numRuns: 20 },
     );
   });
 });

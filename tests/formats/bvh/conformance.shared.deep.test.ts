@@ -7,6 +7,7 @@ import type { Capture } from '../../../src/model/files.ts';
 import { withPositions } from '../../../src/model/skeleton/position-channels.ts';
 import type { BvhChannel } from '../../../src/model/skeleton/skeleton.ts';
 import { character } from '../../helpers/builders.ts';
+import { expectEqual } from '../../helpers/equal.ts';
 import { conformance, describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { read, readInPieces, told } from '../read-in-pieces.ts';
 
@@ -157,7 +158,7 @@ describeShared('the motion capture files of the reference', () => {
       const whole = read(name, bytes);
       for (const size of [997, 65536]) {
         const cuts = Array.from({ length: Math.floor(bytes.length / size) }, (_, i) => size * (i + 1));
-        expect(readInPieces(name, bytes, cuts)).toEqual(whole);
+        expectEqual(readInPieces(name, bytes, cuts), whole);
       }
     });
   });

@@ -57,7 +57,7 @@ describeShared('damaged public FBX files', () => {
         fc.property(fc.array(damage, { minLength: 1, maxLength: 3 }), (changes) =>
           expectResult(damaged(bytes, changes)),
         ),
-        { numRuns: 250 },
+        { numRuns: 125 },
       );
     });
   }
@@ -69,6 +69,6 @@ it('random FBX files with any bytes changed are read or refused', () => {
       const bytes = isText ? new TextEncoder().encode(fbxText(fbx)) : fbxBytes(fbx);
       expectResult(damaged(bytes, changes));
     }),
-    { numRuns: 100 },
+    { numRuns: 50 },
   );
 });

@@ -40,7 +40,7 @@ it('random FBX files move as pivots, orders, inherited scales and layers say', (
         }
       }
     }),
-    { numRuns: 40 },
+    { numRuns: 20 },
   );
 });
 
@@ -63,7 +63,7 @@ it('characters of random FBX files have their joints where the nodes are', () =>
         }
       }
     }),
-    { numRuns: 40 },
+    { numRuns: 20 },
   );
 });
 
@@ -76,6 +76,6 @@ it('random FBX files are the same as texts and as bytes in either order', () => 
       expect(b.value).toEqual(a.value);
       expect(c.value).toEqual(a.value);
     }),
-    { numRuns: 40 },
+    { numRuns: 20 },
   );
 });

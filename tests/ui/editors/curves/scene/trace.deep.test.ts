@@ -100,7 +100,7 @@ describe('a traced line', () => {
           }
         }
       }),
-      { numRuns: 1500 },
+      { numRuns: 700 },
     );
   });
 
@@ -120,7 +120,7 @@ describe('a traced line', () => {
           expect(drawn.some((p) => p.x0 <= x + ASIDE_PIXELS && p.x1 >= x - ASIDE_PIXELS)).toBe(true);
         }
       }),
-      { numRuns: 1000 },
+      { numRuns: 500 },
     );
   });
 
@@ -147,7 +147,7 @@ describe('a traced line', () => {
           expect(line.columns.bottoms[i]).toBeGreaterThanOrEqual(cut(bottom) - WITHIN_PIXELS);
         }
       }),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
   });
 });
