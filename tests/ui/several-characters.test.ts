@@ -1,5 +1,5 @@
 /** What is done to joints of several selected characters. */
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { removeCharacter } from '../../src/edit/commands/characters.ts';
 import { setDofs, tweenPose } from '../../src/edit/commands/pose.ts';
 import { onEachCharacter } from '../../src/edit/in-turn.ts';
@@ -10,7 +10,7 @@ import { meantOfEach } from '../../src/ui/editors/posing/pose-edits.ts';
 import { runAction } from '../../src/ui/state/actions/action.ts';
 import { allJointsText } from '../../src/ui/state/joints/selected-joint.ts';
 import type { Workbench } from '../../src/ui/state/workbench.ts';
-import { character, documentOf } from './builders.ts';
+import { capture, character, documentOf } from './builders.ts';
 import { OFFSET, withTwoCharacters } from './two-characters.ts';
 
 let wb: Workbench;
@@ -81,6 +81,18 @@ describe('keys of the selected joints of several characters', () => {
       ['walker', undefined],
       ['flyer', undefined],
     ]);
+  });
+
+  it('of several captures, keying one is offered, and the others are named', async () => {
+    wb.store.replace('Open', {
+      ...wb.store.document,
+      characters: wb.store.document.characters.map((one) => ({ ...one, takes: [capture(9, 0.1, 11)] })),
+    });
+    runAction(wb, 'key.joint');
+    await vi.waitFor(() => expect(wb.messages.passing.get()).toBeDefined());
+    expect(wb.messages.passing.get()).toBe(
+      'The 3 curves of wing of Flyer are sampled: they have a value at every frame, and no single keys. So are those of Walker: select it alone to key them.',
+    );
   });
 
   it('the whole pose is keyed of each that has a skeleton', () => {

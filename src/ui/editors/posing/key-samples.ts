@@ -8,6 +8,7 @@ import { documentIn, type Edit } from '../../../edit/change.ts';
 import type { ArgsOf } from '../../../edit/command.ts';
 import { keyPose } from '../../../edit/commands/keying.ts';
 import { convertSteps } from '../../../edit/commands/samples.ts';
+import { cutName, SHORT_NAME } from '../../../edit/cut-name.ts';
 import { EditPreview } from '../../../edit/edit-preview.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { type Converted, usualTolerance } from '../../../edit/samples/convert.ts';
@@ -28,6 +29,12 @@ import { channelsOfJoint } from '../timeline/channels.ts';
 
 type Parts = Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>;
 
+/** Sampled DOFs of a character. */
+interface Sampled {
+  readonly character: Character;
+  readonly dofs: readonly number[];
+}
+
 interface Wanted {
   readonly character: Character;
   /** To become keys: those sampled of the same joints, whose angles are converted together. */
@@ -37,8 +44,11 @@ interface Wanted {
 /**
  * Says that some of these DOFs are sampled, with a button that converts their joints' curves to keys and keys the DOFs
  * as displayed at the current time.
+ * @param others that are to be keyed, too, and are sampled
  */
-export function offerToConvert(wb: Parts, characterId: string, dofs: readonly number[], options: KeyOptions): void {
+export function offerToConvert(wb: Parts, of: Sampled, options: KeyOptions, others: readonly Sampled[] = []): void {
+  const { dofs } = of;
+  const { id: characterId } = of.character;
   const { timeSeconds } = wb.transport.get();
   const wanted = wantedOf(wb.store.document, characterId, dofs);
   if (!wanted) return;
@@ -50,8 +60,11 @@ export function offerToConvert(wb: Parts, characterId: string, dofs: readonly nu
     dofs.includes(index) ? [{ index, value }] : [],
   );
   const pose = { characterId, dofs: posed };
+  const names = others.map((one) => cutName(one.character.name, SHORT_NAME)).join(', ');
+  const ofAll = names && ` of ${cutName(character.name, SHORT_NAME)}`;
+  const too = names && ` So are those of ${names}: select ${others.length > 1 ? 'each' : 'it'} alone to key them.`;
   wb.messages.confirm(
-    `${what} of ${jointsOf(character, channels)} ${have} at every frame, and no single keys.`,
+    `${what} of ${jointsOf(character, channels)}${ofAll} ${have} at every frame, and no single keys.${too}`,
     [
       {
         label: 'Convert to keys and key',

@@ -96,12 +96,12 @@ export function keyNow(
       })),
     );
   }
-  const last = found.findLast(({ sampled }) => sampled);
-  if (!last?.sampled) return false;
-  const { character, sampled } = last;
+  const all = found.flatMap(({ character, sampled }) => (sampled ? { character, dofs: sampled.dofs } : []));
+  const last = all.pop();
+  if (!last) return false;
   const load = () => import('./key-samples.ts');
   void onDemand(wb.messages, 'Keying samples', load).then((module) => {
-    module?.offerToConvert(wb, character.id, sampled.dofs, options);
+    module?.offerToConvert(wb, last, options, all);
   });
   return true;
 }

@@ -19,7 +19,6 @@ import { channelName, namedChannel } from './channels.ts';
 import {
   channelsInView,
   channelsToEdit,
-  currentTake,
   keyPlacing,
   onAllInHand,
   selectedKeysInView,
@@ -29,7 +28,7 @@ import {
 import { copiedByCharacter, copiedOfAll, rippleSeconds } from './edit-all.ts';
 import { pastableChannels, pasteTargets } from './paste-targets.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
-import { namedIn, partWith, timelineTake } from './timeline-take.ts';
+import { activePart, channelsOfPart, namedIn, partWith, timelineTake } from './timeline-take.ts';
 
 /** Inserts a key at the playhead on each curve in view; does nothing if there is none. */
 export function insertAtPlayhead(
@@ -67,7 +66,7 @@ export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean
  * Pastes at the playhead.
  *
  * @param mode `insert` ripples later keys instead of merging
- * @param into other channels than the keys were copied from
+ * @param into other channels than the keys were copied from, in the numbers of all
  */
 export function paste(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
@@ -77,13 +76,13 @@ export function paste(
 ): void {
   if (!keys) return;
   const by = copiedByCharacter(keys);
-  if (!into && pasteOnEach(wb, mode, by)) return;
-  const current = currentTake(wb);
+  if (pasteOnEach(wb, mode, by, keys, into)) return;
+  const current = timelineTake(wb);
   // Those of one may be pasted on another.
   const [copied = keys] = by.values();
   if (by.size > 1) wb.messages.note('These keys are from several characters. Select one of these, or more.');
   if (!current || by.size > 1) return;
-  const targets = into ?? pasteTargets(current.character, copied, pastableChannels(wb));
+  const targets = pasteTargets(current.character, copied, channelsOfPart(activePart(current), pastableChannels(wb)));
   if (!targets) {
     const names = copied.channels.map(({ channel }) => channelName(namedChannel(current.character, channel)));
     const from = names.length === 1 ? names[0] : `${names[0]} and ${plural(names.length - 1, 'more channel')}`;
@@ -107,19 +106,25 @@ export function paste(
 }
 
 /**
- * Pastes keys into the same channels of each of their characters that is selected.
+ * Pastes keys into the same channels of each of their characters that is selected, or into given ones of each.
  *
- * @returns false if none is
+ * @param by the keys by character, if they are of several
+ * @returns false if there are none for any
  */
 function pasteOnEach(
   wb: Uses<'store' | 'transport' | 'timeline'>,
   mode: 'merge' | 'insert',
   by: ReadonlyMap<string, CopiedKeys>,
+  keys: CopiedKeys,
+  into?: readonly number[],
 ): boolean {
-  const each = (timelineTake(wb)?.parts ?? []).flatMap(({ character }) => {
-    const copied = by.get(character.id);
-    const at = { characterId: character.id, timeSeconds: takeTime(wb, character), mode };
-    return copied ? [{ ...at, ...(mode === 'merge' && keyPlacing(wb, character)), copied }] : [];
+  const each = (timelineTake(wb)?.parts ?? []).flatMap((part) => {
+    const { character } = part;
+    const own = into && channelsOfPart(part, into);
+    // Those of one may be pasted on another.
+    const copied = by.get(character.id) ?? (into && by.size <= 1 ? ([...by.values()][0] ?? keys) : undefined);
+    const at = { characterId: character.id, timeSeconds: takeTime(wb, character), mode, ...(own && { into: own }) };
+    return copied && own?.length !== 0 ? [{ ...at, ...(mode === 'merge' && keyPlacing(wb, character)), copied }] : [];
   });
   if (each.length === 0) return false;
   pausePlayback(wb);

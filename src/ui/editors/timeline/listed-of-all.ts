@@ -26,12 +26,12 @@ function shownParts(wb: Uses<'store'>): readonly ShownPart[] {
 }
 
 /** Those of each character, in the order of the document; named with it if there are several. */
-export function listedOfAll(wb: Parts): readonly ListedChannel[] {
+export function listedOfAll(wb: Parts, list?: TimelineView['list']): readonly ListedChannel[] {
   const view = wb.timeline.view.get();
   const parts = shownParts(wb);
   return parts.flatMap(({ character, first }) => {
     const { pinned } = channelViewOf(view, character.id);
-    const own = listedChannels(character, wb.store.selection, { ...view, pinned });
+    const own = listedChannels(character, wb.store.selection, { ...view, pinned, ...(list && { list }) });
     if (parts.length === 1) return own;
     return own.map((one) => ({ ...one, channel: first + one.channel, character: character.name }));
   });

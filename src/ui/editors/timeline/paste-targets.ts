@@ -4,24 +4,21 @@
  */
 import type { CopiedKeys } from '../../../edit/keys/clipboard.ts';
 import type { Character } from '../../../model/document.ts';
-import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { listedChannels, namedChannel } from './channels.ts';
+import { namedChannel } from './channels.ts';
+import { listedOfAll, viewOfAll } from './listed-of-all.ts';
 
 /**
- * The listed channels that aren't hidden, including those without keys. Everything in the dope sheet, which lists them
- * all.
+ * The listed channels that aren't hidden, including those without keys, in the numbers of all. Everything in the dope
+ * sheet, which lists them all.
  */
 export function pastableChannels(wb: Uses<'store' | 'timeline'>): readonly number[] {
-  const character = currentCharacter(wb);
-  if (!character) return [];
-  const view = wb.timeline.view.get();
-  const list = view.tab === 'dope' ? 'all' : view.list;
-  const listed = listedChannels(character, wb.store.selection, { ...view, list }).map(({ channel }) => channel);
-  if (view.tab === 'dope') return listed;
-  const { isolated } = view;
+  const { tab, list } = wb.timeline.view.get();
+  const listed = listedOfAll(wb, tab === 'dope' ? 'all' : list).map(({ channel }) => channel);
+  if (tab === 'dope') return listed;
+  const { isolated, hidden } = viewOfAll(wb);
   const shown = isolated ? listed.filter((channel) => isolated.includes(channel)) : [];
-  return shown.length ? shown : listed.filter((channel) => !view.hidden.includes(channel));
+  return shown.length ? shown : listed.filter((channel) => !hidden.includes(channel));
 }
 
 /**

@@ -23,6 +23,7 @@ import { isolateOfAll, listedOfAll, toggleIn, viewOfAll } from '../../../../src/
 import { rowsOfAll } from '../../../../src/ui/editors/timeline/rows-of-all.ts';
 import { timelineTake } from '../../../../src/ui/editors/timeline/timeline-take.ts';
 import { runAction } from '../../../../src/ui/state/actions/action.ts';
+import { NOTHING_PICKED } from '../../../../src/ui/state/timeline.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { capture } from '../../builders.ts';
 import { OFFSET, withTwoCharacters } from '../../two-characters.ts';
@@ -219,6 +220,54 @@ describe('keys of several characters', () => {
       [0, 1],
       [0.5, 1, 1.5 + OFFSET],
     ]);
+  });
+
+  it('copied together they are pasted into all listed channels of each', () => {
+    wb.timeline.change({
+      tab: 'curves',
+      list: 'pinned',
+      pinned: [1],
+      others: { walker: { ...NOTHING_PICKED, pinned: [0] } },
+    });
+    selectKeys(wb, [
+      { channel: 1, indices: [0] },
+      { channel: WALKER, indices: [2] },
+    ]);
+    runAction(wb, 'timeline.copy');
+    wb.timeline.change({ pinned: [0], others: { walker: { ...NOTHING_PICKED, pinned: [1, 2] } } });
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0 }));
+    const before = wb.store.document;
+    runAction(wb, 'timeline.pasteInto');
+    // The walker's was 2 s before the flyer's at 0.5 s of its take: at 0 s.
+    expect([now(0, 1), now(0, 2), now(1, 0)]).toEqual([
+      [0, 2],
+      [0, 1, 2],
+      [0, 0.5, 1, 2],
+    ]);
+    wb.store.undo();
+    expect(wb.store.document).toEqual(before);
+    // Those of one go into the channels of all.
+    selectKeys(wb, [{ channel: 0, indices: [0] }]);
+    runAction(wb, 'timeline.copy');
+    wb.transport.update((p) => ({ ...p, timeSeconds: 1.25 }));
+    runAction(wb, 'timeline.pasteInto');
+    expect([now(0, 1), now(0, 2), now(1, 0)]).toEqual([
+      [0, 1.25, 2],
+      [0, 1, 1.25],
+      [0, 1, 1.75, 2],
+    ]);
+    expect(wb.store.undoLabel).toBe('Paste keys on 2 characters');
+  });
+
+  it('those of one are pasted on the one with a take where the active one has none', () => {
+    wb = withTwoCharacters({ takes: [] });
+    followCharacter(wb);
+    wb.timeline.change({ tab: 'dope' });
+    selectKeys(wb, [{ channel: 6, indices: [0] }]);
+    runAction(wb, 'timeline.copy');
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0.5 }));
+    runAction(wb, 'timeline.paste');
+    expect(now(0, 6)).toEqual([0, 0.5, 1]);
   });
 
   it('they are inserted in both at the current time', () => {
