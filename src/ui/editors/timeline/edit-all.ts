@@ -33,7 +33,7 @@ export function onAllShown<A extends OfAll>(
   command: Command<A, Document | Change>,
   unseen: readonly ChannelKeys[] = [],
 ): Command<A, Change> {
-  const each = (args: A) => current.parts.flatMap((part) => argsOf(current, part, args) ?? []);
+  const each = (args: A) => keyableParts(current, args).flatMap((part) => argsOf(current, part, args) ?? []);
   return {
     ...command,
     label(document, args) {
@@ -53,6 +53,14 @@ export function onAllShown<A extends OfAll>(
       return { ...change, keysOf };
     },
   };
+}
+
+/** Parts whose channels are all sampled are left alone among others, as such channels are among others of one take. */
+function keyableParts({ parts }: TimelineTake, { channels }: OfAll): readonly TimelinePart[] {
+  const isKeyable = (part: TimelinePart) =>
+    !channels || channelsOfPart(part, channels).some((c) => part.take.channels[c]?.kind !== 'samples');
+  const keyable = parts.filter(isKeyable);
+  return keyable.length > 0 ? keyable : parts;
 }
 
 /** The arguments for one part; undefined if none of its keys or channels are among them. */

@@ -278,6 +278,22 @@ describe('keys of several characters', () => {
     expect(wb.store.undoLabel).toBe('Insert keys of 2 characters');
   });
 
+  it.each(['flyer', 'walker'])('they are inserted beside a capture, which takes none; active: %s', (active) => {
+    wb = withTwoCharacters({ takes: [capture(9, 0.1, 11)] });
+    const [beside] = ['flyer', 'walker'].filter((id) => id !== active);
+    wb.store.select({ characterId: active, joint: 1, beside: [{ characterId: beside, joint: 1 }] });
+    wb.timeline.change({ tab: 'dope' });
+    const [, captured] = wb.store.document.characters;
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0.25 }));
+    runAction(wb, 'timeline.insertKey');
+    runAction(wb, 'timeline.extrapolation.both.cycle');
+    expect(now(0, 6)).toEqual([0, 0.25, 1]);
+    expect(shownTake(wb.store.document.characters[0])?.channels[6].extrapolateIn).toBe('cycle');
+    expect(wb.store.document.characters[1]).toBe(captured);
+    wb.store.select({ characterId: 'flyer', joint: 1 });
+    expect(() => runAction(wb, 'timeline.insertKey')).toThrow('are sampled');
+  });
+
   it('they are counted together', () => {
     selectKeys(wb, BOTH);
     expect(selectedText(wb)).toBe('2 keys of 2 channels, at 0 s');
