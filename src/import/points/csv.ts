@@ -25,6 +25,7 @@ const NUMBERED = 33;
 
 interface Wide {
   readonly kind: 'wide';
+  readonly frame: number;
   readonly time: number;
   readonly labels: readonly string[];
   /** The column of the x of each point; y and z follow. */
@@ -51,7 +52,8 @@ export function readPointRows(bytes: Uint8Array, budget: Budget, remarks: Remark
   const { times, steps, ...table } = read;
   const rate = times && rateOfTimes(times, steps);
   if (rate === undefined) {
-    const message = times ? 'Its times don’t rise.' : 'The table states no times.';
+    const why = table.frameCount > 1 ? 'Its times don’t rise.' : 'No rate follows from the time of one frame.';
+    const message = times ? why : 'The table states no times.';
     remarks.tell('rate-assumed', message, `used ${USUAL_FRAMES_PER_SECOND} frames per second`);
   }
   return { ...table, framesPerSecond: rate ?? USUAL_FRAMES_PER_SECOND };
@@ -92,7 +94,8 @@ function wideOf(names: readonly string[]): Wide | undefined {
     else return undefined;
   }
   if (labels.length === 0) return undefined;
-  return { kind: 'wide', time: names.findIndex((name) => TIME.test(name)), labels, columns };
+  const [frame, time] = [FRAME, TIME].map((pattern) => names.findIndex((name) => pattern.test(name)));
+  return { kind: 'wide', frame, time, labels, columns };
 }
 
 function isAxis(letter: string | undefined, k: number): boolean {
@@ -107,17 +110,19 @@ interface ReadRows extends Omit<PointTable, 'framesPerSecond'> {
   readonly steps?: Float64Array;
 }
 
-function readWide(rows: Rows, { time, labels, columns }: Wide, budget: Budget): ReadRows {
+function readWide(rows: Rows, { frame, time, labels, columns }: Wide, budget: Budget): ReadRows {
   const pointCount = labels.length;
   checkCount(pointCount);
   const most = Math.max(1, lineCount(rows.bytes) - rows.line);
   const values = roomFor(pointCount, most, budget);
   const times = new Float64Array(most);
+  const numbers = new Float64Array(most);
   let frameCount = 0;
   let missing = 0;
   while (rows.next()) {
     if (rows.count === 0) continue;
     if (time >= 0) times[frameCount] = rows.number(time);
+    numbers[frameCount] = frame >= 0 ? rows.numberOrNone(frame) : frameCount;
     const from = POINT_WIDTH * pointCount * frameCount;
     for (let p = 0; p < pointCount; p++) {
       const c = columns[p];
@@ -126,7 +131,20 @@ function readWide(rows: Rows, { time, labels, columns }: Wide, budget: Budget): 
     frameCount++;
   }
   if (frameCount === 0) withoutRows();
-  const own = values.subarray(0, POINT_WIDTH * pointCount * frameCount);
+  const width = POINT_WIDTH * pointCount;
+  const own = values.subarray(0, width * frameCount);
+  const stated = numbers.subarray(0, frameCount);
+  const { frameCount: count, frameOf } = framesOf(stated);
+  if (count > frameCount && stated.every((number, row) => row === 0 || number > stated[row - 1])) {
+    const spread = roomFor(pointCount, count, budget);
+    const steps = stated.map(frameOf);
+    steps.forEach((at, row) => {
+      spread.set(own.subarray(width * row, width * (row + 1)), width * at);
+    });
+    holdMissing(spread, pointCount, count);
+    const timed = time >= 0 && { times: times.subarray(0, frameCount), steps };
+    return { labels: labelsFor(labels, pointCount), frameCount: count, values: spread, ...timed };
+  }
   if (missing > 0) holdMissing(own, pointCount, frameCount);
   return {
     labels: labelsFor(labels, pointCount),

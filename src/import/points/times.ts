@@ -10,12 +10,14 @@ const GAP = 1.5;
 
 /**
  * Frames per second of frames at these seconds, in order; undefined if they don't rise.
- * @param steps how many frames later than the first each is, if some are left out
+ * @param steps how many frames later than the first each is, rising, if some are left out
  */
 export function rateOfTimes(times: Float64Array, steps?: Float64Array): number | undefined {
   const last = times.length - 1;
   if (last < 1) return undefined;
-  const gaps = Float64Array.from({ length: last }, (_, i) => times[i + 1] - times[i]).sort();
+  const gaps = Float64Array.from({ length: last }, (_, i) => {
+    return (times[i + 1] - times[i]) / (steps ? steps[i + 1] - steps[i] : 1);
+  }).sort();
   const usual = gaps[last >> 1];
   const count = steps ? steps[last] - steps[0] : last;
   const seconds = (times[last] - times[0]) / count;

@@ -105,6 +105,24 @@ describe('a table', () => {
     expect(take.samples?.frameSeconds).toBe(1 / 25);
   });
 
+  it.each([
+    ['frame,time,a.x,a.y,a.z\n4,0.4,1,2,3\n5,0.5,1,3,3\n8,0.8,1,4,3\n', 1 / 10],
+    ['frame,a.x,a.y,a.z\n10,1,2,3\n12,1,3,3\n18,1,4,3\n', 1 / 30],
+  ])('with a row for each frame has frames that are left out as frames without points: %j', async (text, seconds) => {
+    const { character, take } = await pointsIn('x.csv', text);
+    expect(placesIn(character)).toEqual([[[1, 2, 3]], [[1, 3, 3]], [null], [null], [[1, 4, 3]]]);
+    expect(take.samples?.frameSeconds).toBe(seconds);
+  });
+
+  it('whose numbers of frames don’t rise has a frame a row; the time of a single one tells no rate', async () => {
+    const { character } = await pointsIn('x.csv', 'frame,a.x,a.y,a.z\n5,1,2,3\n1,1,3,3\n1,1,4,3\n');
+    expect(placesIn(character)).toEqual([[[1, 2, 3]], [[1, 3, 3]], [[1, 4, 3]]]);
+    const { diagnostics } = await readPointsIn('x.csv', 'time,a.x,a.y,a.z\n5,1,2,3\n');
+    expect(diagnostics.map(({ message }) => message).join(' ')).toContain(
+      'No rate follows from the time of one frame.',
+    );
+  });
+
   it('with a row for each point has points, with frames that are left out as frames without them', async () => {
     const text = 'frame;name;x;y;z;score\n0;"a";1;1000;3;0.5\n0;b;4;500;6;0.1\n1;a;1.5;1001;3;1\n3;b;4;501;6;1\n';
     const { character, take, diagnostics } = await pointsIn('x.csv', text);
