@@ -350,7 +350,7 @@ describe('forty elements', () => {
   it('elements out of sight neither play nor draw', () =>
     withElement(
       {
-        html: `<div class="above"></div><marrow-viewer src="${WALKER}" autoplay loop></marrow-viewer>`,
+        html: `<div class="above"></div><marrow-viewer src="${WALKER}" show="skin no-shadow" autoplay loop></marrow-viewer>`,
         style: '.above { height: 3000px }',
         before,
       },

@@ -69,6 +69,7 @@ it('a link shows what it says; its copy, opened in another page, shows the same 
     {
       files,
       drawn: true,
+      size: { width: 1280, height: 480 },
       query: `${FILES}&time=0.4&select=root&camera=2,1.5,3,0,0.4,0&show=skin,bones,no-shadow&theme=light&panel=curves`,
     },
   ));

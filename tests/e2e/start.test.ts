@@ -5,7 +5,7 @@ import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const VITE = join(ROOT, 'node_modules', 'vite', 'bin', 'vite.js');
@@ -21,10 +21,11 @@ beforeAll(() => {
   writeFileSync(join(folder, 'assignment', 'test.skel'), 'skel');
   writeFileSync(join(folder, 'assignment', 'test.anim'), 'anim');
 });
-afterAll(() => {
-  for (const child of started) child.kill();
-  rmSync(folder, { recursive: true, force: true });
+// It would go on preparing what a browser may ask for.
+afterEach(() => {
+  for (const child of started.splice(0)) child.kill();
 });
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 interface Started {
   /** Its output so far. */

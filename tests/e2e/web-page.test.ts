@@ -15,6 +15,9 @@ import { openedFrom } from '../helpers/saved-page.ts';
 /** Bytes of a saved page without its files. */
 const MAX_BYTES = 350_000;
 
+/** Drawn in software. */
+const SMALL = { width: 480, height: 360 };
+
 interface Size {
   readonly width: number;
   readonly height: number;
@@ -63,7 +66,7 @@ async function expectSame({ page, download }: OpenPage, look: (page: Page, text:
   }));
   const files = [...text.matchAll(/<pre hidden data-(?:file|packed|shown)[^<]*<\/pre>/g)].map(([part]) => part.length);
   expect(text.length - files.reduce((sum, length) => sum + length, 0)).toBeLessThan(MAX_BYTES);
-  await fromDisk(page, text, { width: 800, height: 600 }, async (saved) => {
+  await fromDisk(page, text, SMALL, async (saved) => {
     const { worlds } = await shownIn(saved);
     expect(worlds.length).toBe(own.worlds.length);
     worlds.forEach((world, i) => {
@@ -115,7 +118,9 @@ describe('a saved page', () => {
           return { width, height };
         });
         const picture = await page.evaluate(async () => {
+          window.fillPixels(true);
           const blob = await window.marrow.picture();
+          window.fillPixels(false);
           return new Promise<string>((resolve) => {
             const reader = new FileReader();
             reader.onload = () => resolve(String(reader.result));
@@ -144,31 +149,29 @@ describe('a saved page', () => {
         });
       },
       {
-        drawn: true,
+        drawn: 'later',
+        size: { width: 1280, height: 600 },
         query: '?sample=walker&time=0.6&camera=2,1.5,3,0,0.8,0&show=skin,bones&theme=dark',
         walking: true,
       },
     ));
 
   it('a saved page shows captures and characters of other programs, several at once', () =>
-    withPage(
-      async (open) => {
-        const { page } = open;
-        const files = [
-          ...[...OWN_CAPTURES].slice(0, 1).map(([name, bytes]) => ({ name, bytes })),
-          { name: 'hero.glb', bytes: glbOf(await hero()).bytes },
-        ];
-        await dropped(page, files, 2);
-        await page.evaluate(() => window.marrow.seek(0.5));
-        await expectSame(open, async (saved, text) => {
-          await expect.poll(async () => (await shownIn(saved)).time).toBe(0.5);
-          await screenshot(saved, 'web-page-light');
-          const { characters } = openedFrom(text);
-          expect(characters.map(({ name }) => name).sort()).toEqual(['hero', 'own-walk']);
-        });
-      },
-      { drawn: true },
-    ));
+    withPage(async (open) => {
+      const { page } = open;
+      const files = [
+        ...[...OWN_CAPTURES].slice(0, 1).map(([name, bytes]) => ({ name, bytes })),
+        { name: 'hero.glb', bytes: glbOf(await hero()).bytes },
+      ];
+      await dropped(page, files, 2);
+      await page.evaluate(() => window.marrow.seek(0.5));
+      await expectSame(open, async (saved, text) => {
+        await expect.poll(async () => (await shownIn(saved)).time).toBe(0.5);
+        await screenshot(saved, 'web-page-light');
+        const { characters } = openedFrom(text);
+        expect(characters.map(({ name }) => name).sort()).toEqual(['hero', 'own-walk']);
+      });
+    }));
 
   it('a saved page that was damaged says so, and shows nothing else than its own files', () =>
     withPage(async (open) => {

@@ -72,13 +72,16 @@ export class Pages {
     });
   }
 
-  /** What three.js alone is to draw as the built page does. */
-  reference(): Promise<Reference> {
+  /**
+   * What three.js alone is to draw as the built page does.
+   * @param framesPerSecond of its take; default: as few keys as hold it
+   */
+  reference(framesPerSecond?: number): Promise<Reference> {
     this.server.serve();
     return this.inPage(async (page) => {
       await this.openMarrow(page);
-      const { base64, size } = await page.evaluate(async () => {
-        const { bytes } = await window.marrow.glb({ keys: 'linear' });
+      const { base64, size } = await page.evaluate(async (rate) => {
+        const { bytes } = await window.marrow.glb({ keys: 'linear', ...(rate && { framesPerSecond: rate }) });
         const { width, height } = window.frameWatch.canvas();
         // Numbers of an array would each be a message's text and a node of its tree.
         const address = await new Promise<string>((resolve) => {
@@ -87,7 +90,7 @@ export class Pages {
           reader.readAsDataURL(new Blob([bytes]));
         });
         return { base64: address.slice(address.indexOf(',') + 1), size: { width, height } };
-      });
+      }, framesPerSecond);
       return { walker: Buffer.from(base64, 'base64'), size };
     });
   }
