@@ -27,7 +27,7 @@ import { index, optional, text } from '../../schema/shape.ts';
 import { CHARACTER, NOW, range } from '../../schema/shared-shapes.ts';
 import { characterIn, jointIn } from '../../step-names.ts';
 import { withChannels, withTake } from '../../takes.ts';
-import { withoutUnkeyed } from '../../unkeyed.ts';
+import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../../unkeyed.ts';
 
 /**
  * Attaches the root to a joint of another character, where it is when the span begins: nothing jumps. A character
@@ -261,5 +261,7 @@ function keyedRoot(character: Character, held: Character, timeSeconds: number): 
   const time = timeSeconds + character.timeOffsetSeconds;
   const channels = [...take.channels];
   for (const [dof, value] of values) channels[dof] = steppedTo(channels[dof], time, value, 'continues', take.range);
-  return withTake(withoutUnkeyed(character), character.shownTake, { ...take, channels });
+  const byHand = unkeyedAt(character, timeSeconds);
+  for (const dof of dofs) byHand.delete(dof);
+  return withTake(withUnkeyed(character, timeSeconds, byHand), character.shownTake, { ...take, channels });
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { addAttachment, putDown } from '../../../../src/edit/commands/beside/attach.ts';
+import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { ATTACH_ACTIONS } from '../../../../src/ui/editors/attach/actions.ts';
 import { argsOf, attachUntil, choiceOf, meantBy } from '../../../../src/ui/editors/attach/dialog.ts';
@@ -74,6 +75,16 @@ describe('attaching on the page', () => {
     expect(spans(wb)).toEqual([[0.5, 1.25]]);
     detachNow(wb);
     expect(spans(wb)).toBeUndefined();
+  });
+
+  it('what else was posed by hand stays when it is put down', () => {
+    const { wb } = workbench(documentOf(walker, { ...sword, skeleton: skeleton(['hilt', -1], ['tassel', 0]) }));
+    wb.store.apply(addAttachment, GRIP);
+    wb.store.apply(setDofs, { characterId: 's', dofs: [{ index: 7, value: 1 }], timeSeconds: 0, key: {} });
+    const dofs = [1, 7].map((index) => ({ index, value: 2 }));
+    wb.store.apply(setDofs, { characterId: 's', dofs, timeSeconds: 1.25 });
+    wb.store.apply(putDown, { characterId: 's', timeSeconds: 1.25 });
+    expect(swordIn(wb).unkeyed).toEqual({ timeSeconds: 1.25, dofs: [7], values: [2] });
   });
 
   it('is told by the time, and put down only where it is held', () => {
