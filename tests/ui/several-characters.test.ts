@@ -1,5 +1,6 @@
 /** What is done to joints of several selected characters. */
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { addSet } from '../../src/edit/commands/beside/sets.ts';
 import { removeCharacter } from '../../src/edit/commands/characters.ts';
 import { setDofs, tweenPose } from '../../src/edit/commands/pose.ts';
 import { onEachCharacter } from '../../src/edit/in-turn.ts';
@@ -147,6 +148,14 @@ describe('the selection of several characters', () => {
     expect(wb.store.selection).toMatchObject({ characterId: 'flyer', joint: 0, beside: [{ joint: 0 }] });
     runAction(wb, 'select.allJoints');
     expect(allJointsText(wb)).toBe('4 joints of 2 characters');
+  });
+
+  it('a set that is added leaves the joints of others selected', () => {
+    wb.store.apply(addSet, { characterId: 'flyer', name: 'all', joints: [0, 1] });
+    runAction(wb, 'sets.select', { set: 0, add: true });
+    expect(allJointsText(wb)).toBe('3 joints of 2 characters');
+    runAction(wb, 'sets.select', { set: 0 });
+    expect(wb.store.selection).toEqual({ characterId: 'flyer', joint: 1, others: [0] });
   });
 
   it('a removed character leaves it, and undo brings it back', () => {

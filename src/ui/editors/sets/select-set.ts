@@ -2,7 +2,7 @@
 import { CommandError } from '../../../edit/command-error.ts';
 import { boolean, index, optional, record } from '../../../edit/schema/shape.ts';
 import type { Character } from '../../../model/document.ts';
-import { withJoints } from '../../../model/skeleton/joint-selection.ts';
+import { withJoints, withPart } from '../../../model/skeleton/joint-selection.ts';
 import { jointsIn } from '../../../model/skeleton/selected-joints.ts';
 import { currentCharacter } from '../../state/actions/action.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -23,7 +23,7 @@ export function isSetSelected({ store }: Uses<'store'>, { id, sets }: Character,
 
 /**
  * Selects the joints of a set of the current character.
- * @param add to those selected; a set that is selected already is taken out of them
+ * @param add to those selected, of other characters, too; a set that is selected already is taken out of them
  */
 export function selectSet({ store }: Uses<'store'>, character: Character, at: number, add = false): void {
   const { id, sets } = character;
@@ -33,7 +33,8 @@ export function selectSet({ store }: Uses<'store'>, character: Character, at: nu
   const isThere = joints.every((joint) => before.includes(joint));
   const next = isThere ? before.filter((joint) => !joints.includes(joint)) : [...before, ...joints];
   const { placement } = selection.characterId === id ? selection : {};
-  store.select(withJoints({ characterId: id, ...(placement !== undefined && { placement }) }, next));
+  const part = withJoints({ characterId: id, ...(placement !== undefined && { placement }) }, next);
+  store.select(add ? withPart(selection, part) : part);
 }
 
 /** @param given without arguments: the set after the one that is selected, or the first */
