@@ -20,7 +20,7 @@ import type { EditedChannel } from './keys/arrange.ts';
 import { wholeSteps, withoutStepsAfter } from './keys/steps.ts';
 import type { TangentSide } from './keys/tangents.ts';
 import { stepsKept } from './limbs/switch-steps.ts';
-import { allLocked } from './pose/locks.ts';
+import { AllLockedError } from './pose/locks.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { requireTake, withTake } from './takes.ts';
 
@@ -68,7 +68,7 @@ export function editedChannels(
   const stay = new Set([...lockedDofs(character)].filter((dof) => channels[dof] !== own[dof]));
   if (stay.size === 0) return { document: withTakeChannels(document, characterId, channels), keys };
   const open = channels.map((channel, i) => (stay.has(i) ? own[i] : channel));
-  if (open.every((channel, i) => channel === own[i])) throw allLocked(stay.size);
+  if (open.every((channel, i) => channel === own[i])) throw new AllLockedError(stay.size);
   const kept = [...keys.filter((k) => !stay.has(k.channel)), ...before.filter((k) => stay.has(k.channel))];
   return {
     document: withTakeChannels(document, characterId, open),

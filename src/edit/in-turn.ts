@@ -2,6 +2,7 @@ import type { Document } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { type Change, documentIn, isChange } from './change.ts';
 import type { Command } from './command.ts';
+import { AllLockedError } from './pose/locks.ts';
 
 /**
  * A command for several of what it changes one of, as one step. The selection stays; if one is refused, all are.
@@ -19,7 +20,7 @@ export function inTurn<Args>(command: Command<Args, Document | Change>, label: s
 
 /**
  * A command on keys of one character for those of several, as one step: afterwards each character's are selected at
- * their new places. If one is refused, all are.
+ * their new places. If one is refused, all are; but one of which all that would change is locked is left alone.
  *
  * @param label of the step, unless it is for one
  */
@@ -32,8 +33,14 @@ export function onEachCharacter<Args extends { readonly characterId: string }>(
     run(document, each) {
       const keysOf = new Map<string, readonly ChannelKeys[]>();
       let all: Change = { document };
+      let lockedOnes = 0;
       for (const args of each) {
-        const change = command.run(all.document, args);
+        const change = lockedOr(() => command.run(all.document, args));
+        if (change instanceof AllLockedError) {
+          all = { document: all.document, ...leftAlone(all, { locked: change.count }) };
+          if (++lockedOnes === each.length) throw new AllLockedError(all.locked ?? 0);
+          continue;
+        }
         const told: Partial<Change> = isChange(change) ? change : {};
         all = { ...told, document: documentIn(change), ...leftAlone(all, told) };
         if (all.keys) keysOf.set(args.characterId, all.keys);
@@ -42,6 +49,15 @@ export function onEachCharacter<Args extends { readonly characterId: string }>(
       return each.length === 1 ? { ...all, keysOf } : { document: all.document, keysOf, ...leftAlone(all) };
     },
   };
+}
+
+function lockedOr<T>(run: () => T): T | AllLockedError {
+  try {
+    return run();
+  } catch (error) {
+    if (error instanceof AllLockedError) return error;
+    throw error;
+  }
 }
 
 /** The numbers of what both have left alone. */

@@ -1,6 +1,6 @@
 /** What is done to joints of several selected characters. */
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { addSet } from '../../src/edit/commands/beside/sets.ts';
+import { addSet, setLocked } from '../../src/edit/commands/beside/sets.ts';
 import { removeCharacter } from '../../src/edit/commands/characters.ts';
 import { setDofs, tweenPose } from '../../src/edit/commands/pose.ts';
 import { onEachCharacter } from '../../src/edit/in-turn.ts';
@@ -94,6 +94,21 @@ describe('keys of the selected joints of several characters', () => {
     expect(wb.messages.passing.get()).toBe(
       'The 3 curves of wing of Flyer are sampled: they have a value at every frame, and no single keys. So are those of Walker: select it alone to key them.',
     );
+  });
+
+  it('of one whose DOFs are all locked they are left alone and counted, and refused if those of all are', () => {
+    const told: (number | undefined)[] = [];
+    wb.store.onStep((_now, _before, { locked }) => void told.push(locked));
+    seek(0.3);
+    wb.store.apply(setLocked, { characterId: 'flyer', dofs: [6, 7, 8], locked: true });
+    runAction(wb, 'key.joint');
+    expect([timesOf(0, 6), timesOf(1, 6)]).toEqual([
+      [0, 0.3, 1],
+      [0.5, 1],
+    ]);
+    expect(told.at(-1)).toBe(3);
+    wb.store.apply(setLocked, { characterId: 'walker', dofs: [6, 7, 8], locked: true });
+    expect(() => runAction(wb, 'key.joint')).toThrow('All 6 DOFs are locked.');
   });
 
   it('the whole pose is keyed of each that has a skeleton', () => {

@@ -12,7 +12,7 @@ export interface Unlocked<T> {
 /**
  * The values of DOFs that are not locked; the same object if none is.
  *
- * @throws CommandError if all are
+ * @throws AllLockedError if all are
  */
 export function openValues(
   character: Character,
@@ -23,13 +23,13 @@ export function openValues(
   const open = new Map([...values].filter(([dof]) => !locks.has(dof)));
   const locked = values.size - open.size;
   if (locked === 0) return { open: values, locked };
-  if (open.size === 0) throw allLocked(locked);
+  if (open.size === 0) throw new AllLockedError(locked);
   return { open, locked };
 }
 
-/** That nothing is left to change, as all of so many DOFs are locked. */
-export function allLocked(count: number): CommandError {
-  return new CommandError(
-    `${count === 1 ? 'This DOF is' : `All ${count} DOFs are`} locked. Unlock what is to be changed.`,
-  );
+/** Refuses a change of which nothing is left, as all of so many DOFs are locked. */
+export class AllLockedError extends CommandError {
+  constructor(readonly count: number) {
+    super(`${count === 1 ? 'This DOF is' : `All ${count} DOFs are`} locked. Unlock what is to be changed.`);
+  }
 }
