@@ -39,15 +39,18 @@ const RATES = ['mocap_framerate', 'mocap_frame_rate', 'fps'];
 
 /** The frames per second that a file states, else a usual rate, and says so. */
 export function rateOf(arrays: Arrays, remarks: Remarks, otherwise = USUAL_FRAMES_PER_SECOND): number {
+  let unread = '';
   for (const name of RATES) {
     const header = arrays.header(name);
-    if (!header || 'USO'.includes(header.type)) continue;
+    if (header && 'USO'.includes(header.type)) unread = name;
+    if (!header || name === unread) continue;
     const rate = arrays.array(name)?.values[0] ?? 0;
     if (rate >= 1 / LONGEST_FRAME && rate <= 1 / SHORTEST_FRAME) return rate;
     remarks.warn('rate-expected', `Expected frames per second in ${name}, found ${rate}.`, `used ${otherwise}`);
     return otherwise;
   }
-  const message = 'The file states no frame rate (fps).';
+  const found = `${unread} holds texts or Python objects instead of a number, so that`;
+  const message = unread === '' ? 'The file states no frame rate (fps).' : `${found} the file states no frame rate.`;
   if (otherwise === USUAL_FRAMES_PER_SECOND)
     remarks.tell('rate-assumed', message, `used ${otherwise} frames per second`);
   return otherwise;

@@ -45,7 +45,7 @@ export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'
     const most = mostNumbers(bytes.length, BASE);
     const budget = new Budget(bytes.length, () => fail('numpy-packed', tooPacked(bytes.length, most)), most);
     const arrays = new Arrays(bytes, fileName, budget);
-    if (isShapeAlone(arrays)) {
+    if (!kindOf(arrays) && isShapeAlone(arrays)) {
       const message = 'It has the shape of a body (betas) without motion, as AMASS keeps one beside its takes.';
       remarks.warn('format-unknown', message, 'skipped');
       return { diagnostics: remarks.finish() };
@@ -58,8 +58,12 @@ export function readNumpy({ fileName, bytes }: Pick<Import, 'fileName' | 'bytes'
   }
 }
 
+function kindOf(arrays: Arrays): ArraysKind | undefined {
+  return KINDS.find((kind) => kind.is(arrays));
+}
+
 function capturesIn(arrays: Arrays, fileName: string, remarks: Remarks): ReadCaptures {
-  const kind = KINDS.find((own) => own.is(arrays));
+  const kind = kindOf(arrays);
   if (!kind) {
     // One that can't be read says why.
     if (arrays.names.length === 1) arrays.array(arrays.names[0]);

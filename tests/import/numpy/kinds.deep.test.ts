@@ -131,6 +131,11 @@ describe('motions of SMPL’s family', () => {
     expect(character.space?.space).toMatchObject({ up: 'z', unit: 'metres', known: 'stated' });
   });
 
+  it('a rate that is no number is told as such', async () => {
+    const arrays = { poses: wave(4, 72), fps: [[1], ['60']] as const };
+    expect(await messagesOf('x.npz', npzOf(arrays))).toContain('fps holds texts or Python objects instead of a number');
+  });
+
   it('another width is an error', async () => {
     expect(await messagesOf('x.npz', npzOf({ poses: wave(4, 66) }))).toContain('found the shape (4, 66)');
   });
@@ -249,7 +254,8 @@ describe('positions of joints', () => {
   });
 
   it.each(['joints', 'joints3d', 'keypoints', 'anything'])('the array may be called %s', async (name) => {
-    const { character } = await characterIn('x.npz', npzOf({ [name]: wave(7, 22, 3), other: wave(3, 3) }));
+    const arrays = { [name]: wave(7, 22, 3), other: wave(3, 3), betas: wave(16) };
+    const { character } = await characterIn('x.npz', npzOf(arrays));
     expect(character.skeleton.joints).toHaveLength(22);
   });
 
