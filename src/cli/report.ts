@@ -16,7 +16,9 @@ export function report(diagnostics: readonly Diagnostic[], io: Pick<CommandIo, '
 /** Without a trailing newline. */
 export function describe({ file, line, column, severity, code, message, assumed, excerpt }: Diagnostic): string {
   const place = [file, line, column].slice(0, line > 0 ? (column > 0 ? 3 : 2) : 1).join(':');
-  let text = printableLine(`${place} ${severity} ${code}: ${message}${assumed === undefined ? '' : ` (${assumed})`}`);
+  let text = printableLine(
+    `${place && `${place} `}${severity} ${code}: ${message}${assumed === undefined ? '' : ` (${assumed})`}`,
+  );
   if (excerpt) {
     // Tabs are kept, so that the caret is below its character whatever their width.
     const indent = excerpt.text.slice(0, excerpt.caret).replace(/[^\t]/g, ' ');

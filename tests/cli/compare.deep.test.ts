@@ -85,6 +85,11 @@ describe('marrow compare', () => {
     expect([code, out]).toEqual([0, expect.stringContaining('All agree.')]);
   });
 
+  it('says what is missing where no file is at fault', async () => {
+    const { code, err } = await command(['compare', 'a.skel'], folder);
+    expect([code, err]).toEqual([2, expect.stringMatching(/^error dump-missing: Expected a dump/)]);
+  });
+
   it('puts rows with names and indices in their places, whatever their order', async () => {
     const [root, arm, hand] = await ownMatrices();
     write('names.txt', `hand: ${hand.join(' ')}\nroot: ${root.join(' ')}\narm: ${arm.join(' ')}\n`);
