@@ -5,8 +5,8 @@
 import { describe } from 'vitest';
 import { describeShared } from '../../helpers/shared.ts';
 import { eachWithin } from './each-within.ts';
-import { laterPart, randomCharacters, realCharacters } from './many-characters.ts';
+import { lastPart, randomCharacters, realCharacters } from './many-characters.ts';
 
 describeShared('real files as GLB at unseen times', () => eachWithin(realCharacters()));
 
-describe('random skeletons as GLB at unseen times', () => eachWithin(laterPart(randomCharacters(12))));
+describe('random skeletons as GLB at unseen times', () => eachWithin(lastPart(randomCharacters(12))));

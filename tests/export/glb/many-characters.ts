@@ -99,12 +99,12 @@ function moved(name: string, own: Character, seed: number, size: number, styles 
 }
 
 /**
- * With the later half of each take, where channels begin and end, and less of large skins, which are fitted by several
+ * With the last third of each take, where channels begin and end, and less of large skins, which are fitted by several
  * options: more of it takes longer, and shows nothing else.
  */
-export function laterPart(all: readonly Named[]): readonly Named[] {
+export function lastPart(all: readonly Named[]): readonly Named[] {
   return all.map(({ name, character }) => {
-    const part = /^(six|nine|random 1) /.test(name) ? 0.25 : 0.5;
+    const part = /^(six|nine|random 1) /.test(name) ? 0.2 : 0.35;
     const takes = character.takes.map((take) => {
       const [, end] = take.range;
       return { ...take, range: [(1 - part) * end, end] as const };

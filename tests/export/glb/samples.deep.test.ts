@@ -11,7 +11,7 @@ import { offBy } from '../../helpers/glb-off.ts';
 const SAMPLES = makeSamples();
 
 /** Seconds of a walk: fitting keys to more of the same steps takes longer, and shows nothing else. */
-const WALKED = 2;
+const WALKED = 1;
 
 function shown({ id, take }: Sample): Sample['take'] {
   return id === 'walker' || id === 'crawler' ? { ...take, range: [take.range[0], take.range[0] + WALKED] } : take;
