@@ -8,6 +8,7 @@ import { nextKey, previousKey, shownKeys } from '../../src/evaluate/plot/shown-k
 import { shownTake } from '../../src/model/document.ts';
 import { keysOf } from '../../src/model/takes/take.ts';
 import { meantOfEach } from '../../src/ui/editors/posing/pose-edits.ts';
+import { followPeriods } from '../../src/ui/editors/timeline/period.ts';
 import { runAction } from '../../src/ui/state/actions/action.ts';
 import { allJointsText } from '../../src/ui/state/joints/selected-joint.ts';
 import type { Workbench } from '../../src/ui/state/workbench.ts';
@@ -109,6 +110,18 @@ describe('keys of the selected joints of several characters', () => {
     expect(told.at(-1)).toBe(3);
     wb.store.apply(setLocked, { characterId: 'walker', dofs: [6, 7, 8], locked: true });
     expect(() => runAction(wb, 'key.joint')).toThrow('All 6 DOFs are locked.');
+  });
+
+  it('what became of the cycles is told of each', () => {
+    runAction(wb, 'timeline.extrapolation.both.cycle');
+    const end = followPeriods(wb);
+    wb.timeline.outsideCycle.set('lengthen');
+    seek(1.5);
+    runAction(wb, 'key.joint');
+    expect(wb.messages.passing.get()).toBe(
+      'Walker: leg rx now repeats every 1.5 s instead of every 1 s. Flyer: wing rx now repeats every 1.5 s instead of every 0.5 s.',
+    );
+    end();
   });
 
   it('the whole pose is keyed of each that has a skeleton', () => {

@@ -2,6 +2,7 @@
  * A new key beyond the ends lengthens a cycle, and one at an end of a closed cycle changes its other end too. That may
  * be intended, but shouldn't go unnoticed: any step that does so is reported once, at its end.
  */
+import { cutName, SHORT_NAME } from '../../../edit/cut-name.ts';
 import { changedCyclesOf, keyedEndsOf } from '../../../edit/keys/cycle.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -11,14 +12,14 @@ import { channelName, namedChannel } from './channels.ts';
 /** Watches steps until ended. Undo isn't reported: it restores what was there. */
 export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): () => void {
   return store.onStep(({ document }, { document: before }, { done }) => {
-    for (const character of document.characters) {
+    const all = document.characters.flatMap((character) => {
       const was = findCharacter(before, character.id);
       const text =
         was && was !== character && [changedPeriods(was, character), keyedEnds(was, character)].join(' ').trim();
-      if (!text) continue;
-      messages.note(done ? `${done} ${text}` : text);
-      return;
-    }
+      return text ? { name: character.name, text } : [];
+    });
+    const texts = all.map(({ name, text }) => (all.length > 1 ? `${cutName(name, SHORT_NAME)}: ${text}` : text));
+    if (texts.length > 0) messages.note([...(done ? [done] : []), ...texts].join(' '));
   });
 }
 
