@@ -219,6 +219,16 @@ describe('searchActions', () => {
   });
 });
 
+it('the search finds every command that can run by its name, whatever its label says it is for now', () => {
+  const { wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['leg', 0]) })));
+  wb.store.select({ characterId: wb.store.document.characters[0].id, joint: 1 });
+  const named = actionsOf(wb).filter((action) => action.name !== undefined && isEnabled(wb, action));
+  expect(named.length).toBeGreaterThan(10);
+  for (const action of named) {
+    expect(searchActions(wb, action.name ?? '').map(({ id }) => id)).toContain(action.id);
+  }
+});
+
 it('the search begins with the command that is called exactly so', () => {
   const { wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1]) })));
   expect(searchActions(wb, 'compare')[0]?.id).toBe('page.tab.compare');

@@ -92,7 +92,8 @@ export function searchActions(wb: Uses<'actions'>, typed: string): readonly Acti
       typed,
       (a) => longLabel(wb, a),
       (a) => TRAVELS.includes(a.id) || /^Delete\b/.test(actionLabel(wb, a)),
-      ({ also = '' }) => also,
+      // The manual calls it by its name, while its label says what it is for now.
+      ({ also = '', name = '' }) => `${also} ${name}`,
     );
   const found = find(all.filter((a) => isEnabled(wb, a)));
   // What is called exactly so comes first.
