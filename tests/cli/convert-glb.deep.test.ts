@@ -126,6 +126,15 @@ describe('marrow convert to .glb', () => {
     );
   });
 
+  it('says that bones are shown instead of boxes', async () => {
+    const joint = (name: string, inside = '') => `balljoint ${name} { boxmin -1 0 -1 boxmax 1 9 1 ${inside}}`;
+    writeFileSync(join(folder, 'sword.skel'), joint('grip', joint('blade')));
+    const said = async (...more: string[]) =>
+      (await command(['convert', 'sword.skel', 'sword.glb', ...more], folder)).err;
+    expect(await said()).toContain('Not in the file: boxes of 2 joints (bones are shown instead).');
+    expect(await said('--no-body')).toContain('Not in the file: boxes of 2 joints.');
+  });
+
   it('convert says which takes there are when it is asked for another, and writes nothing', async () => {
     const { code, err } = await command(['convert', ...JOINTS, 'no.glb', '--take', 'run'], folder);
     expect(code).toBe(1);

@@ -2,6 +2,7 @@
 import { compileSkin, skinMatrices } from '../../evaluate/skin/deform.ts';
 import { setIdentity } from '../../math/mat4.ts';
 import type { Character } from '../../model/document.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
 import { isUnlimited } from '../../model/skeleton/skeleton.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { attachmentSets } from './attachments.ts';
@@ -218,6 +219,9 @@ function leftOut({ character, options, motions, filePose }: Written): readonly L
       'limits',
       joints.filter(({ limits }) => limits.some((limit) => !isUnlimited(limit))).length,
       character.clampsToLimits,
+    ),
+    ...(skins.length > 0 ? [] : of('boxes', joints.filter(hasBox).length, false)).map((boxes) =>
+      hasBody ? `${boxes} (bones are shown instead)` : boxes,
     ),
     ...of('linked DOFs', joints.filter(({ couples }) => couples).length),
     ...count(endSites, 'End Site').map((sites) =>
