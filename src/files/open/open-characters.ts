@@ -1,7 +1,7 @@
 /** The characters of an opening in progress: found by their files, placed and replaced without a look at all others. */
 import { Placing } from '../../edit/place-beside.ts';
 import type { Character } from '../../model/document.ts';
-import type { SourceFile } from '../../model/files.ts';
+import { folderOf, type SourceFile } from '../../model/files.ts';
 import { hasSource } from './matching.ts';
 
 /** The characters of an opening, in the document's order, with indices by id and by file. */
@@ -9,7 +9,7 @@ export class OpenCharacters {
   private list: Character[];
   /** Indices by id. */
   private readonly at = new Map<string, number>();
-  /** Ids by the name of a file in lower case; some may have lost that file since. */
+  /** Ids by the name of a file in lower case, alone and after its folder; some may have lost that file since. */
   private readonly byFile = new Map<string, Set<string>>();
   /** Absent: what was placed has changed since. */
   private placing: Placing | undefined;
@@ -32,7 +32,10 @@ export class OpenCharacters {
 
   /** Those that have a file of this name from the same folder, in order; a file without a folder matches any. */
   withFile(source: SourceFile): readonly Character[] {
-    const ids = this.byFile.get(source.name.toLowerCase()) ?? [];
+    const name = source.name.toLowerCase();
+    const folder = folderOf(source);
+    const keys = folder ? [`/${name}`, `${folder}/${name}`] : [name];
+    const ids = new Set(keys.flatMap((key) => [...(this.byFile.get(key) ?? [])]));
     const found = [...ids].flatMap((id) => this.at.get(id) ?? []).sort((a, b) => a - b);
     return found.map((at) => this.list[at]).filter((character) => hasSource(character, source));
   }
@@ -74,11 +77,13 @@ export class OpenCharacters {
   }
 
   private indexFiles({ id, sources, unread = [] }: Character): void {
-    for (const { name } of [...sources, ...unread]) {
-      const key = name.toLowerCase();
-      const ids = this.byFile.get(key);
-      if (ids) ids.add(id);
-      else this.byFile.set(key, new Set([id]));
+    for (const source of [...sources, ...unread]) {
+      const name = source.name.toLowerCase();
+      for (const key of [name, `${folderOf(source)}/${name}`]) {
+        const ids = this.byFile.get(key);
+        if (ids) ids.add(id);
+        else this.byFile.set(key, new Set([id]));
+      }
     }
   }
 }
