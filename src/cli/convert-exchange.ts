@@ -27,7 +27,7 @@ export const EXCHANGE_OPTIONS = section(`Only for an output that ends in ${liste
   ),
   influences: option(whole('N', 1), 'Keeps at most this many attachments per vertex, the strongest, instead of all.'),
   take: option(text('NAME', 'the name of a take'), 'Writes only the take of this name instead of all.'),
-  'no-body': flag('Leaves out the bones that a character without a skin is shown by in a `.glb`.'),
+  'no-body': flag('Leaves out the boxes and bones that a character without a skin is shown by in a `.glb`.'),
   raw: flag(
     "Keeps the file's own unit, axes and origin instead of metres and y up; a `.fbx` always does, and states them.",
   ),

@@ -126,13 +126,18 @@ describe('marrow convert to .glb', () => {
     );
   });
 
-  it('says that bones are shown instead of boxes', async () => {
-    const joint = (name: string, inside = '') => `balljoint ${name} { boxmin -1 0 -1 boxmax 1 9 1 ${inside}}`;
-    writeFileSync(join(folder, 'sword.skel'), joint('grip', joint('blade')));
-    const said = async (...more: string[]) =>
-      (await command(['convert', 'sword.skel', 'sword.glb', ...more], folder)).err;
-    expect(await said()).toContain('Not in the file: boxes of 2 joints (bones are shown instead).');
-    expect(await said('--no-body')).toContain('Not in the file: boxes of 2 joints.');
+  it('boxes are the body, and are said to be left out without one or where they are far too large', async () => {
+    const joint = (name: string, inside = '') =>
+      `balljoint ${name} { offset 0 9 0 boxmin -1 0 -1 boxmax 1 9 1 ${inside}}`;
+    const said = async (skeleton: string, ...more: string[]) => {
+      writeFileSync(join(folder, 'sword.skel'), skeleton);
+      return (await command(['convert', 'sword.skel', 'sword.glb', ...more], folder)).err;
+    };
+    const sword = joint('grip', joint('blade'));
+    expect(await said(sword)).not.toContain('boxes');
+    expect(await said(sword, '--no-body')).toContain('Not in the file: boxes of 2 joints.');
+    const crowd = `balljoint root { ${'balljoint j { offset 0 .1 0 boxmin -1 0 -1 boxmax 1 9 1 } '.repeat(20)} }`;
+    expect(await said(crowd)).toContain('boxes of 21 joints (bones are shown instead).');
   });
 
   it('convert says which takes there are when it is asked for another, and writes nothing', async () => {

@@ -13,7 +13,7 @@ import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import type { AttachmentSets } from '../shared/attachments.ts';
-import { stubPoints } from '../shared/body.ts';
+import { bodyPoints } from '../shared/body.ts';
 import { type FileJoints, type FilePose, filePoseOf } from '../shared/file-pose.ts';
 import { type JointNode, NODE_WIDTH, nodeWorlds, nodeWriter, ROTATION, SCALE } from '../shared/joint-nodes.ts';
 import { lossesOf } from '../shared/losses.ts';
@@ -159,7 +159,7 @@ function takesOf(
       },
   );
   if (own) points.addOutermost();
-  else if (skin) for (const stub of stubsOf(joints)) points.addPoint(stub);
+  else if (skin) for (const point of pointsOfBody(joints)) points.addPoint(point);
   const tracks = tracksOf(nodes, moments, points.watch, morphs.length);
   const moved = { nodes, points, tracks, width };
   return motions.map((motion, i) => {
@@ -205,10 +205,10 @@ function axisLength(size: number, tolerance: number): number {
   return Math.max(tolerance, TOLERANCE_OF_SIZE * size) / MAX_TURN;
 }
 
-/** Shapes of the body for joints that nothing else shows. */
-function stubsOf({ skeleton, nodes: { lastOf }, worlds }: FileJoints): readonly RigidPoint[] {
+/** Points of the body that show how joints turn. */
+function pointsOfBody({ skeleton, nodes: { lastOf }, worlds }: FileJoints): readonly RigidPoint[] {
   const inverse = new Float64Array(16);
-  return stubPoints(skeleton, worlds, lastOf).flatMap(({ joint, point: [x, y, z] }) => {
+  return bodyPoints(skeleton, worlds, lastOf).flatMap(({ joint, point: [x, y, z] }) => {
     invertAffine(worlds, 16 * lastOf[joint], inverse, 0);
     const point = [0, 1, 2].map((r) => inverse[r] * x + inverse[4 + r] * y + inverse[8 + r] * z + inverse[12 + r]);
     return point.every(Number.isFinite) ? [{ joint, point }] : [];

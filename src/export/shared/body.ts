@@ -1,10 +1,13 @@
 /**
- * Bones to see a character without a skin by: an octahedron from each joint to each of its children, End Sites and
- * tips, moved rigidly by the joint. With them every viewer shows something, and Blender makes an armature.
+ * What a character without a skin is seen by, moved rigidly by its joints: its boxes, and bones where joints have none.
+ * A bone is an octahedron from a joint to each of its children, End Sites and tips. With them every viewer shows
+ * something, and Blender makes an armature.
  */
 
-import { acrossOf, cross, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
-import type { Skeleton } from '../../model/skeleton/skeleton.ts';
+import { acrossOf, cross, scaled, subtract, transformPoint, unit, type Vec3 } from '../../math/vec3.ts';
+import { hasOwnBox } from '../../model/skeleton/axis-angle.ts';
+import { areBoxesOversized, areBoxesPlain, hasBox } from '../../model/skeleton/boxes.ts';
+import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { oneSurface, type Skin } from '../../model/skin.ts';
 
 /** Width of a bone and where it is widest, as fractions of its length. */
@@ -14,7 +17,7 @@ const WIDEST = 0.15;
 const SHORT = 0.3;
 
 /**
- * A skin that shows a skeleton by its bones, an octahedron each.
+ * A skin that shows a skeleton by its boxes and bones.
  * @param worlds of the joints in the pose that the body is made in, 16 numbers each
  * @param lastOf which of the matrices is a joint's
  * @param name of the mesh
@@ -24,24 +27,45 @@ export function bodyOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Ar
   lastOf.forEach((node, joint) => {
     bindings.set(worlds.subarray(16 * node, 16 * node + 16), 16 * joint);
   });
-  return skinOf(bonesOf(skeleton, worlds, lastOf), bindings, name);
+  const { boxes, bones } = partsOf(skeleton, worlds, lastOf);
+  return skinOf([...boxes.flatMap(boxFaces), ...bones.flatMap(boneFaces)], bindings, name);
 }
 
 /**
- * Points, in the world, of the bones of joints that have nothing else to see their turning by: no child elsewhere, no
- * End Site, no tip.
+ * Points, in the world, that show how joints turn: corners of boxes, and of the bones of joints that have nothing else,
+ * no child elsewhere, no End Site, no tip.
  */
-export function stubPoints(
+export function bodyPoints(
   skeleton: Skeleton,
   worlds: Float64Array,
   lastOf: Int32Array,
 ): readonly { readonly joint: number; readonly point: Vec3 }[] {
-  return bonesOf(skeleton, worlds, lastOf)
+  const { boxes, bones } = partsOf(skeleton, worlds, lastOf);
+  const ofStubs = bones
     .filter(({ isStub }) => isStub)
-    .flatMap(({ joint, from, to }) => {
-      const [beside, before] = ringOf(from, to);
-      return [to, beside, before].map((point) => ({ joint, point }));
-    });
+    .map(({ joint, from, to }) => ({ joint, corners: [to, ...ringOf(from, to).slice(0, 2)] }));
+  return [...boxes, ...ofStubs].flatMap(({ joint, corners }) => corners.map((point) => ({ joint, point })));
+}
+
+interface Box {
+  readonly joint: number;
+  /** Eight, by the bits of x, y and z. */
+  readonly corners: readonly Vec3[];
+}
+
+function partsOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Array) {
+  const boxed = new Set(boxedJoints(skeleton));
+  return {
+    boxes: [...boxed].map((j) => boxOf(skeleton.joints[j], j, worlds, 16 * lastOf[j])),
+    bones: boxed.size < skeleton.joints.length ? bonesOf(skeleton, worlds, lastOf, boxed) : [],
+  };
+}
+
+/** The joints that are shown by their boxes: not by default ones where most are, nor by such as hide the skeleton. */
+export function boxedJoints(skeleton: Skeleton): readonly number[] {
+  if (areBoxesOversized(skeleton)) return [];
+  const arePlain = areBoxesPlain(skeleton);
+  return skeleton.joints.flatMap((joint, j) => (hasBox(joint) && (hasOwnBox(joint) || !arePlain) ? [j] : []));
 }
 
 interface Bone {
@@ -52,15 +76,23 @@ interface Bone {
   readonly isStub: boolean;
 }
 
-function bonesOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32Array): readonly Bone[] {
+function boxOf({ box: { min, max } }: Joint, joint: number, worlds: Float64Array, o: number): Box {
+  // Boxes with min > max are drawn too.
+  const side = (bit: number, k: number) => (bit ? Math.max(min[k], max[k]) : Math.min(min[k], max[k]));
+  const corner = (i: number) => transformPoint(worlds, [side(i & 1, 0), side(i & 2, 1), side(i & 4, 2)], o);
+  return { joint, corners: [0, 1, 2, 3, 4, 5, 6, 7].map(corner) };
+}
+
+/** @param boxed joints that need no bone to be seen by */
+function bonesOf(
+  { joints }: Skeleton,
+  worlds: Float64Array,
+  lastOf: Int32Array,
+  boxed: ReadonlySet<number>,
+): readonly Bone[] {
   const at = (j: number): Vec3 => {
     const o = 16 * lastOf[j] + 12;
     return [worlds[o], worlds[o + 1], worlds[o + 2]];
-  };
-  const toWorld = (j: number, [x, y, z]: Vec3): Vec3 => {
-    const o = 16 * lastOf[j];
-    const on = (r: number) => worlds[o + r] * x + worlds[o + 4 + r] * y + worlds[o + 8 + r] * z + worlds[o + 12 + r];
-    return [on(0), on(1), on(2)];
   };
   const bones: Bone[] = [];
   const isThick = (from: Vec3, to: Vec3) => Math.hypot(...subtract(to, from)) > 1e-9;
@@ -70,7 +102,7 @@ function bonesOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32Array)
       bones.push({ joint: parent, from: at(parent), to: from, isStub: false });
     const ends = length ? [...endSites, [0, length, 0] as const] : endSites;
     for (const end of ends) {
-      const to = toWorld(j, end);
+      const to = transformPoint(worlds, end, 16 * lastOf[j]);
       if (isThick(from, to)) bones.push({ joint: j, from, to, isStub: false });
     }
   });
@@ -78,7 +110,7 @@ function bonesOf({ joints }: Skeleton, worlds: Float64Array, lastOf: Int32Array)
   const mean = lengths.length ? lengths.reduce((sum, l) => sum + l, 0) / lengths.length : 1;
   const hasBone = new Set(bones.map(({ joint }) => joint));
   joints.forEach((_, j) => {
-    if (hasBone.has(j)) return;
+    if (hasBone.has(j) || boxed.has(j)) return;
     const from = at(j);
     bones.push({ joint: j, from, to: [from[0], from[1] + SHORT * mean, from[2]], isStub: true });
   });
@@ -101,27 +133,55 @@ function ringOf(from: Vec3, to: Vec3): readonly [Vec3, Vec3, Vec3, Vec3] {
   return [corner(across), corner(other), corner(scaled(across, -1)), corner(scaled(other, -1))];
 }
 
-function skinOf(bones: readonly Bone[], bindings: Float64Array, name: string): Skin {
+/** A flat polygon, counter-clockwise from outside, in the world. */
+interface Face {
+  readonly joint: number;
+  readonly corners: readonly Vec3[];
+}
+
+function boneFaces({ joint, from, to }: Bone): readonly Face[] {
+  const ring = ringOf(from, to);
+  return ring.flatMap((corner, i) => {
+    const next = ring[(i + 1) % 4];
+    return [
+      { joint, corners: [from, next, corner] },
+      { joint, corners: [to, corner, next] },
+    ];
+  });
+}
+
+/** Corners of the faces of a box, by the bits of x, y and z. */
+const BOX_FACES = [
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+];
+
+function boxFaces({ joint, corners }: Box): readonly Face[] {
+  return BOX_FACES.map((face) => ({ joint, corners: face.map((i) => corners[i]) }));
+}
+
+function skinOf(faces: readonly Face[], bindings: Float64Array, name: string): Skin {
   const positions: number[] = [];
   const normals: number[] = [];
   const joints: number[] = [];
-  for (const { joint, from, to } of bones) {
-    const ring = ringOf(from, to);
-    ring.forEach((corner, i) => {
-      const next = ring[(i + 1) % 4];
-      for (const [a, b, c] of [
-        [from, next, corner],
-        [to, corner, next],
-      ] as const) {
-        const normal = unit(cross(subtract(b, a), subtract(c, a))) ?? [0, 1, 0];
-        positions.push(...a, ...b, ...c);
-        normals.push(...normal, ...normal, ...normal);
-        joints.push(joint, joint, joint);
-      }
-    });
+  const corners: number[] = [];
+  for (const { joint, corners: own } of faces) {
+    const [a, b, c] = own;
+    const normal = unit(cross(subtract(b, a), subtract(c, a))) ?? [0, 1, 0];
+    const first = joints.length;
+    for (const corner of own) {
+      positions.push(...corner);
+      normals.push(...normal);
+      joints.push(joint);
+    }
+    for (let i = 2; i < own.length; i++) corners.push(first, first + i - 1, first + i);
   }
   const count = joints.length;
-  const triangles = Uint32Array.from({ length: count }, (_, v) => v);
+  const triangles = Uint32Array.from(corners);
   return {
     name,
     positions: Float64Array.from(positions),

@@ -32,7 +32,7 @@ export interface FileJoints {
   readonly worlds: Float64Array;
 }
 
-/** A character in its file pose, with its skin, or a body of bones if it has none and options ask for it. */
+/** A character in its file pose, with its skin, or a body of boxes and bones if it has none and options ask for it. */
 export function filePoseOf(character: Character, { body, influences, tolerance }: ExchangeOptions): FilePose {
   const { skeleton } = character;
   const { unkeyed: _unkeyed, driver: _driver, ...plain } = character;

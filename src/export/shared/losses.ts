@@ -6,6 +6,7 @@ import { hasBox } from '../../model/skeleton/boxes.ts';
 import { isUnlimited } from '../../model/skeleton/skeleton.ts';
 import { vertexCount } from '../../model/skin.ts';
 import { attachmentSets } from './attachments.ts';
+import { boxedJoints } from './body.ts';
 import { type Bound, boundAsGiven, boundAsWritten, largestDisplacement } from './displacement.ts';
 import type { FilePose } from './file-pose.ts';
 import { type JointNode, NODE_WIDTH, nodeWorlds } from './joint-nodes.ts';
@@ -211,6 +212,8 @@ function leftOut({ character, options, motions, filePose }: Written): readonly L
   const joints = skeleton?.joints ?? [];
   const endSites = joints.reduce((sum, joint) => sum + (joint.endSites?.length ?? 0), 0);
   const hasBody = skins.length === 0 && options.body;
+  const boxes = skins.length > 0 ? 0 : joints.filter(hasBox).length;
+  const seen = hasBody && skeleton ? boxedJoints(skeleton).length : 0;
   const count = (n: number, one: string, many = `${one}s`) => (n > 0 ? [`${n} ${n === 1 ? one : many}`] : []);
   const of = (what: string, n: number, isApplied = true) =>
     count(n, 'joint').map((owners) => `${what} of ${owners}${isApplied ? ' (applied)' : ''}`);
@@ -220,9 +223,7 @@ function leftOut({ character, options, motions, filePose }: Written): readonly L
       joints.filter(({ limits }) => limits.some((limit) => !isUnlimited(limit))).length,
       character.clampsToLimits,
     ),
-    ...(skins.length > 0 ? [] : of('boxes', joints.filter(hasBox).length, false)).map((boxes) =>
-      hasBody ? `${boxes} (bones are shown instead)` : boxes,
-    ),
+    ...of('boxes', boxes - seen, false).map((which) => (hasBody ? `${which} (bones are shown instead)` : which)),
     ...of('linked DOFs', joints.filter(({ couples }) => couples).length),
     ...count(endSites, 'End Site').map((sites) =>
       hasBody

@@ -1,13 +1,66 @@
-/** Characters without a skin: what their body of bones shows. */
+/** Characters without a skin: what their body of boxes and bones shows. */
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
-import { character, skeleton, takeOfValues } from '../../helpers/builders.ts';
+import { DEFAULT_GLB } from '../../../src/export/glb/options.ts';
+import { filePoseOf } from '../../../src/export/shared/file-pose.ts';
+import { cross, dot, type Vec3 } from '../../../src/math/vec3.ts';
+import { type Joint, NO_BOX, type Skeleton } from '../../../src/model/skeleton/skeleton.ts';
+import type { Skin } from '../../../src/model/skin.ts';
+import { character, joint, skeleton, takeOfValues } from '../../helpers/builders.ts';
 import { glbOf, inThree } from '../../helpers/glb.ts';
 
 const HAND = 16;
 
-describe('the body of bones in a GLB file', () => {
+const skeletonOf = (joints: readonly Joint[]): Skeleton => ({ name: 'sword', joints });
+
+/** The volume within the triangles, negative if they face inwards, the box around them, and their vertices. */
+function solid({ positions, triangles }: Skin) {
+  const at = (i: number) => [...positions.subarray(3 * triangles[i], 3 * triangles[i] + 3)] as unknown as Vec3;
+  let volume = 0;
+  for (let i = 0; i < triangles.length; i += 3) volume += dot(at(i), cross(at(i + 1), at(i + 2))) / 6;
+  const extent = [0, 1, 2].map((k) => {
+    const all = positions.filter((_, i) => i % 3 === k);
+    return [Math.min(...all), Math.max(...all)];
+  });
+  return { volume, extent, count: positions.length / 3 };
+}
+
+describe('the body of a character without a skin', () => {
+  it('is its boxes, faces outwards, where all joints have one of their own', () => {
+    // One of them turned inside out, which is drawn all the same.
+    const boxes = [
+      { min: [-1, 0, -1], max: [1, 9, 1] },
+      { min: [1, 0, 1], max: [0, 2, 0] },
+    ] as const;
+    const sword = skeletonOf(boxes.map((box, j) => joint(j - 1, { box, offset: [0, 9 * j, 0] })));
+    const { skin } = filePoseOf(character({ skeleton: sword }), DEFAULT_GLB);
+    expect(skin && solid(skin)).toEqual({
+      volume: expect.closeTo(36 + 2, 9),
+      extent: [
+        [-1, 1],
+        [0, 11],
+        [-1, 1],
+      ],
+      count: 48,
+    });
+    expect([...(skin?.attachments?.joints ?? [])]).toEqual(Array.from({ length: 48 }, (_, v) => (v < 24 ? 0 : 1)));
+  });
+
+  it('has bones where boxes are missing, and instead of default ones that most joints have', () => {
+    const seen = (joints: readonly Joint[]) =>
+      filePoseOf(character({ skeleton: skeletonOf(joints) }), DEFAULT_GLB).skin?.attachments?.joints.length;
+    const chain = [-1, 0, 1].map((parent) => joint(parent, { offset: [0, 1, 0] }));
+    const [own, bone] = [{ min: [-1, 0, 0], max: [1, 1, 1] } as const, 8 * 3];
+    // Two bones between the joints, and one for the last.
+    expect(seen(chain)).toBe(3 * bone);
+    expect(seen(chain.map((each) => ({ ...each, box: NO_BOX })))).toBe(3 * bone);
+    expect(seen([...chain.slice(0, 2), { ...chain[2], box: own }])).toBe(2 * bone + 24);
+    expect(seen([{ ...chain[0], box: NO_BOX }, ...chain.slice(1).map((each) => ({ ...each, box: own }))])).toBe(
+      2 * bone + 2 * 24,
+    );
+  });
+
   it.each(['linear', 'cubic'] as const)('a last joint turns with %s keys as it does here', async (keys) => {
     const own = skeleton(2);
     const rest = takeOfValues(
