@@ -1,6 +1,7 @@
 /**
- * The built page as an app: stored by its service worker, used without its server, updated, and given files by the
- * system. Systems can't be operated from tests, so their files come through a `launchQueue` of the test's own.
+ * The built page as an app: stored by its service worker, updated, used without its server along with its manual, and
+ * given files by the system. Systems can't be operated from tests, so their files come through a `launchQueue` of the
+ * test's own.
  */
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
@@ -8,7 +9,8 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { inOnePage } from '../helpers/one-page.ts';
+import { collectProblems, dropFiles, withPage } from '../helpers/page.ts';
 
 const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
 const ARM = 'balljoint shoulder { balljoint elbow { offset 0 1 0 } }';
@@ -62,84 +64,147 @@ function nextBuild() {
 }
 const buildOf = (page: Page) => page.evaluate(() => document.documentElement.dataset.build);
 
-describe('the page without its server', () => {
-  it('the page plays, opens examples, panels and files without its server, after a failed update too', () =>
-    withPage(
-      async ({ page, serve, stopServer }) => {
-        await controlled(page);
-        // An upload that was interrupted: the list is new, and the page is not.
-        serve({ 'sw.js': built('sw.js').replace(integrity(built('index.html')), integrity('not yet')) });
-        const version = await lookForVersion(page);
-        expect(version).toBe('redundant');
-        await stopServer();
+/** Stored once, with the examples: `walking`. A test that fails begins anew; the failed update is a problem. */
+const inStored = inOnePage({ serviceWorker: true, walking: true, query: SMALL, expected: /index\.html|sw\.js/ });
 
-        await page.reload();
-        await shown(page, 'walker');
-        const before = await page.evaluate(() => window.marrow.worldMatrices('walker'));
-        await page.evaluate(() => window.marrow.play());
-        await expect.poll(() => page.evaluate(() => window.marrow.worldMatrices('walker'))).not.toEqual(before);
-        await page.evaluate(() => window.marrow.pause());
+inStored(
+  'a new version is offered and never forced: other tabs keep their work and their own scripts',
+  async ({ page, serve, openAnother, problems }) => {
+    await controlled(page);
+    const offer = (tab: Page) => tab.getByRole('region', { name: 'New version' });
+    await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
+    await shown(page, 'arm');
+    await page.evaluate(() => window.marrow.run('rig.rename', { joint: 0, name: 'humerus' }));
+    serve(nextBuild());
+    const version = await lookForVersion(page);
+    expect(version).toBe('installed');
+    await offer(page).getByText(`${OFFER} Unsaved changes can be restored`).waitFor();
 
-        await page.evaluate(() => window.marrow.run('help.about'));
-        await page.getByText('Works offline').waitFor();
-        await page.keyboard.press('Escape');
-        await page.getByRole('tab', { name: 'Dope sheet' }).click();
-        await page.locator('.dope').first().waitFor();
-        await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
-        await shown(page, 'arm');
-        await page.evaluate(() => window.marrow.run('sample.crawler'));
-        await shown(page, 'crawler');
-      },
-      // The failed update.
-      { serviceWorker: true, walking: true, expected: /index\.html|sw\.js/ },
-    ));
-});
+    const other = await openAnother(SMALL);
+    await expect.poll(() => buildOf(other)).toBeUndefined();
+    await offer(other).getByText(OFFER).waitFor();
+    await offer(other).getByRole('button', { name: 'Reload' }).click();
+    await other.waitForFunction(() => document.documentElement.dataset.build === 'next');
 
-describe('a new version of the page', () => {
-  it('a new version is offered and never forced: other tabs keep their work and their own scripts', () =>
-    withPage(
-      async ({ page, serve, openAnother }) => {
-        await controlled(page);
-        const offer = (tab: Page) => tab.getByRole('region', { name: 'New version' });
-        await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
-        await shown(page, 'arm');
-        await page.evaluate(() => window.marrow.run('rig.rename', { joint: 0, name: 'humerus' }));
-        serve(nextBuild());
-        const version = await lookForVersion(page);
-        expect(version).toBe('installed');
-        await offer(page).getByText(`${OFFER} Unsaved changes can be restored`).waitFor();
+    await expect.poll(() => buildOf(page)).toBeUndefined();
+    // Not on the server any more.
+    await page.evaluate(() => window.marrow.run('help.about'));
+    await page.getByRole('dialog').getByText('Works offline').waitFor();
+    await page.keyboard.press('Escape');
 
-        const other = await openAnother(SMALL);
-        await expect.poll(() => buildOf(other)).toBeUndefined();
-        await offer(other).getByText(OFFER).waitFor();
-        await offer(other).getByRole('button', { name: 'Reload' }).click();
-        await other.waitForFunction(() => document.documentElement.dataset.build === 'next');
+    const answers = ['dismiss', 'accept'] as const;
+    const asked: string[] = [];
+    page.on('dialog', (dialog) => {
+      asked.push(dialog.type());
+      void dialog[answers[asked.length - 1]]();
+    });
+    await offer(page).getByRole('button', { name: 'Reload' }).click();
+    await expect.poll(() => asked).toEqual(['beforeunload']);
+    await expect
+      .poll(() => page.evaluate(() => window.marrow.characters().map(({ name }) => name)))
+      .toEqual(['cube', 'arm']);
+    await offer(page).getByRole('button', { name: 'Reload' }).click();
+    await page.waitForFunction(() => document.documentElement.dataset.build === 'next');
+    expect(asked).toEqual(['beforeunload', 'beforeunload']);
+    await page.getByRole('region', { name: 'Unsaved work' }).getByText('arm').waitFor();
+    expect(problems).toEqual([]);
+    page.removeAllListeners('dialog');
+  },
+);
 
-        await expect.poll(() => buildOf(page)).toBeUndefined();
-        // Not on the server any more.
-        await page.evaluate(() => window.marrow.run('help.about'));
-        await page.getByRole('dialog').getByText('Works offline').waitFor();
-        await page.keyboard.press('Escape');
+inStored(
+  'the page plays, opens examples, panels and files without its server, after a failed update too',
+  async ({ page, url, serve, stopServer }) => {
+    await controlled(page);
+    // An upload that was interrupted: the list is new, and the page is not.
+    serve({ 'sw.js': built('sw.js').replace(integrity(built('index.html')), integrity('not yet')) });
+    const version = await lookForVersion(page);
+    expect(version).toBe('redundant');
+    await stopServer();
 
-        const answers = ['dismiss', 'accept'] as const;
-        const asked: string[] = [];
-        page.on('dialog', (dialog) => {
-          asked.push(dialog.type());
-          void dialog[answers[asked.length - 1]]();
-        });
-        await offer(page).getByRole('button', { name: 'Reload' }).click();
-        await expect.poll(() => asked).toEqual(['beforeunload']);
-        await expect
-          .poll(() => page.evaluate(() => window.marrow.characters().map(({ name }) => name)))
-          .toEqual(['cube', 'arm']);
-        await offer(page).getByRole('button', { name: 'Reload' }).click();
-        await page.waitForFunction(() => document.documentElement.dataset.build === 'next');
-        expect(asked).toEqual(['beforeunload', 'beforeunload']);
-        await page.getByRole('region', { name: 'Unsaved work' }).getByText('arm').waitFor();
-      },
-      { serviceWorker: true, walking: true, query: SMALL },
-    ));
-});
+    await page.goto(url);
+    await shown(page, 'walker');
+    const before = await page.evaluate(() => window.marrow.worldMatrices('walker'));
+    await page.evaluate(() => window.marrow.play());
+    await expect.poll(() => page.evaluate(() => window.marrow.worldMatrices('walker'))).not.toEqual(before);
+    await page.evaluate(() => window.marrow.pause());
+
+    await page.evaluate(() => window.marrow.run('help.about'));
+    await page.getByText('Works offline').waitFor();
+    await page.keyboard.press('Escape');
+    await page.getByRole('tab', { name: 'Dope sheet' }).click();
+    await page.locator('.dope').first().waitFor();
+    await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
+    await shown(page, 'arm');
+    await page.evaluate(() => window.marrow.run('sample.crawler'));
+    await shown(page, 'crawler');
+  },
+);
+
+const PHONE = { width: 390, height: 844 };
+const DESK = { width: 1280, height: 800 };
+
+/** What is wrong with a page of the manual: pictures that are broken, and windows that it is wider than. */
+async function faultsOf(page: Page, sizes: readonly (typeof DESK)[]): Promise<readonly string[]> {
+  const faults = await page.evaluate(async () => {
+    const broken = await Promise.all(
+      [...document.images].map((image) =>
+        image.decode().then(
+          () => [],
+          () => [image.src],
+        ),
+      ),
+    );
+    return [...broken.flat(), ...(getComputedStyle(document.body).margin === '0px' ? [] : ['without its style'])];
+  });
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    await expect.poll(() => page.evaluate(() => window.innerWidth)).toBe(size.width);
+    const isWider = await page.evaluate(() => {
+      const { scrollWidth, clientWidth } = document.documentElement;
+      return scrollWidth > clientWidth;
+    });
+    if (isWider) faults.push(`wider than ${size.width} pixels`);
+  }
+  return faults.map((fault) => `${page.url()}: ${fault}`);
+}
+
+inStored(
+  'all pages of the manual are read without the server and without script, on a phone and at a desk, light and dark',
+  async ({ page, url, stopServer }) => {
+    await controlled(page);
+    await stopServer();
+    const manual = await page.context().newPage();
+    const session = await page.context().newCDPSession(manual);
+    await session.send('Emulation.setScriptExecutionDisabled', { value: true });
+    const problems: string[] = [];
+    collectProblems(manual, url, problems);
+    await manual.goto(`${url}manual/`);
+    for (const [colorScheme, ground] of [
+      ['dark', 'rgb(33, 36, 39)'],
+      ['light', 'rgb(246, 247, 248)'],
+    ] as const) {
+      await manual.emulateMedia({ colorScheme });
+      const behind = () => manual.locator('html').evaluate((html) => getComputedStyle(html).backgroundColor);
+      await expect.poll(behind).toBe(ground);
+    }
+    const titles: string[] = [];
+    const faults: string[] = [];
+    // By *Next*; each begins at the size at which the one before ended.
+    for (let next: string | null = manual.url(); next !== null; ) {
+      // Waits until the page has its style and pictures.
+      await manual.goto(new URL(next, manual.url()).href);
+      titles.push(await manual.locator('h1').innerText());
+      faults.push(...(await faultsOf(manual, titles.length % 2 ? [PHONE, DESK] : [DESK, PHONE])));
+      const link = manual.locator('a[rel=next]');
+      next = (await link.count()) > 0 ? await link.getAttribute('href') : null;
+    }
+    expect(titles.length).toBeGreaterThan(20);
+    expect(new Set(titles).size).toBe(titles.length);
+    expect(faults).toEqual([]);
+    expect(problems).toEqual([]);
+  },
+);
 
 describe('the installed page', () => {
   it('the installed page opens files from the system, and saves changes back to them', () =>

@@ -314,7 +314,7 @@ async function downloadedInto(folder: string, act: () => Promise<unknown>): Prom
 }
 
 /** "The only thing ever requested is what the address names": any other request is a problem. */
-function collectProblems(page: Page, home: string, problems: string[]): void {
+export function collectProblems(page: Page, home: string, problems: string[]): void {
   page.on('console', (message) => {
     if (message.type() === 'error') problems.push(`console: ${message.text()} (${message.location().url})`);
   });
