@@ -45,7 +45,8 @@ async function addTo(
   const before = comparing.state.get().dumps.map(({ fileName }) => fileName);
   await comparing.add(dumps);
   const { phase, newest, dumps: after, replaced = [] } = comparing.state.get();
-  if (phase.kind !== 'done') return;
+  // Those that were not compared are messages, which this would hide.
+  if (phase.kind !== 'done' || phase.problems) return;
   const names = newest.join(', ');
   const again = newest.filter((name) => before.includes(name));
   const others = after.map(({ fileName }) => fileName).filter((name) => !newest.includes(name));

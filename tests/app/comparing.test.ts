@@ -116,6 +116,23 @@ describe('dropped dumps', () => {
     ]);
   });
 
+  it('further dumps that do not fit are messages, which no word about the others hides', async () => {
+    const wb = open(crawler);
+    const said: (string | undefined)[] = [];
+    wb.messages.passing.subscribe((text) => text && said.push(text));
+    const hasSaid = (...texts: readonly string[]) => expect.poll(() => said).toEqual(texts);
+    await drop(wb, dumpFile('a.txt', right(0.5)));
+    await drop(wb, dumpFile('b.txt', right(0.7)));
+    const along = 'Compared along with a.txt.';
+    await hasSaid(along);
+    await drop(wb, dumpFile('short.txt', '1 2 3\n'));
+    await expect.poll(() => wb.messages.list.get()).toMatchObject([{ fate: 'not compared', unread: true }]);
+    // What was to be said of them would have been by now.
+    await new Promise(setImmediate);
+    await drop(wb, dumpFile('a.txt', right(0.5)));
+    await hasSaid(along, 'a.txt replaced the earlier numbers of that name. Compared along with b.txt.');
+  });
+
   it('dumps without a character say what is missing', async () => {
     const wb = open();
     await drop(wb, dumpFile('mine.txt', '1 2 3'));
