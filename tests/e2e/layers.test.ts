@@ -65,9 +65,9 @@ it('a wave is laid over the walk by mouse and eased, the walk goes on as it was,
       const posed = (await shown(page)).dofs;
       await page.keyboard.press('k');
       await page.getByText(/^This is the layer’s only key of/).waitFor();
-      await page.getByRole('button', { name: 'Ease in and out…' }).click();
+      await page.getByRole('button', { name: 'Key for a moment…' }).click();
       const dialog = page.getByRole('dialog', { name: 'Key for a moment' });
-      await dialog.getByRole('button', { name: 'Key it' }).press('Enter');
+      await dialog.getByRole('button', { name: 'Key', exact: true }).press('Enter');
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       expectSame([(await shown(page)).dofs], [posed]);

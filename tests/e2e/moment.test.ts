@@ -180,9 +180,9 @@ describeShared('a moment of a capture', () => {
       const posed = (await shown(page)).dofs;
       await page.keyboard.press('k');
       await page.getByRole('button', { name: 'Convert to keys and key' }).waitFor();
-      await page.getByRole('button', { name: 'Ease in and out…' }).click();
+      await page.getByRole('button', { name: 'Key for a moment…' }).click();
       const dialog = page.getByRole('dialog', { name: 'Key for a moment' });
-      await dialog.getByRole('button', { name: 'Key it' }).press('Enter');
+      await dialog.getByRole('button', { name: 'Key', exact: true }).press('Enter');
       await dialog.waitFor({ state: 'detached' });
       await expect.poll(() => undoLabel(page)).toMatch(/^Key .* for a moment$/);
       expectSame((await shown(page)).dofs, posed);

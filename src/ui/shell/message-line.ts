@@ -1,6 +1,6 @@
 /**
  * The newest unread message, as a line at the bottom of the viewport. It stays until dismissed, a refusal until the
- * next step (`stale-messages.ts`); only a confirmation disappears by itself.
+ * next step (`stale-messages.ts`); only a confirmation disappears by itself, unless there is something to do about it.
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { type Message, mainProblem } from '../state/messages.ts';
@@ -63,7 +63,7 @@ export function messageLine(wb: Uses<'messages' | 'timeline' | 'settings'>): HTM
   messages.list.subscribe(show);
   const time = new PassingTime(PASSING_MS, () => messages.passing.set(undefined));
   messages.passing.subscribe((text) => {
-    if (text === undefined) time.end();
+    if (text === undefined || messages.lasts) time.end();
     else time.begin();
     show();
   });

@@ -45,6 +45,8 @@ export class Messages {
   readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
   /** Of the passing message. */
   offers: readonly Offer[] = [];
+  /** Whether the passing message stays until it is over: nobody need be quick to take an offer. */
+  lasts = false;
   private passingIsOver: IsOver | undefined;
   /** Counts requests to show the list. */
   readonly listAsked: Observable<number> = observable(0);
@@ -63,6 +65,7 @@ export class Messages {
   note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step', isOver?: IsOver): void {
     this.given++;
     this.offers = [];
+    this.lasts = false;
     if (severity === 'info') {
       this.passingIsOver = isOver;
       this.passing.set(cutMessage(text));
@@ -79,10 +82,15 @@ export class Messages {
     this.add({ text, severity: 'error', diagnostics: [], offers });
   }
 
-  /** Adds a confirmation with buttons, for what has no key on a touch screen. */
+  /**
+   * Adds a confirmation with buttons, for what has no key on a touch screen.
+   *
+   * @param isOver when nothing of it can be done any more; until then it stays in the line, unless it hides a message
+   */
   confirm(text: string, offers: Offer | readonly Offer[], isOver?: IsOver): void {
     this.given++;
     this.offers = 'run' in offers ? [offers] : offers;
+    this.lasts = isOver !== undefined && !this.all.some((m) => m.unread);
     this.passingIsOver = isOver;
     // Said again, it has another button.
     this.passing.set(undefined);
@@ -99,6 +107,7 @@ export class Messages {
     const isTaken = this.passing.get() !== undefined && this.offers.length > 0 && this.passingIsOver?.() !== true;
     if (isTaken || this.all.some((m) => m.unread)) return;
     this.offers = offers;
+    this.lasts = false;
     this.passingIsOver = isOver;
     this.passing.set(undefined);
     this.passing.set(text);

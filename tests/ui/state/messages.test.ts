@@ -112,6 +112,20 @@ describe('Messages', () => {
     expect(messages.passing.get()).toBeUndefined();
   });
 
+  it('keeps a confirmation that something can be done about until that is over, unless it hides a message', () => {
+    const messages = new Messages();
+    const undo = { label: 'Undo', run: () => {} };
+    messages.confirm('a was removed.', undo, () => false);
+    expect(messages.lasts).toBe(true);
+    messages.note('Saved wasp.skel.');
+    expect(messages.lasts).toBe(false);
+    messages.confirm('a was compared.', undo);
+    expect(messages.lasts).toBe(false);
+    messages.report([diagnostic()]);
+    messages.confirm('b was removed.', undo, () => false);
+    expect(messages.lasts).toBe(false);
+  });
+
   it('forgets what it said of a file when the file is reported again', () => {
     const messages = new Messages();
     messages.report([diagnostic(), diagnostic({ file: 'b.skin' })]);

@@ -74,7 +74,7 @@ export function offerToConvert(wb: Parts, of: Sampled, options: KeyOptions, othe
         label: 'Key in a layer',
         run: () => void keyInLayer(wb, { characterId, dofs: [...dofs], timeSeconds, ...options }),
       },
-      ...(posed.length > 0 ? [{ label: 'Ease in and out…', run: () => askForMoment(wb, pose, document, false) }] : []),
+      ...(posed.length > 0 ? [{ label: 'Key for a moment…', run: () => askForMoment(wb, pose, document, false) }] : []),
     ],
     () => wb.store.document !== document,
   );

@@ -25,10 +25,9 @@ export function followKeyedPoses(wb: Parts): () => void {
     const was = findCharacter(before, character.id);
     // That the cycle itself has changed is said elsewhere.
     if (was && changedCyclesOf(was, character).length + keyedEndsOf(was, character).length > 0) return;
-    const label = abrupt.kind === 'repeats' ? 'Only for a moment…' : 'Ease in and out…';
     messages.confirm(
       abruptText(character, abrupt),
-      { label, run: () => askForMoment(wb, pose, before, true) },
+      { label: 'Key for a moment…', run: () => askForMoment(wb, pose, before, true) },
       () => store.document !== document,
     );
   });

@@ -50,7 +50,7 @@ function answers(wb: Uses<'messages'>, choice: HTMLButtonElement, show: () => vo
 function momentForm(wb: Parts, question: CycleQuestion, close: () => void): readonly HTMLElement[] {
   const { moment } = question;
   if (!moment) return [];
-  const made = element('button', { type: 'button', class: 'plain primary', autofocus: true }, 'Key it');
+  const made = element('button', { type: 'button', class: 'plain primary', autofocus: true }, 'Key');
   return [
     element('p', {}, momentText(question, wb.transport.get().range)),
     easingOf(wb, moment, made),
