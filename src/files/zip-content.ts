@@ -33,18 +33,23 @@ export function zipContent(
 ): ZipContent {
   let count = 0;
   const wanted = (name: string) => {
-    if (!isWanted(name)) return false;
+    if (!isWanted(within(name))) return false;
     // Before any is unpacked.
     if (++count > maxFiles) throw new ZipRefusal(`it holds too many files; ${tooManyFiles(maxFiles)}`);
     return true;
   };
   const { entries, passedOver } = unzip(bytes, wanted, maxBytes);
-  // Some programs of Windows write backslashes.
-  const inside = (name: string) => `${path}/${name.replaceAll('\\', '/').replace(/^\/+/, '')}`;
+  const inside = (name: string) => `${path}/${within(name)}`;
   return {
     files: entries.map((entry) => ({ path: inside(entry.path), bytes: entry.bytes })),
     passedOver: passedOver.map(inside),
   };
+}
+
+/** A path in a zip, which never leads out of it: `../a.skel` is `a.skel`. Some programs of Windows write backslashes. */
+function within(name: string): string {
+  const steps = name.split(/[/\\]/);
+  return steps.filter((step) => step !== '' && step !== '.' && step !== '..').join('/');
 }
 
 /** The message about more files than can be opened at once. */
