@@ -1,5 +1,5 @@
 /** Takes of files that state no frame rate, at the one that the user knows. */
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { ParsedFile } from '../model/files.ts';
 import { rangeOfSamples } from '../model/takes/samples.ts';
 import { hasControls, type Take } from '../model/takes/take.ts';
@@ -7,6 +7,9 @@ import type { Loaded } from './load.ts';
 
 /** Codes of what readers say where they use a usual rate. */
 const ASSUMED: ReadonlySet<string> = new Set(['rate-assumed', 'rate-expected']);
+
+/** Kinds of files that are nothing but frames. */
+const STATING: ReadonlySet<string> = new Set<ParsedFile['kind']>(['bvh', 'amc', 'trc']);
 
 /**
  * The files with frames at this rate wherever one was assumed: the same frames at other times. Takes with layers, goals
@@ -23,6 +26,11 @@ export function atKnownRate(loaded: Loaded, framesPerSecond: number | undefined)
     const samples = { ...take.samples, frameSeconds: 1 / framesPerSecond, startSeconds: start };
     return { ...take, samples, range: rangeOfSamples(samples) };
   };
+  const stated = loaded.files
+    .filter(({ kind, source }) => STATING.has(kind) && !assumed.has(source.path) && !assumed.has(source.name))
+    .map(({ source }) =>
+      withoutPlace('info', 'rate-stated', 'It states its frame rate, so --rate changes nothing in it.', source.path),
+    );
   const files = loaded.files.map((file): ParsedFile => {
     if (!assumed.has(file.source.path)) return file;
     if (file.kind === 'amc') return { ...file, take: atRate(file.take) };
@@ -35,5 +43,5 @@ export function atKnownRate(loaded: Loaded, framesPerSecond: number | undefined)
     (one): Diagnostic =>
       ASSUMED.has(one.code) ? { ...one, assumed: `used ${framesPerSecond} frames per second, as --rate says` } : one,
   );
-  return { ...loaded, files, diagnostics };
+  return { ...loaded, files, diagnostics: [...diagnostics, ...stated] };
 }
