@@ -2,17 +2,36 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { testAll } from '../helpers/check.ts';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropFiles, type OpenPage, type PageOptions, withPage } from '../helpers/page.ts';
-import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { ARM, dofs, kept, offer, openArm, RESTORING, ready, restore, SMALL, setDof, shown } from './checks/autosave.ts';
 
 const sample = (name: string) => readFileSync(new URL(`../../public/samples/${name}`, import.meta.url));
-const WALKER = ['walker.skel', 'walker_walk.anim'].map((name) => ({ name, bytes: sample(name) }));
+const WALKER = ['walker.skel', 'walker.skin', 'walker_walk.anim'].map((name) => ({ name, bytes: sample(name) }));
 const TWIN = [{ name: 'twin.skel', bytes: sample('walker.skel') }];
 
 const withSmallPage = (body: (open: OpenPage) => Promise<void>, options: PageOptions = {}) =>
   withPage(body, { ...SMALL, ...options });
+
+/** Large enough for the tree to show joints. The test that crashes it is the last one. */
+const inPage = inOnePage({ expected: /crashed/ });
+/** Of what was done before, nothing is left but that it can't be redone. */
+const inFreshPage = (name: string, body: (open: OpenPage) => Promise<void>) =>
+  inPage(name, async (open) => {
+    await ready(open.page);
+    await undoAll(open.page);
+    await body(open);
+  });
+/** With work that is kept. */
+const withArm = (name: string, body: (open: OpenPage) => Promise<void>) =>
+  inFreshPage(name, async (open) => {
+    await openArm(open.page);
+    await setDof(open.page, 6, 0.5);
+    await kept(open.page);
+    await body(open);
+  });
+const dofOf = (page: Page, index = 6) => expect.poll(async () => (await dofs(page))[index]);
+const older = (page: Page) => offer(page).getByRole('button', { name: /older/ });
 
 /** Crashes the page in the middle of work. */
 async function crash(page: Page): Promise<void> {
@@ -24,35 +43,89 @@ async function crash(page: Page): Promise<void> {
 }
 
 describe('work', () => {
-  it('work comes back after a crash: document, selection, time, and what was open is gone', () =>
-    withSmallPage(
-      async ({ page, openAnother }) => {
-        await openArm(page);
-        await page.getByRole('treeitem', { name: 'elbow' }).click();
-        await setDof(page, 6, 0.5);
-        await page.evaluate(() => window.marrow.seek(0.75));
-        await kept(page);
-        const before = await dofs(page);
-        await crash(page);
+  for (const { name, run } of RESTORING) inFreshPage(name, run);
 
-        const again = await openAnother();
-        await ready(again);
-        await offer(again)
-          .getByText(/Unsaved work from .*: arm, 2 joints\./)
-          .waitFor();
-        await restore(again);
-        await shown(again, 'arm');
-        await expect.poll(() => dofs(again)).toEqual(before);
-        await again.locator('[role=treeitem][aria-selected=true]', { hasText: 'elbow' }).waitFor();
-        await expect.poll(() => again.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toContain('0.75');
-        await expect.poll(() => again.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['arm']);
-        await expect.poll(() => offer(again).count()).toBe(0);
-      },
-      // High enough for the tree to show the joints.
-      { expected: /crashed/, size: { width: 1280, height: 800 } },
-    ));
+  withArm('work that was put off is in the Open menu, for as long as it is not restored', async ({ page }) => {
+    await page.reload();
+    await ready(page);
+    const inMenu = page.getByRole('menuitem', { name: /^Restore last session/ });
+    const openMenu = () => page.getByRole('menuitem', { name: 'Open', exact: true }).click();
+    await offer(page).getByRole('button', { name: 'Not now' }).click();
+    await expect.poll(() => offer(page).count()).toBe(0);
+    await openMenu();
+    await inMenu.click();
+    // The offer has the focus, so that Enter restores.
+    await page.keyboard.press('Enter');
+    await shown(page, 'arm');
+    await openMenu();
+    await expect.poll(() => inMenu.count()).toBe(0);
+    await page.keyboard.press('Escape');
+  });
 
-  it('layers, goals of limbs, an attachment and retargeting come back after a crash, and move as they did', () =>
+  withArm(
+    'work goes on being kept under the same session after it was restored, to the last moment; discarded, it can be had back',
+    async ({ page }) => {
+      await page.reload();
+      await restore(page);
+      await shown(page, 'arm');
+      await page.reload();
+      await offer(page).waitFor();
+      await expect.poll(() => older(page).count()).toBe(0);
+      await restore(page);
+      await shown(page, 'arm');
+      await dofOf(page).toBe(0.5);
+      await setDof(page, 6, 0.7);
+      await kept(page);
+      await setDof(page, 6, 0.75);
+      await page.reload();
+      await offer(page).getByRole('button', { name: 'Discard' }).click();
+      await offer(page).getByRole('button', { name: 'Keep it' }).click();
+      await expect.poll(() => older(page).count()).toBe(0);
+      await restore(page);
+      await shown(page, 'arm');
+      await dofOf(page).toBe(0.75);
+    },
+  );
+
+  it('work is kept to the last moment when its page is closed, and not offered where nothing was done', () =>
+    withSmallPage(async ({ page: idle, openAnother }) => {
+      const page = await openAnother();
+      await openArm(page);
+      await kept(page);
+      // A page with nothing but the example, with another view and time.
+      await idle.evaluate(() => window.marrow.seek(0.5));
+      await idle.keyboard.press('1');
+      await idle.reload();
+      await ready(idle);
+      await setDof(page, 6, 0.75);
+      await page.close();
+      await idle.reload();
+      await offer(idle).getByText('arm, 2 joints').waitFor();
+      await expect.poll(() => older(idle).count()).toBe(0);
+      await restore(idle);
+      await shown(idle, 'arm');
+      await dofOf(idle).toBe(0.75);
+    }));
+
+  withArm('the sessions of two tabs stay apart', async ({ page, openAnother }) => {
+    const other = await openAnother();
+    await openArm(other);
+    await setDof(other, 6, -0.5);
+    await kept(other);
+    await setDof(page, 7, 0.1);
+    await kept(page);
+    // Neither is offered the other's session, which is still open.
+    await expect.poll(() => offer(other).count()).toBe(0);
+    await other.close();
+    await page.reload();
+    await ready(page);
+    await offer(page).getByRole('button', { name: '1 older' }).waitFor();
+    await restore(page);
+    await shown(page, 'arm');
+    await expect.poll(async () => (await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
+  });
+
+  it('skin, keys, layers, goals of limbs, an attachment and retargeting come back after a crash, and move as they did', () =>
     withPage(
       async ({ page, openAnother }) => {
         await ready(page);
@@ -70,6 +143,12 @@ describe('work', () => {
           });
           const characterId = walker.id;
           const joints = ['thigh_l', 'shin_l', 'foot_l'].map(walker.jointIn);
+          await marrow.run('keys.move', {
+            characterId,
+            keys: [{ channel: 3, indices: [0] }],
+            seconds: 0.01,
+            values: [0.2],
+          });
           await marrow.run('limbs.add', { characterId, joints, orient: true, mirrored: true });
           await marrow.run('limbs.switch', { characterId, limb: 0, timeSeconds: 0.5, to: 'ik' });
           await marrow.run('layers.add', { characterId, name: 'wave' });
@@ -85,11 +164,17 @@ describe('work', () => {
             return [0, 0.4, 0.9].map((seconds) => {
               marrow.seek(seconds);
               const moved = marrow.characters().map(({ name }) => marrow.worldMatrices(name));
-              return { moved, limbs: marrow.limbs('walker'), layers: marrow.layers('walker') };
+              return {
+                moved,
+                vertices: marrow.vertices('walker'),
+                limbs: marrow.limbs('walker'),
+                layers: marrow.layers('walker'),
+              };
             });
           });
         const last = (await seen(page))[2];
         expect(last.limbs.map(({ blend }) => blend)).toEqual([1, undefined]);
+        expect(last.vertices.length).toBeGreaterThan(1000);
         expect(last.layers.map(({ name }) => name)).toEqual(['wave']);
         await kept(page);
         const before = await seen(page);
@@ -111,139 +196,31 @@ describe('work', () => {
       { ...SMALL, expected: /crashed/ },
     ));
 
-  it('work goes on being kept under the same session after it was restored', () =>
-    withSmallPage(async ({ page }) => {
+  inFreshPage(
+    'work comes back after a crash: document, selection, time, and what was open is gone',
+    async ({ page, openAnother }) => {
       await openArm(page);
+      await page.getByRole('treeitem', { name: 'elbow' }).click();
       await setDof(page, 6, 0.5);
+      await page.evaluate(() => window.marrow.seek(0.75));
       await kept(page);
-      await page.reload();
-      await restore(page);
-      await shown(page, 'arm');
-      await setDof(page, 6, 0.7);
-      await kept(page);
-      await page.reload();
-      await ready(page);
-      await restore(page);
-      await shown(page, 'arm');
-      await expect.poll(async () => (await dofs(page))[6]).toBe(0.7);
-      await page.reload();
-      await offer(page).waitFor();
-      await expect.poll(() => offer(page).getByRole('button', { name: /older/ }).count()).toBe(0);
-    }));
+      const before = await dofs(page);
+      await crash(page);
 
-  it('work is kept to the last moment when its page is reloaded or closed', () =>
-    withSmallPage(async ({ page, openAnother }) => {
-      await openArm(page);
-      await setDof(page, 6, 0.25);
-      await kept(page);
-      await setDof(page, 6, 0.5);
-      await page.reload();
-      await restore(page);
-      await shown(page, 'arm');
-      await expect.poll(async () => (await dofs(page))[6]).toBe(0.5);
-      await setDof(page, 6, 0.75);
-      const another = await openAnother();
-      await page.close();
-      await another.reload();
-      await restore(another);
-      await shown(another, 'arm');
-      await expect.poll(async () => (await dofs(another))[6]).toBe(0.75);
-    }));
-
-  it('work is not offered where nothing was done', () =>
-    withSmallPage(async ({ page, openAnother }) => {
-      await openArm(page);
-      await kept(page);
-      // A page with nothing but the example, with another view and time.
-      const idle = await openAnother();
-      await ready(idle);
-      await idle.evaluate(() => window.marrow.seek(0.5));
-      await idle.keyboard.press('1');
-      await idle.reload();
-      await ready(idle);
-      await page.close();
-      await idle.reload();
-      await offer(idle).getByText('arm, 2 joints').waitFor();
-      await expect.poll(() => offer(idle).getByRole('button', { name: /older/ }).count()).toBe(0);
-    }));
-
-  it('the sessions of two tabs stay apart', () =>
-    withSmallPage(async ({ page, openAnother }) => {
-      await openArm(page);
-      await setDof(page, 6, 0.5);
-      await kept(page);
-      const other = await openAnother();
-      await openArm(other);
-      await setDof(other, 6, -0.5);
-      await kept(other);
-      await setDof(page, 7, 0.1);
-      await kept(page);
-      // Neither is offered the other's session, which is still open.
-      await expect.poll(() => offer(other).count()).toBe(0);
-      await other.close();
-      await page.reload();
-      await ready(page);
-      await offer(page).getByRole('button', { name: '1 older' }).waitFor();
-      await restore(page);
-      await shown(page, 'arm');
-      await expect.poll(async () => (await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
-    }));
-
-  it('work that was put off is in the Open menu, for as long as it is not restored', () =>
-    withSmallPage(async ({ page }) => {
-      await openArm(page);
-      await kept(page);
-      await page.reload();
-      await ready(page);
-      const inMenu = page.getByRole('menuitem', { name: /^Restore last session/ });
-      const openMenu = () => page.getByRole('menuitem', { name: 'Open', exact: true }).click();
-      await offer(page).getByRole('button', { name: 'Not now' }).click();
-      await expect.poll(() => offer(page).count()).toBe(0);
-      await openMenu();
-      await inMenu.click();
-      // The offer has the focus, so that Enter restores.
-      await page.keyboard.press('Enter');
-      await shown(page, 'arm');
-      await openMenu();
-      await expect.poll(() => inMenu.count()).toBe(0);
-    }));
-
-  it('work that is discarded can be had back for a moment', () =>
-    withSmallPage(async ({ page }) => {
-      await openArm(page);
-      await kept(page);
-      await page.reload();
-      await offer(page).getByRole('button', { name: 'Discard' }).click();
-      await offer(page).getByRole('button', { name: 'Keep it' }).click();
-      await restore(page);
-      await shown(page, 'arm');
-    }));
-
-  testAll(RESTORING);
-});
-
-describeShared('a character with skin and walk', () => {
-  it('a character with skin and walk comes back with every vertex where it was', () =>
-    withSmallPage(async ({ page }) => {
-      await ready(page);
-      const files = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
-      await dropFiles(
-        page,
-        files.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
-      );
-      await shown(page, 'wasp');
-      await page.evaluate(() => {
-        window.marrow.seek(0.4);
-        return window.marrow.run('keys.move', { keys: [{ channel: 3, indices: [0] }], seconds: 0.01, values: [0.2] });
-      });
-      await kept(page);
-      const before = await page.evaluate(() => window.marrow.vertices());
-      await page.reload();
-      await ready(page);
-      await restore(page);
-      await shown(page, 'wasp');
-      await expect.poll(() => page.evaluate(() => window.marrow.vertices())).toEqual(before);
-    }));
+      const again = await openAnother();
+      await ready(again);
+      await offer(again)
+        .getByText(/Unsaved work from .*: arm, 2 joints\./)
+        .waitFor();
+      await restore(again);
+      await shown(again, 'arm');
+      await expect.poll(() => dofs(again)).toEqual(before);
+      await again.locator('[role=treeitem][aria-selected=true]', { hasText: 'elbow' }).waitFor();
+      await expect.poll(() => again.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toContain('0.75');
+      await expect.poll(() => again.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['arm']);
+      await expect.poll(() => offer(again).count()).toBe(0);
+    },
+  );
 });
 
 describe('a file that can’t be copied', () => {

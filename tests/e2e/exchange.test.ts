@@ -10,7 +10,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import type { Character } from '../../src/model/document.ts';
 import { glbOf } from '../helpers/glb.ts';
-import { hero, STRIDE, vrmOf, WALKER_FILES } from '../helpers/hero.ts';
+import { hero, vrmOf, WALKER_FILES } from '../helpers/hero.ts';
 import { type DroppedFile, dropFiles, dropPaths, type OpenPage, withPage } from '../helpers/page.ts';
 import { posed } from '../helpers/posed.ts';
 import { mixamoFile } from '../import/fbx/mixamo-file.ts';
@@ -73,8 +73,12 @@ const removeAll = (page: Page) =>
 
 /** Drawing in software takes most of the time. */
 const SMALL = { width: 1024, height: 640 };
+/** Seconds of the takes. */
+const LENGTH = 0.6;
+/** Frames of them. */
+const TIMES = [0.2, 0.5];
 /** Between keys. */
-const POSED = 0.51;
+const POSED = 0.21;
 
 /** From the file to text and to GLB; the page is empty afterwards. */
 async function goThrough({ page, download }: OpenPage, scale: number): Promise<void> {
@@ -122,7 +126,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   await page.keyboard.press('k');
   await expect.poll(undone).toMatch(/^Key /);
   await expect.poll(() => page.locator('.dof[data-driver=unkeyed]').count()).toBe(0);
-  const keyed = [await shapeAt(page, 'hero', POSED), await shapeAt(page, 'hero', 1.2)];
+  const keyed = [await shapeAt(page, 'hero', POSED), await shapeAt(page, 'hero', TIMES[1])];
 
   // Saved as text, and opened from that.
   const zip = await download(() => page.evaluate(() => window.marrow.run('save.all')));
@@ -132,7 +136,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   await removeAll(page);
   await dropFiles(page, [zip]);
   await opened(page, 'hero');
-  for (const [i, seconds] of [POSED, 1.2].entries()) {
+  for (const [i, seconds] of [POSED, TIMES[1]].entries()) {
     const shape = await shapeAt(page, 'hero', seconds);
     expect(distance(shape, keyed[i])).toBeLessThan(1e-5 * size);
   }
@@ -144,7 +148,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
     page.evaluate(
       async ([own, a, b]) => {
         const directions: number[][] = [];
-        for (const seconds of [0.2, 0.9]) {
+        for (const seconds of [0.2, 0.4]) {
           window.marrow.seek(seconds);
           await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
           const { joints = [] } = window.marrow.characters().find((c) => c.name === own) ?? {};
@@ -194,7 +198,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   await removeAll(page);
   await dropFiles(page, [glb]);
   await opened(page, 'hero');
-  for (const [i, seconds] of [POSED, 1.2].entries()) {
+  for (const [i, seconds] of [POSED, TIMES[1]].entries()) {
     const shape = await shapeAt(page, 'hero', seconds);
     expect(distance(shape, keyed[i])).toBeLessThan(tolerance);
   }
@@ -205,8 +209,8 @@ it('a VRM, and an FBX file like Mixamo’s, are played, posed, keyed, saved as t
   withPage(
     async (open) => {
       const { page } = open;
-      const own = await hero();
-      const frames = Array.from({ length: 30 * STRIDE + 1 }, (_, f) => f / 30);
+      const own = await hero(LENGTH);
+      const frames = Array.from({ length: 30 * LENGTH + 1 }, (_, f) => f / 30);
       const { triangles, positions } = own.skins[0];
       const files = [
         {
@@ -230,7 +234,7 @@ it('a VRM, and an FBX file like Mixamo’s, are played, posed, keyed, saved as t
       for (const { name, bytes, scale, within, of, order } of files) {
         await dropFiles(page, [{ name, bytes }]);
         await opened(page, 'hero');
-        for (const seconds of [0.5, 1.2]) {
+        for (const seconds of TIMES) {
           const shape = await shapeAt(page, 'hero', seconds);
           expect(distance(shape, expected(of, seconds, scale, order))).toBeLessThan(2.8 * scale * within);
         }
@@ -242,7 +246,7 @@ it('a VRM, and an FBX file like Mixamo’s, are played, posed, keyed, saved as t
 
 /** The hero as `.gltf` with a buffer and an image in files of their own. */
 async function separate(): Promise<readonly DroppedFile[]> {
-  const { bytes, json } = glbOf(await hero());
+  const { bytes, json } = glbOf(await hero(0.1));
   const bin = bytes.subarray(28 + new DataView(bytes.buffer).getUint32(12, true));
   const [image] = json.images ?? [];
   const { byteOffset, byteLength } = json.bufferViews[image.bufferView];

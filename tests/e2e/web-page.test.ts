@@ -9,13 +9,12 @@ import type { MarrowViewer } from '../../src/viewer/element.ts';
 import { glbOf } from '../helpers/glb.ts';
 import { hero } from '../helpers/hero.ts';
 import { OWN_CAPTURES } from '../helpers/own-files.ts';
-import { type DroppedFile, dropFiles, type OpenPage, screenshot, withPage } from '../helpers/page.ts';
+import { type DroppedFile, dropFiles, fillNoPixels, type OpenPage, screenshot, withPage } from '../helpers/page.ts';
 import { openedFrom } from '../helpers/saved-page.ts';
 
 /** Bytes of a saved page without its files. */
 const MAX_BYTES = 350_000;
 
-/** Drawn in software. */
 const SMALL = { width: 480, height: 360 };
 
 interface Size {
@@ -23,8 +22,16 @@ interface Size {
   readonly height: number;
 }
 
-/** Opens a saved page from disk, as somebody's browser without a network would, and fails on any problem. */
-async function fromDisk(of: Page, text: string, size: Size, body: (page: Page) => Promise<void>): Promise<void> {
+/**
+ * Opens a saved page from disk, as somebody's browser without a network would, and fails on any problem.
+ * @param isDrawn with the pixels of its viewport
+ */
+async function fromDisk(
+  of: Page,
+  text: string,
+  { size, isDrawn = false }: { readonly size: Size; readonly isDrawn?: boolean },
+  body: (page: Page) => Promise<void>,
+): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), 'marrow-web-page-'));
   const context = await of.context().browser()?.newContext({ viewport: size, offline: true });
   if (!context) throw new Error('The page has no browser.');
@@ -32,6 +39,7 @@ async function fromDisk(of: Page, text: string, size: Size, body: (page: Page) =
     const path = join(folder, 'a page & more.html');
     writeFileSync(path, text);
     const page = await context.newPage();
+    if (!isDrawn) await page.addInitScript(fillNoPixels, false);
     const problems: string[] = [];
     const asked: string[] = [];
     page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
@@ -55,8 +63,12 @@ const shownIn = (page: Page) =>
     worlds: viewer.characters.map((_, i) => Array.from(viewer.worldMatrices(i))),
   }));
 
-/** Saves what the page shows, and holds the saved page to it. */
-async function expectSame({ page, download }: OpenPage, look: (page: Page, text: string) => Promise<void>) {
+/** Saves what the page shows, and holds the saved page to it, in a window of that size. */
+async function expectSame(
+  { page, download }: OpenPage,
+  how: Parameters<typeof fromDisk>[2],
+  look: (page: Page, text: string) => Promise<void>,
+) {
   const { name, text } = await download(() => page.evaluate(() => window.marrow.run('save.webPage')));
   expect(name).toMatch(/\.html$/);
   const again = await page.evaluate(async () => (await window.marrow.webPage())?.text());
@@ -66,7 +78,7 @@ async function expectSame({ page, download }: OpenPage, look: (page: Page, text:
   }));
   const files = [...text.matchAll(/<pre hidden data-(?:file|packed|shown)[^<]*<\/pre>/g)].map(([part]) => part.length);
   expect(text.length - files.reduce((sum, length) => sum + length, 0)).toBeLessThan(MAX_BYTES);
-  await fromDisk(page, text, SMALL, async (saved) => {
+  await fromDisk(page, text, how, async (saved) => {
     const { worlds } = await shownIn(saved);
     expect(worlds.length).toBe(own.worlds.length);
     worlds.forEach((world, i) => {
@@ -127,24 +139,21 @@ describe('a saved page', () => {
             reader.readAsDataURL(blob ?? new Blob());
           });
         });
-        await expectSame(open, async (saved, text) => {
+        await expectSame(open, { size, isDrawn: true }, async (saved, text) => {
           await screenshot(saved, 'web-page-dark');
-          await fromDisk(page, text, size, async (same) => {
-            await same.evaluate(() => document.querySelector('marrow-viewer')?.removeAttribute('controls'));
-            const canvas = () =>
-              same.evaluate(
-                () => document.querySelector('marrow-viewer')?.shadowRoot?.querySelector('canvas')?.toDataURL() ?? '',
-              );
-            const plain = await page.context().newPage();
-            await expect.poll(async () => difference(plain, [picture, await canvas()])).toBeLessThan(0.001);
-            await plain.close();
-          });
-          await fromDisk(page, text, { width: 390, height: 844 }, async (phone) => {
+          await saved.evaluate(() => document.querySelector('marrow-viewer')?.removeAttribute('controls'));
+          const canvas = () =>
+            saved.evaluate(
+              () => document.querySelector('marrow-viewer')?.shadowRoot?.querySelector('canvas')?.toDataURL() ?? '',
+            );
+          const plain = await page.context().newPage();
+          await expect.poll(async () => difference(plain, [picture, await canvas()])).toBeLessThan(0.001);
+          await plain.close();
+          await fromDisk(page, text, { size: { width: 390, height: 844 } }, async (phone) => {
             const { camera } = await shownIn(phone);
             expect(Math.hypot(camera[0], camera[2])).toBeGreaterThan(1.5 * Math.hypot(2, 3));
             await phone.getByRole('button', { name: 'Play' }).click();
             await expect.poll(async () => (await shownIn(phone)).time).not.toBe(0.6);
-            await screenshot(phone, 'web-page-phone');
           });
         });
       },
@@ -161,13 +170,12 @@ describe('a saved page', () => {
       const { page } = open;
       const files = [
         ...[...OWN_CAPTURES].slice(0, 1).map(([name, bytes]) => ({ name, bytes })),
-        { name: 'hero.glb', bytes: glbOf(await hero()).bytes },
+        { name: 'hero.glb', bytes: glbOf(await hero(0.2)).bytes },
       ];
       await dropped(page, files, 2);
       await page.evaluate(() => window.marrow.seek(0.5));
-      await expectSame(open, async (saved, text) => {
+      await expectSame(open, { size: SMALL }, async (saved, text) => {
         await expect.poll(async () => (await shownIn(saved)).time).toBe(0.5);
-        await screenshot(saved, 'web-page-light');
         const { characters } = openedFrom(text);
         expect(characters.map(({ name }) => name).sort()).toEqual(['hero', 'own-walk']);
       });
@@ -177,8 +185,7 @@ describe('a saved page', () => {
     withPage(async (open) => {
       const { page } = open;
       const text = (await page.evaluate(async () => (await window.marrow.webPage())?.text())) ?? '';
-      const size = { width: 400, height: 300 };
-      await fromDisk(page, text, size, async (saved) => {
+      await fromDisk(page, text, { size: SMALL }, async (saved) => {
         await saved.evaluate(() => document.querySelector('marrow-viewer')?.setAttribute('src', 'other.skel'));
         await expect
           .poll(() => saved.locator('marrow-viewer .message').innerText())

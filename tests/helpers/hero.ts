@@ -57,14 +57,17 @@ export function walkerFiles(count: number): GivenBlob[] {
   );
 }
 
-/** The walker with its skin, morphs, texture and the first stride of its walk; its joints have Mixamo's names. */
-export async function hero(): Promise<Character> {
+/**
+ * The walker with its skin, morphs, texture and the first stride of its walk; its joints have Mixamo's names.
+ * @param seconds of the walk, for which curves are fitted where it is written
+ */
+export async function hero(seconds = STRIDE): Promise<Character> {
   const files = WALKER_FILES.map(({ name, bytes }) => ({ path: name, blob: new Blob([bytes]) }));
   const read = await parse({ files }, () => undefined);
   const [walker] = openFiles(EMPTY_DOCUMENT, read.files).document.characters;
   if (!walker?.skeleton) throw new Error('The walker was expected.');
   const joints = walker.skeleton.joints.map((joint) => ({ ...joint, name: MIXAMO.get(joint.name) ?? joint.name }));
-  const takes = walker.takes.map((take) => ({ ...take, name: 'stride', range: [0, STRIDE] as const }));
+  const takes = walker.takes.map((take) => ({ ...take, name: 'stride', range: [0, seconds] as const }));
   return { ...walker, name: 'hero', skeleton: { ...walker.skeleton, joints }, takes };
 }
 
