@@ -3,14 +3,13 @@
 import type { Sample } from '../example.ts';
 import { pathSeconds } from '../motion/path.ts';
 import { gaitChannels } from '../motion/walk.ts';
-import { encodePng } from '../paint/png.ts';
+import { painted } from '../paint/atlas.ts';
 import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
 import { buildCrawlerMesh, paintCrawler } from './body.ts';
 import { CRAWL_PATH, cornersOf, crawlPose } from './gait.ts';
 import { CRAWLER_SKELETON, LEGS } from './skeleton.ts';
 
 export function crawlerSample(): Sample {
-  const atlas = paintCrawler();
   return {
     id: 'crawler',
     label: 'Crawler',
@@ -44,6 +43,6 @@ export function crawlerSample(): Sample {
       morphs: [],
       animation: 'crawler_walk.anim',
     },
-    textures: [{ name: 'crawler.png', bytes: encodePng(atlas.pixels, atlas.size) }],
+    textures: [painted('crawler.png', paintCrawler)],
   };
 }

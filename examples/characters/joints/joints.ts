@@ -6,7 +6,7 @@ import { type Joint, type Limit, type Skeleton, UNLIMITED } from '../../../src/m
 import type { Channel } from '../../../src/model/takes/take.ts';
 import type { Sample } from '../example.ts';
 import { held, type KeyRow, keyed } from '../motion/keys.ts';
-import { encodePng } from '../paint/png.ts';
+import { painted } from '../paint/atlas.ts';
 import { boxAbout } from '../shape/skeletons.ts';
 import { buildJointsMesh, paintJoints } from './body.ts';
 import { type Exhibit, PLACED, type Sway } from './exhibits.ts';
@@ -20,7 +20,6 @@ export function jointsSample(): Sample {
   const skeleton = buildJoints();
   const world = new Float64Array(16 * skeleton.joints.length);
   worldMatrices(compileSkeleton(skeleton), Float64Array.from(restPose(skeleton, 0)), world);
-  const atlas = paintJoints();
   return {
     id: 'joints',
     label: 'Joint types',
@@ -34,7 +33,7 @@ export function jointsSample(): Sample {
       channels: [held(0), held(0), held(0), ...PLACED.flatMap(({ exhibit }) => channelsOf(exhibit))],
     },
     rig: { name: 'joints', skeleton: 'joints.skel', skin: 'joints.skin', morphs: [], animation: 'joints_each.anim' },
-    textures: [{ name: 'joints.png', bytes: encodePng(atlas.pixels, atlas.size) }],
+    textures: [painted('joints.png', paintJoints)],
     shows: { names: true },
   };
 }

@@ -4,6 +4,7 @@
  * that smaller mip levels don't bleed.
  */
 import type { Rect } from '../shape/mesh.ts';
+import { encodePng } from './png.ts';
 
 /** Red, green, blue, 0 … 255. */
 export type Colour = readonly [number, number, number];
@@ -53,4 +54,19 @@ export class Atlas {
       }
     }
   }
+}
+
+/** A texture that is painted when its bytes are first read: it takes most of the time of a character. */
+export function painted(name: string, paint: () => Atlas): { readonly name: string; readonly bytes: Uint8Array } {
+  let made: Uint8Array | undefined;
+  return {
+    name,
+    get bytes() {
+      if (!made) {
+        const { pixels, size } = paint();
+        made = encodePng(pixels, size);
+      }
+      return made;
+    },
+  };
 }

@@ -1,7 +1,7 @@
 /** The walker example. */
 
 import type { Sample } from '../example.ts';
-import { encodePng } from '../paint/png.ts';
+import { painted } from '../paint/atlas.ts';
 import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
 import { buildWalkerMesh } from './body.ts';
 import { MORPH_NAMES, walkerMorphs } from './morphs.ts';
@@ -11,7 +11,6 @@ import { walkerTake } from './take.ts';
 
 export function walkerSample(): Sample {
   const body = buildWalkerMesh();
-  const atlas = paintWalker();
   return {
     id: 'walker',
     label: 'Walker',
@@ -31,6 +30,6 @@ export function walkerSample(): Sample {
       morphs: MORPH_NAMES.map((name) => `walker_${name}.morph`),
       animation: 'walker_walk.anim',
     },
-    textures: [{ name: 'walker.png', bytes: encodePng(atlas.pixels, atlas.size) }],
+    textures: [painted('walker.png', paintWalker)],
   };
 }
