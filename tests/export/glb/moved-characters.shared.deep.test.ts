@@ -3,6 +3,10 @@ import { describeShared } from '../../helpers/shared.ts';
 import { eachWithin } from './each-within.ts';
 import { lastPart, movedCharacters } from './many-characters.ts';
 
+/** The two that take longest. */
+const LARGE = /^(dragon|nine) /;
+
 describeShared('real skeletons with random takes as GLB at unseen times', () =>
-  eachWithin(lastPart(movedCharacters((name) => /calm|wild/.test(name)))),
+  // Wild takes have smooth keys, too: calm ones show nothing else, in half the time.
+  eachWithin(lastPart(movedCharacters((name) => (LARGE.test(name) ? / calm$/ : / wild$/).test(name)))),
 );

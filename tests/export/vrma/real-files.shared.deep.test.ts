@@ -17,8 +17,8 @@ const CAPTURES = [
   'xsens-armchair',
 ];
 
-/** Seconds of a take, which three of them reach: fitting keys to more of it takes longer, and shows nothing else. */
-const MAX_SECONDS = 5;
+/** Seconds of a take, which most of them reach: fitting keys to more of it takes longer, and shows nothing else. */
+const MAX_SECONDS = 2;
 
 describeShared('real captures as VRM animations', () => {
   it.each(CAPTURES)('%s stands in a T-pose, and keeps its distances', async (name) => {
