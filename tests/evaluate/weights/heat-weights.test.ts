@@ -19,7 +19,7 @@ function expectPartition({ start, joints, weights }: Attachments, vertexCount: n
     expect(own.length).toBeLessThanOrEqual(most);
     expect(own).toEqual([...new Set(own)].sort((a, b) => a - b));
     const parts = [...weights.subarray(start[v], start[v + 1])];
-    for (const part of parts) expect(part).toBeGreaterThan(0);
+    expect(Math.min(...parts)).toBeGreaterThan(0);
     expect(Math.abs(parts.reduce((a, b) => a + b) - 1)).toBeLessThan(1e-12);
   }
 }

@@ -163,8 +163,10 @@ function expectSame(of: Character, times: readonly number[]): void {
       const steps = stepsOfJoint(pose, j);
       if (!steps) throw new Error(`No steps for joint ${j}.`);
       for (const { dof, value, given, limit } of steps.values) {
-        expect(value).toBe(dofs[dof]);
-        expect(limit ? Math.min(limit[1], Math.max(limit[0], given)) : given).toBe(value);
+        const limited = limit ? Math.min(limit[1], Math.max(limit[0], given)) : given;
+        if (!Object.is(value, dofs[dof]) || !Object.is(limited, value)) {
+          expect([value, limited], `DOF ${dof}`).toEqual([dofs[dof], value]);
+        }
       }
       expect(equal(productOfFactors(steps), local.subarray(16 * j, 16 * j + 16)), `L of joint ${j} at ${time}`).toBe(
         true,
