@@ -41,7 +41,7 @@ export function currentCharacter({ store }: Uses<'store'>): Character | undefine
 export function selectedCharacters(wb: Uses<'store'>): readonly Character[] {
   const { document, selection } = wb.store;
   const found = partsOf(selection).flatMap(({ characterId }) => findCharacter(document, characterId) ?? []);
-  const { [0]: first } = document.characters;
+  const [first] = document.characters;
   return found.length || !first ? found : [first];
 }
 
