@@ -63,7 +63,7 @@ it('every file that the attack mutates is read or refused, whole, in pieces, and
   }
 });
 
-it('the first hundreds of mutated files are read or refused', async () => {
+it('the first hundred of mutated files are read or refused', async () => {
   const inputs = new Inputs(corpus(), 169);
-  for (let index = 0; index < 200; index++) expect([index, await faultsOf(inputs.at(index))]).toEqual([index, []]);
+  for (let index = 0; index < 100; index++) expect([index, await faultsOf(inputs.at(index))]).toEqual([index, []]);
 });

@@ -60,7 +60,7 @@ describe('same height', () => {
         for (const { height } of shown(after)) expect(Math.abs(height / heights[at] - 1)).toBeLessThan(1e-9);
         expect(after.characters[at].placements[0].scale).toBe(1);
       }),
-      { numRuns: 40 },
+      { numRuns: 15 },
     );
   });
 
@@ -76,7 +76,7 @@ describe('same height', () => {
         }
         expect(sameUnit.run(after, same(document, document.characters[at].id))).toBe(after);
       }),
-      { numRuns: 40 },
+      { numRuns: 15 },
     );
   });
 
@@ -87,7 +87,7 @@ describe('same height', () => {
         const once = sameHeight.run(document, args);
         expect(sameHeight.run(once, args)).toBe(once);
       }),
-      { numRuns: 40 },
+      { numRuns: 15 },
     );
   });
 
@@ -102,7 +102,7 @@ describe('same height', () => {
           }
         });
       }),
-      { numRuns: 40 },
+      { numRuns: 15 },
     );
   });
 
@@ -114,7 +114,7 @@ describe('same height', () => {
         // A post is 0.4 of its height wide; the gap is a quarter of that.
         expect(right - left).toBeLessThan(8 * 0.51 * heights[at]);
       }),
-      { numRuns: 40 },
+      { numRuns: 15 },
     );
   });
 
@@ -125,7 +125,7 @@ describe('same height', () => {
         expect(ownHeights.run(scaled, idsOf(document))).toEqual(document);
         expect(ownHeights.run(document, idsOf(document))).toBe(document);
       }),
-      { numRuns: 40 },
+      { numRuns: 15 },
     );
   });
 

@@ -78,7 +78,7 @@ describe('any motion', () => {
           expectClose(derivative(of, values, dof), slope, 1e-7, `${of.kind} ${dofsOf(of)[dof].name}`);
         });
       }),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     );
   });
 

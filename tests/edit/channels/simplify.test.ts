@@ -40,7 +40,7 @@ describe('simplifying', () => {
           expect(sampled).toBeLessThanOrEqual(done.largestError * (1 + 1e-9) + 1e-9);
         },
       ),
-      { numRuns: 1000 },
+      { numRuns: 500 },
     );
   });
 

@@ -58,7 +58,7 @@ describe('mirroredMotion', () => {
         );
         expect(farthest(reflectedMatrix(a, across), b)).toBeLessThan(EXACT);
       }),
-      { numRuns: 400 },
+      { numRuns: 200 },
     );
   });
 
@@ -130,7 +130,7 @@ describe('rig.mirror', () => {
           expect(farthest(own, world.slice(16 * (j + 4), 16 * (j + 5)))).toBeLessThan(NEAR);
         }
       }),
-      { numRuns: 200 },
+      { numRuns: 100 },
     );
   });
 
@@ -175,7 +175,7 @@ describe('rig.mirror', () => {
         expect(mended.joints.map(({ offset }) => offset)).toEqual(both.joints.map(({ offset }) => offset));
         expect(mended.joints.length).toBe(both.joints.length);
       }),
-      { numRuns: 60 },
+      { numRuns: 30 },
     );
   });
 

@@ -121,7 +121,7 @@ describe('the axes of a joint’s DOFs', () => {
           check(axis, now, slope, motions[index].stretches ?? false);
         }
       }),
-      { numRuns: 600 },
+      { numRuns: 300 },
     );
   });
 

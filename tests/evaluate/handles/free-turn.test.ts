@@ -95,7 +95,7 @@ describe('turning freely', () => {
           expectClose(now.slice(k, k + 3), rotate(column, about, by), 1e-7, `${of.kind} column ${k / 4}`);
         }
       }),
-      { numRuns: 500 },
+      { numRuns: 200 },
     );
   });
 
@@ -113,7 +113,7 @@ describe('turning freely', () => {
           1e-6,
         );
       }),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
   });
 

@@ -142,7 +142,7 @@ describe('bounds', () => {
         const { attachments: _none, ...rigid } = model;
         expectHolds(boxes(rigid, arm, dofs, [target]));
       }),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
   });
 

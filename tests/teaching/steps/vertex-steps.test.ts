@@ -78,7 +78,7 @@ describe('the steps of random vertices', () => {
         const dofs = Float64Array.from([7, ...morphs.map(({ weight }) => weight)]);
         expectSteps(skin, targets, dofs, world && Float64Array.from(world.flat()), [0]);
       }),
-      { numRuns: 500 },
+      { numRuns: 200 },
     );
   });
 });
