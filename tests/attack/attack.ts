@@ -27,6 +27,8 @@ export interface Attempt extends Chance {
   readonly files?: readonly string[];
   /** The readers' inputs are only read, but for one in so many; absent: each is checked as a whole. */
   readonly wholeOneIn?: number;
+  /** False: pages' heaps aren't read, which takes seconds and tells nothing of a few tries. */
+  readonly readsHeap?: boolean;
   /** Whether there is time for another try. True at least once. */
   goesOn(): boolean;
   /** Counts tries: of inputs, events, kills. */

@@ -71,12 +71,14 @@ export function countResources(): void {
   }
 }
 
-/** What the page holds now. */
-export async function resourcesOf(page: Page): Promise<PageResources> {
+/** What the page holds now, after a collection of garbage. @param readsHeap false: its bytes are left at 0 */
+export async function resourcesOf(page: Page, readsHeap = true): Promise<PageResources> {
   const session = await page.context().newCDPSession(page);
   try {
     await session.send('Performance.enable');
-    const heap = heapBytesIn(await heapSnapshot(session));
+    // What is only held by something that is finalised goes with the second.
+    for (let i = 0; i < 2; i++) await session.send('HeapProfiler.collectGarbage');
+    const heap = readsHeap ? heapBytesIn(await heapSnapshot(session)) : { heapBytes: 0, codeBytes: 0 };
     const { metrics } = await session.send('Performance.getMetrics');
     const metric = (name: string) => metrics.find((m) => m.name === name)?.value ?? Number.NaN;
     const own = await page.evaluate(() => {
@@ -89,12 +91,9 @@ export async function resourcesOf(page: Page): Promise<PageResources> {
   }
 }
 
-/** After a collection of garbage. */
 async function heapSnapshot(session: CDPSession): Promise<string> {
   const pieces: string[] = [];
   session.on('HeapProfiler.addHeapSnapshotChunk', ({ chunk }) => void pieces.push(chunk));
-  // What is only held by something that is finalised goes with the second.
-  for (let i = 0; i < 2; i++) await session.send('HeapProfiler.collectGarbage');
   await session.send('HeapProfiler.takeHeapSnapshot', { reportProgress: false });
   return pieces.join('');
 }

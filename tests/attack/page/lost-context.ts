@@ -52,7 +52,7 @@ export const lostContext: Attack = {
         const first = await look();
         await loseContext(page);
         await restoreContext(page);
-        const before = await resourcesOf(page);
+        const before = await resourcesOf(page, attempt.readsHeap);
         let losses = 0;
         for (; attempt.goesOn(); losses++) {
           const state = STATES[losses % STATES.length];
@@ -62,7 +62,7 @@ export const lostContext: Attack = {
           const differing = first.data.reduce((sum, value, i) => sum + (Math.abs(value - now.data[i]) > 2 ? 1 : 0), 0);
           if (differing > 0) attempt.gaveWay(`${differing} values differ after a loss while ${state}`);
         }
-        const after = await resourcesOf(page);
+        const after = await resourcesOf(page, attempt.readsHeap);
         attempt.note(changeText(before, after));
         const perLoss = losses < MIN_LOSSES ? [] : grownPast(MAX_PER_LOSS, before, after, losses);
         for (const what of [...perLoss, ...grownPast(MAX_LEFT, before, after)]) attempt.gaveWay(what);
