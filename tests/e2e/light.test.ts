@@ -1,8 +1,8 @@
 /** Light on characters, measured in pictures of them alone: faces are lit, and nothing of boxes and skins is near black. */
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
-import { dropPaths, withPage } from '../helpers/page.ts';
+import { dropPaths } from '../helpers/page.ts';
 import { describeShared, sharedPath } from '../helpers/shared.ts';
 
 /** Of the page, whose picture is larger. */
@@ -25,8 +25,8 @@ const lightNow = (page: Page): Promise<Light> =>
     async ([head, black]) => {
       window.fillPixels(true);
       const blob = await window.marrow.picture({
-        width: 600,
-        height: 600,
+        width: 300,
+        height: 300,
         hasGrid: false,
         hasBackground: false,
         hasTools: false,
@@ -60,32 +60,29 @@ const lightNow = (page: Page): Promise<Light> =>
     [HEAD, NEAR_BLACK] as const,
   );
 
-it.each(['dark', 'light'] as const)(
-  'the walker’s face is lit at every time of its walk, in the %s theme',
-  (colorScheme) =>
-    withPage(
-      async ({ page }) => {
-        await page.waitForFunction(() => window.marrow?.characters()[0]?.dofs.length === 93);
-        const found: Light[] = [];
-        for (let i = 0; i < 10; i++) {
-          await page.evaluate((time) => window.marrow.seek(time), 0.64 * i);
-          found.push(await lightNow(page));
-        }
-        expect(Math.min(...found.map(({ upper }) => upper))).toBeGreaterThanOrEqual(0.25);
-        expect(Math.max(...found.map(({ nearBlack }) => nearBlack))).toBeLessThanOrEqual(0.02);
-      },
-      { colorScheme, walking: true, firstVisit: true, drawn: 'later', size: SMALL },
-    ),
-);
+const inPage = inOnePage({ walking: true, firstVisit: true, drawn: 'later', size: SMALL });
+
+for (const colorScheme of ['dark', 'light'] as const)
+  inPage(`the walker’s face is lit at every time of its walk, in the ${colorScheme} theme`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await page.waitForFunction(() => window.marrow?.characters()[0]?.dofs.length === 93);
+    const found: Light[] = [];
+    for (let i = 0; i < 10; i++) {
+      await page.evaluate((time) => window.marrow.seek(time), 0.64 * i);
+      found.push(await lightNow(page));
+    }
+    expect(Math.min(...found.map(({ upper }) => upper))).toBeGreaterThanOrEqual(0.25);
+    expect(Math.max(...found.map(({ nearBlack }) => nearBlack))).toBeLessThanOrEqual(0.018);
+  });
 
 describeShared('characters of the course', () => {
   for (const [colorScheme, all] of [
     ['dark', ['dragon.skel', 'test.skel', 'wasp.skel,wasp.skin', 'tube.skel,tube.skin']],
     ['light', ['dragon.skel', 'wasp.skel,wasp.skin']],
   ] as const) {
-    const inPage = inOnePage({ colorScheme, drawn: 'later', size: SMALL });
     for (const names of all) {
       inPage(`nothing of ${names} is near black, in the ${colorScheme} theme`, async ({ page }) => {
+        await page.emulateMedia({ colorScheme });
         await undoAll(page);
         const paths = names.split(',').map((name) => sharedPath(`data/cse169/${name}`));
         await dropPaths(page, paths, SMALL.width / 2, SMALL.height / 2);
