@@ -14,6 +14,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
 import { expect } from 'vitest';
+import type { GivenBlob } from '../../src/worker/protocol.ts';
 import { launchChromium } from './chromium.ts';
 import type { Firefox } from './firefox.ts';
 import { type ExtraFiles, type StaticServer, serveFolder } from './server.ts';
@@ -356,6 +357,23 @@ export async function dropFiles(page: Page, files: readonly DroppedFile[], targe
   for (const type of ['dragenter', 'dragover', 'drop']) {
     await page.dispatchEvent(target, type, { dataTransfer: transfer });
   }
+}
+
+/** Opens files as scripts do. They have replaced an untouched example, or are beside what is there. */
+export async function openFiles(page: Page, files: readonly GivenBlob[]): Promise<void> {
+  const given = await Promise.all(
+    files.map(async ({ path, blob }) => ({
+      path,
+      base64: Buffer.from(await blob.arrayBuffer()).toString('base64'),
+    })),
+  );
+  await page.evaluate(async (all) => {
+    const decoded = all.map(({ path, base64 }) => ({
+      name: path,
+      content: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)),
+    }));
+    if (decoded.length > 0) await window.marrow.open(decoded);
+  }, given);
 }
 
 /**
