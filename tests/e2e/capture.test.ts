@@ -3,6 +3,7 @@ import { readdirSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { testAll } from '../helpers/check.ts';
 import { expectClose } from '../helpers/close.ts';
+import { inOnePage, startOver } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { conformance, describeShared, sharedBytes, sharedPath } from '../helpers/shared.ts';
 import { CAPTURE, TAKE } from './checks/capture.ts';
@@ -61,11 +62,15 @@ function expectAtFrame(figures: readonly Shown[], reference: Reference, frame: s
   );
 }
 
+const inPage = inOnePage();
+
 describeShared('all takes of the field at once', () => {
   const files = () => readdirSync(sharedPath('data/bvh')).filter((name) => name.endsWith('.bvh'));
 
-  it('stand where the reference says, joint for joint and End Site for End Site, at every frame it has', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'stand where the reference says, joint for joint and End Site for End Site, at every frame it has',
+    async ({ page }) => {
+      await startOver(page);
       const reference = conformance<{ files: Record<string, Reference> }>('bvh-positions.json').files;
       const names = files();
       await dropFiles(
@@ -75,26 +80,30 @@ describeShared('all takes of the field at once', () => {
       await page.waitForFunction((count) => window.marrow.characters().length >= count, names.length);
       const times = [...framesByTime(reference)];
       // Values are right at once, and drawing follows: once, behind the last time.
-      const shown = await page.evaluate(
+      const text = await page.evaluate(
         (asked) =>
-          asked.map(([seconds, stems]) => {
-            window.marrow.seek(seconds);
-            const all = window.marrow.characters();
-            // Several roots are several characters, named after the file and their root.
-            return stems.map((stem) =>
-              all
-                .filter(({ name }) => name === stem || name.startsWith(`${stem} `))
-                .map(({ id, joints }) => {
-                  const world = window.marrow.worldMatrices({ id });
-                  return {
-                    joints: joints.map((joint, j) => ({ name: joint.name, position: world[j].slice(12, 15) })),
-                    endSites: window.marrow.endSites({ id }).map(({ position }) => position),
-                  };
-                }),
-            );
-          }),
+          JSON.stringify(
+            asked.map(([seconds, stems]) => {
+              window.marrow.seek(seconds);
+              const all = window.marrow.characters();
+              // Several roots are several characters, named after the file and their root.
+              return stems.map((stem) =>
+                all
+                  .filter(({ name }) => name === stem || name.startsWith(`${stem} `))
+                  .map(({ id, joints }) => {
+                    const world = window.marrow.worldMatrices({ id });
+                    return {
+                      joints: joints.map((joint, j) => ({ name: joint.name, position: world[j].slice(12, 15) })),
+                      endSites: window.marrow.endSites({ id }).map(({ position }) => position),
+                    };
+                  }),
+              );
+            }),
+          ),
         times.map(([seconds, wanted]) => [seconds, wanted.map(({ file }) => file.replace(/\.bvh$/, ''))] as const),
       );
+      // As text: so many numbers one by one take as long as all that is done to them.
+      const shown: readonly (readonly (readonly Shown[])[])[] = JSON.parse(text);
       for (const [t, [, wanted]] of times.entries()) {
         for (const [i, { file, frame }] of wanted.entries()) {
           expectAtFrame(shown[t][i], reference[file], frame, `${file}, frame ${frame}`);
@@ -102,10 +111,11 @@ describeShared('all takes of the field at once', () => {
       }
       // Any number of them costs the same few draw calls: joints, bones, ground, axes and the selection.
       await expect.poll(async () => (await page.evaluate(() => window.marrow.stats())).drawCalls).toBeLessThan(16);
-    }));
+    },
+  );
 });
 
-testAll(CAPTURE);
+testAll(CAPTURE, inPage);
 
 it('plays one take after the other by key, and compares two by the distance of their joints', () =>
   withPage(async ({ page }) => {

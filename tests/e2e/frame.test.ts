@@ -1,7 +1,7 @@
 /** The page's frame is visible before any script, in the system's theme, and doesn't shift when the script runs. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { withPage } from '../helpers/page.ts';
+import { type OpenPage, withPage } from '../helpers/page.ts';
 
 const PARTS = [
   '.menu-bar',
@@ -27,9 +27,9 @@ const boxes = (page: Page) =>
   );
 
 /** The addresses don't change, so that a page loaded without its script can then load it. */
-async function withoutScript(page: Page, look: () => Promise<void>): Promise<void> {
+async function withoutScript({ page, url }: OpenPage, look: () => Promise<void>): Promise<void> {
   await page.route('**/*.js', (route) => route.abort());
-  await page.reload();
+  await page.goto(url);
   await look();
   await page.unroute('**/*.js');
 }
@@ -40,9 +40,10 @@ describe('the frame of the page', () => {
     { width: 1024, height: 700 },
   ])('keeps its place when the script comes, at $width × $height', (size) =>
     withPage(
-      async ({ page }) => {
+      async (open) => {
+        const { page } = open;
         const before: string[] = [];
-        await withoutScript(page, async () => void before.push(...(await boxes(page))));
+        await withoutScript(open, async () => void before.push(...(await boxes(page))));
         await page.reload();
         await page.waitForFunction(() => window.marrow?.characters().length > 0);
         await page.locator('.inspector .lil-gui').first().waitFor();
@@ -61,7 +62,7 @@ describe('the frame of the page', () => {
         );
         expect(shift).toBeLessThan(MAX_SHIFT);
       },
-      { size, early: true, expected: /\.js/, walking: true, firstVisit: true },
+      { size, blank: true, expected: /\.js/, walking: true, firstVisit: true },
     ),
   );
 
@@ -95,14 +96,14 @@ describe('the frame of the page', () => {
     ['dark', 'rgb(33, 36, 39)'],
   ] as const)('is %s without any script where the system is', (colorScheme, surface) =>
     withPage(
-      async ({ page }) => {
-        await withoutScript(page, async () => {
-          const bar = page.locator('.menu-bar');
+      async (open) => {
+        await withoutScript(open, async () => {
+          const bar = open.page.locator('.menu-bar');
           await expect.poll(() => bar.evaluate((element) => getComputedStyle(element).backgroundColor)).toBe(surface);
-          await expect.poll(() => page.getByText('Marrow').first().isVisible()).toBe(true);
+          await expect.poll(() => open.page.getByText('Marrow').first().isVisible()).toBe(true);
         });
       },
-      { colorScheme, early: true, expected: /\.js/ },
+      { colorScheme, blank: true, expected: /\.js/ },
     ),
   );
 });

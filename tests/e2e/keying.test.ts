@@ -11,7 +11,7 @@ import { afterAll, expect, it } from 'vitest';
 import { HANDLE_PIXELS } from '../../src/ui/editors/curves/scene/handles.ts';
 import { expectClose } from '../helpers/close.ts';
 import { commandJson, type PoseJson } from '../helpers/command.ts';
-import { inOnePage, undoAll } from '../helpers/one-page.ts';
+import { inOnePage, startOver, undoAll } from '../helpers/one-page.ts';
 import { type DroppedFile, dropFiles, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
@@ -74,141 +74,149 @@ async function pressAll(page: Page, shortcut: string, way: 'undo' | 'redo'): Pro
   }
 }
 
-async function makeTake({ files, joint, channel }: Subject): Promise<void> {
-  await withPage(async ({ page }) => {
-    await dropFiles(page, files);
-    const name = files[0].name.replace(/\.skel$/, '');
-    await page.waitForFunction((n) => window.marrow.characters()[0]?.name === n, name);
-    await page
-      .getByRole('treeitem', { name: new RegExp(`^${joint}`) })
-      .first()
-      .click();
+async function makeTake(page: Page, { files, joint, channel }: Subject): Promise<void> {
+  await startOver(page);
+  await dropFiles(page, files);
+  const name = files[0].name.replace(/\.skel$/, '');
+  await page.waitForFunction((n) => window.marrow.characters()[0]?.name === n, name);
+  await page
+    .getByRole('treeitem', { name: new RegExp(`^${joint}`) })
+    .first()
+    .click();
 
-    await keyPoseAt(page, 0, 10);
-    await keyPoseAt(page, 1, 50);
-    await expect.poll(async () => (await keys(page, channel)).map((k) => k.time)).toEqual([0, 1]);
-    const keyed = await keys(page, channel);
-    expect(keyed[1].value).toBeCloseTo((50 * Math.PI) / 180, 9);
+  await keyPoseAt(page, 0, 10);
+  await keyPoseAt(page, 1, 50);
+  await expect.poll(async () => (await keys(page, channel)).map((k) => k.time)).toEqual([0, 1]);
+  const keyed = await keys(page, channel);
+  expect(keyed[1].value).toBeCloseTo((50 * Math.PI) / 180, 9);
 
-    // Drags a key upwards; the character follows during the drag.
-    await page.locator('.curve-plot').focus();
-    await page.keyboard.press('a');
-    await page.evaluate(() => new Promise(requestAnimationFrame));
-    const key = await place(page, channel, 1, keyed[1].value);
-    await drag(page, key, { x: key.x, y: key.y - 30 });
-    const dragged = await keys(page, channel);
-    expect(dragged[1].time).toBe(1);
-    expect(dragged[1].value).toBeGreaterThan(keyed[1].value + 0.01);
-    await expect.poll(() => dof(page, channel)).toBeCloseTo(dragged[1].value, 9);
+  // Drags a key upwards; the character follows during the drag.
+  await page.locator('.curve-plot').focus();
+  await page.keyboard.press('a');
+  await page.evaluate(() => new Promise(requestAnimationFrame));
+  const key = await place(page, channel, 1, keyed[1].value);
+  await drag(page, key, { x: key.x, y: key.y - 30 });
+  const dragged = await keys(page, channel);
+  expect(dragged[1].time).toBe(1);
+  expect(dragged[1].value).toBeGreaterThan(keyed[1].value + 0.01);
+  await expect.poll(() => dof(page, channel)).toBeCloseTo(dragged[1].value, 9);
 
-    // Its left handle is dragged down alone: the tangent breaks.
-    const at = await place(page, channel, 1, dragged[1].value);
-    const slope = await place(page, channel, 0.9, dragged[1].value - 0.1 * dragged[1].slopeIn);
-    const length = Math.hypot(slope.x - at.x, slope.y - at.y);
-    const handle = {
-      x: at.x + ((slope.x - at.x) / length) * HANDLE_PIXELS,
-      y: at.y + ((slope.y - at.y) / length) * HANDLE_PIXELS,
-    };
-    await drag(page, handle, { x: handle.x, y: at.y + 30 }, 'Alt');
-    const broken = await keys(page, channel);
-    expect(broken[1].slopeIn).not.toBeCloseTo(dragged[1].slopeIn, 3);
-    expect(broken[1].slopeOut).toBeCloseTo(dragged[1].slopeOut, 12);
+  // Its left handle is dragged down alone: the tangent breaks.
+  const at = await place(page, channel, 1, dragged[1].value);
+  const slope = await place(page, channel, 0.9, dragged[1].value - 0.1 * dragged[1].slopeIn);
+  const length = Math.hypot(slope.x - at.x, slope.y - at.y);
+  const handle = {
+    x: at.x + ((slope.x - at.x) / length) * HANDLE_PIXELS,
+    y: at.y + ((slope.y - at.y) / length) * HANDLE_PIXELS,
+  };
+  await drag(page, handle, { x: handle.x, y: at.y + 30 }, 'Alt');
+  const broken = await keys(page, channel);
+  expect(broken[1].slopeIn).not.toBeCloseTo(dragged[1].slopeIn, 3);
+  expect(broken[1].slopeOut).toBeCloseTo(dragged[1].slopeOut, 12);
 
-    // Its kinds are seen on the buttons, in the menu, and by scripts.
-    expect(broken[1]).toMatchObject({ tangentIn: 'fixed', tangentOut: 'smooth' });
-    await expect.poll(() => page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
-    const pressed = () =>
-      page.locator('.tangent-tools [aria-pressed]').evaluateAll((all) => all.map((one) => one.ariaPressed));
-    await expect.poll(pressed).toEqual(['false', 'false', 'mixed', 'mixed', 'false', 'false']);
-    await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
-    await page.getByRole('menuitem', { name: 'Tangents', exact: true }).hover();
-    for (const [name, checked] of [
-      ['Smooth', 'mixed'],
-      ['Fixed slope, before the key', 'true'],
-      ['Smooth, before the key', 'false'],
-    ]) {
-      const item = page.getByRole('menuitemcheckbox', { name, exact: true });
-      await expect.poll(() => item.getAttribute('aria-checked'), { message: name }).toBe(checked);
-    }
-    await page.getByRole('menuitemcheckbox', { name: 'Smooth', exact: true }).click();
-    await expect.poll(pressed).toEqual(['false', 'false', 'true', 'false', 'false', 'false']);
+  // Its kinds are seen on the buttons, in the menu, and by scripts.
+  expect(broken[1]).toMatchObject({ tangentIn: 'fixed', tangentOut: 'smooth' });
+  await expect.poll(() => page.evaluate(() => window.marrow.keys())).toEqual([broken[1]]);
+  const pressed = () =>
+    page.locator('.tangent-tools [aria-pressed]').evaluateAll((all) => all.map((one) => one.ariaPressed));
+  await expect.poll(pressed).toEqual(['false', 'false', 'mixed', 'mixed', 'false', 'false']);
+  await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Tangents', exact: true }).hover();
+  for (const [name, checked] of [
+    ['Smooth', 'mixed'],
+    ['Fixed slope, before the key', 'true'],
+    ['Smooth, before the key', 'false'],
+  ]) {
+    const item = page.getByRole('menuitemcheckbox', { name, exact: true });
+    await expect.poll(() => item.getAttribute('aria-checked'), { message: name }).toBe(checked);
+  }
+  await page.getByRole('menuitemcheckbox', { name: 'Smooth', exact: true }).click();
+  await expect.poll(pressed).toEqual(['false', 'false', 'true', 'false', 'false', 'false']);
 
-    // Extrapolation from the menu, for all keys.
-    await page.locator('.curve-plot').focus();
-    await page.keyboard.press('Control+a');
-    await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
-    await page.getByRole('menuitem', { name: 'Extrapolation' }).hover();
-    await page.getByRole('menuitemradio', { name: 'Cycle with offset', exact: true }).click();
-    const made = await animText(page);
-    expect(made).toContain('extrapolate cycle_offset cycle_offset');
-    const skeleton = await skelText(page);
+  // Extrapolation from the menu, for all keys.
+  await page.locator('.curve-plot').focus();
+  await page.keyboard.press('Control+a');
+  await page.getByRole('menuitem', { name: 'Keys', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Extrapolation' }).hover();
+  await page.getByRole('menuitemradio', { name: 'Cycle with offset', exact: true }).click();
+  const made = await animText(page);
+  expect(made).toContain('extrapolate cycle_offset cycle_offset');
+  const skeleton = await skelText(page);
 
-    // Undoes everything, back to a character without a take, and redoes it.
-    const steps = await pressAll(page, 'Control+z', 'undo');
-    expect(steps).toBeGreaterThanOrEqual(7);
-    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0]?.name)).not.toBe(name);
-    const redone = await pressAll(page, 'Control+Shift+z', 'redo');
-    expect(redone).toBe(steps);
-    await expect.poll(() => animText(page)).toBe(made);
-    await expect.poll(() => skelText(page)).toBe(skeleton);
+  // Undoes everything, back to a character without a take, and redoes it.
+  const steps = await pressAll(page, 'Control+z', 'undo');
+  expect(steps).toBeGreaterThanOrEqual(7);
+  await expect.poll(() => page.evaluate(() => window.marrow.characters()[0]?.name)).not.toBe(name);
+  const redone = await pressAll(page, 'Control+Shift+z', 'redo');
+  expect(redone).toBe(steps);
+  await expect.poll(() => animText(page)).toBe(made);
+  await expect.poll(() => skelText(page)).toBe(skeleton);
 
-    // Saved by Ctrl+S and played by the command: the same numbers as in the page.
-    await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
-    const download = page.waitForEvent('download');
-    await page.locator('.viewport canvas[role=application]').focus();
-    await page.keyboard.press('Control+s');
-    const saved = await download;
-    expect(saved.suggestedFilename()).toMatch(/\.anim$/);
-    const path = join(folder, saved.suggestedFilename());
-    await saved.saveAs(path);
-    expect(readFileSync(path, 'utf8')).toBe(made);
-    for (const { name, bytes } of files) writeFileSync(join(folder, name), bytes);
-    const [skel] = files;
-    for (const time of [0, 0.37, 1, 2.5, -0.8]) {
-      const shown = await page.evaluate((t) => {
-        window.marrow.seek(t);
-        return { dofs: window.marrow.characters()[0].dofs, world: window.marrow.worldMatrices() };
-      }, time);
-      const args = ['pose', join(folder, skel.name), path, '--time', String(time)];
-      const pose = await commandJson<PoseJson>(args);
-      const { root, joints } = pose.characters[0];
-      expectClose([...root, ...joints.flatMap((j) => j.dofs)], shown.dofs, 1e-9);
-      expectClose(
-        joints.flatMap((j) => j.world),
-        shown.world.flat(),
-        1e-9,
-      );
-    }
-  });
+  // Saved by Ctrl+S and played by the command: the same numbers as in the page.
+  await page.evaluate(() => Object.assign(window, { showSaveFilePicker: undefined }));
+  const download = page.waitForEvent('download');
+  await page.locator('.viewport canvas[role=application]').focus();
+  await page.keyboard.press('Control+s');
+  const saved = await download;
+  expect(saved.suggestedFilename()).toMatch(/\.anim$/);
+  const path = join(folder, saved.suggestedFilename());
+  await saved.saveAs(path);
+  expect(readFileSync(path, 'utf8')).toBe(made);
+  for (const { name, bytes } of files) writeFileSync(join(folder, name), bytes);
+  const [skel] = files;
+  for (const time of [0, 0.37, 1, 2.5, -0.8]) {
+    const shown = await page.evaluate((t) => {
+      window.marrow.seek(t);
+      return { dofs: window.marrow.characters()[0].dofs, world: window.marrow.worldMatrices() };
+    }, time);
+    const args = ['pose', join(folder, skel.name), path, '--time', String(time)];
+    const pose = await commandJson<PoseJson>(args);
+    const { root, joints } = pose.characters[0];
+    expectClose([...root, ...joints.flatMap((j) => j.dofs)], shown.dofs, 1e-9);
+    expectClose(
+      joints.flatMap((j) => j.world),
+      shown.world.flat(),
+      1e-9,
+    );
+  }
 }
 
-it('makes a take for a sample that has none', () =>
-  makeTake({
+const inStill = inOnePage();
+
+inStill('makes a take for a sample that has none', ({ page }) =>
+  makeTake(page, {
     files: ['crawler.skel', 'crawler.skin'].map((name) => ({ name, bytes: readFileSync(join(SAMPLES, name)) })),
     joint: 'body',
     channel: 6,
-  }));
+  }),
+);
 
 describeShared('the wasp', () => {
-  it('the wasp is animated from nothing', () =>
-    makeTake({
+  inStill('the wasp is animated from nothing', ({ page }) =>
+    makeTake(page, {
       files: ['wasp.skel', 'wasp.skin'].map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
       joint: 'head',
       channel: 6,
-    }));
+    }),
+  );
 });
 
 /** The walker's left upper arm, by number of its DOFs. */
 const ARM = { joint: 'upper_arm_l', rx: 36, rz: 38 } as const;
-const worldsAt = (page: Page, times: readonly number[]) =>
-  page.evaluate(
+/** As text from the page: so many numbers one by one take as long as all that is done to them. */
+async function worldsAt(page: Page, times: readonly number[]): Promise<{ dofs: number[]; world: number[] }[]> {
+  const text = await page.evaluate(
     (all) =>
-      all.map((time) => {
-        window.marrow.seek(time);
-        return { dofs: window.marrow.characters()[0].dofs, world: window.marrow.worldMatrices().flat() };
-      }),
+      JSON.stringify(
+        all.map((time) => {
+          window.marrow.seek(time);
+          return { dofs: window.marrow.characters()[0].dofs, world: window.marrow.worldMatrices().flat() };
+        }),
+      ),
     times,
   );
+  return JSON.parse(text);
+}
 
 async function openWalker(page: Page): Promise<void> {
   await page.waitForFunction(() => window.marrow.characters()[0]?.dofs.length === 93);

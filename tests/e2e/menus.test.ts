@@ -1,8 +1,8 @@
 /** The display bar, and the one kind of menu that it, the menu bar and selects open. Real mouse and keyboard. */
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import { inOnePage } from '../helpers/one-page.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { dropFiles } from '../helpers/page.ts';
 
 const TRIANGLE = `positions 3 { 0 0 0  1 0 0  0 1 0 }
 normals 3 { 0 0 1  0 0 1  0 0 1 }
@@ -13,42 +13,42 @@ bindings 1 { matrix { 1 0 0  0 1 0  0 0 1  0 0 0 } }
 
 const menuLabels = (page: Page) => page.locator('.menu .menu-label').allTextContents();
 
-it('the display bar has the styles that exist, all switches in one menu, and the camera in another', () =>
-  withPage(
-    async ({ page }) => {
-      const bar = page.getByRole('toolbar', { name: 'Display' });
-      await bar.getByRole('button', { name: 'Skin: Textured' }).click();
-      await expect.poll(() => menuLabels(page)).toContain('Textured');
-      await page.keyboard.press('Escape');
-      // No button of the bar is an icon alone.
-      const texts = () => bar.getByRole('button').allInnerTexts();
-      await expect.poll(texts).toEqual(['Textured', 'Show', 'Camera']);
+const inPage = inOnePage({ walking: true });
 
-      await bar.getByRole('button', { name: 'Show', exact: true }).click();
-      await page.getByRole('menuitemcheckbox', { name: 'Grid' }).click();
-      await bar.getByRole('button', { name: 'Show', exact: true }).click();
-      const grid = page.getByRole('menuitemcheckbox', { name: 'Grid' });
-      await expect.poll(() => grid.getAttribute('aria-checked')).toBe('false');
-      await expect.poll(() => grid.locator('kbd').textContent()).toBe('G');
-      await page.keyboard.press('Escape');
+inPage(
+  'the display bar has the styles that exist, all switches in one menu, and the camera in another',
+  async ({ page }) => {
+    const bar = page.getByRole('toolbar', { name: 'Display' });
+    await bar.getByRole('button', { name: 'Skin: Textured' }).click();
+    await expect.poll(() => menuLabels(page)).toContain('Textured');
+    await page.keyboard.press('Escape');
+    // No button of the bar is an icon alone.
+    const texts = () => bar.getByRole('button').allInnerTexts();
+    await expect.poll(texts).toEqual(['Textured', 'Show', 'Camera']);
 
-      await bar.getByRole('button', { name: 'Camera' }).click();
-      const camera = await menuLabels(page);
-      expect(camera).toEqual(
-        expect.arrayContaining(['Frame selection', 'Front', 'Orthographic', 'Follow root', 'In place']),
-      );
-      await page.keyboard.press('Escape');
-    },
-    { walking: true },
-  ));
+    await bar.getByRole('button', { name: 'Show', exact: true }).click();
+    await page.getByRole('menuitemcheckbox', { name: 'Grid' }).click();
+    await bar.getByRole('button', { name: 'Show', exact: true }).click();
+    const grid = page.getByRole('menuitemcheckbox', { name: 'Grid' });
+    await expect.poll(() => grid.getAttribute('aria-checked')).toBe('false');
+    await expect.poll(() => grid.locator('kbd').textContent()).toBe('G');
+    await page.keyboard.press('Escape');
 
-const inPage = inOnePage();
+    await bar.getByRole('button', { name: 'Camera' }).click();
+    const camera = await menuLabels(page);
+    expect(camera).toEqual(
+      expect.arrayContaining(['Frame selection', 'Front', 'Orthographic', 'Follow root', 'In place']),
+    );
+    await page.keyboard.press('Escape');
+  },
+);
 
 inPage(
   'a skin without a texture is solid, a skeleton alone has boxes, and nothing at all has no styles',
   async ({ page }) => {
     const bar = page.getByRole('toolbar', { name: 'Display' });
     const texts = () => bar.getByRole('button').filter({ visible: true }).allInnerTexts();
+    await dropFiles(page, [{ name: 'bare.skel', bytes: 'balljoint root { boxmin 0 0 0 boxmax 1 1 1 }' }]);
     await expect.poll(texts).toEqual(['Boxes', 'Show', 'Camera']);
     await dropFiles(page, [
       { name: 'bare.skel', bytes: 'balljoint root { }' },

@@ -46,13 +46,13 @@ describe('the page', () => {
 
   it('shows its character before menus and panels have come, and does then what was pressed meanwhile', () =>
     withPage(
-      async ({ page }) => {
+      async ({ page, url }) => {
         let send: (() => void) | undefined;
         const asked = page.waitForRequest('**/rest-*.js');
         await page.route('**/rest-*.js', (route) => {
           send = () => void route.continue();
         });
-        await page.reload();
+        await page.goto(url);
         await asked;
         await shown(page, 'walker');
         await expect.poll(() => page.evaluate(() => window.marrow.stats().triangles)).toBeGreaterThan(1000);
@@ -69,18 +69,18 @@ describe('the page', () => {
         await page.getByRole('menu', { name: 'View' }).waitFor();
         await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
       },
-      { early: true, walking: true, fullMotion: true },
+      { blank: true, walking: true, fullMotion: true },
     ));
 
   it('the page keeps Ctrl+S from the browser, and selects the joint that was tapped, before menus and panels have come', () =>
     withPage(
-      async ({ page }) => {
+      async ({ page, url }) => {
         let send: (() => void) | undefined;
         const asked = page.waitForRequest('**/rest-*.js');
         await page.route('**/rest-*.js', (route) => {
           send = () => void route.continue();
         });
-        await page.reload();
+        await page.goto(url);
         await asked;
         await shown(page, 'post');
         // The handle comes once the page listens: a key takes another way to the page than scripts, and may overtake
@@ -99,28 +99,28 @@ describe('the page', () => {
         await page.locator('[role=treeitem][aria-selected=true]').filter({ hasText: 'post' }).waitFor();
         await expect.poll(() => page.getByText('Something went wrong').count()).toBe(0);
       },
-      { early: true, touch: true },
+      { blank: true, touch: true },
     ));
 
   it('says so where menus and panels do not come', () =>
     withPage(
-      async ({ page }) => {
+      async ({ page, url }) => {
         await page.route('**/rest-*.js', (route) => route.abort('connectionrefused'));
-        await page.reload();
+        await page.goto(url);
         await page.getByText('Menus and panels could not be loaded').waitFor();
       },
-      { early: true, expected: /rest-/ },
+      { blank: true, expected: /rest-/ },
     ));
 
   it('keys pressed while the search loads go into its field, and none to a panel', () =>
     withPage(
-      async ({ page }) => {
+      async ({ page, url }) => {
         let send: (() => void) | undefined;
         const asked = page.waitForRequest('**/command-search-*.js');
         await page.route('**/command-search-*.js', (route) => {
           send = () => void route.continue();
         });
-        await page.reload();
+        await page.goto(url);
         await asked;
         await shown(page, 'post');
         const tree = page.getByRole('tree').first();
@@ -138,7 +138,7 @@ describe('the page', () => {
         await page.getByRole('dialog').waitFor({ state: 'detached' });
         await expect.poll(() => tree.evaluate((one) => one.contains(document.activeElement))).toBe(true);
       },
-      { colorScheme: 'light' },
+      { blank: true },
     ));
 
   it('makes the test kit when it is asked for', () =>

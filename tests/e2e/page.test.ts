@@ -107,7 +107,7 @@ describe('by hand', () => {
     },
   );
 
-  testAll(BY_HAND);
+  testAll(BY_HAND, inPage);
 });
 
 /** CSS pixels from the last tool of a tab to the right edge of the page; undefined until they are shown. */

@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { c3dOf, type PointFrame } from '../helpers/c3d.ts';
+import { inOnePage, startOver } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { kept, restore, SMALL } from './checks/autosave.ts';
 
@@ -18,8 +19,12 @@ const placeOf = (page: Page, seconds: number) =>
     return window.marrow.worldMatrices()[0].slice(12, 15);
   }, seconds);
 
-it('points are listed with their positions, hidden where they are missing, cropped, and saved as .trc', () =>
-  withPage(async ({ page, download }) => {
+const inPage = inOnePage();
+
+inPage(
+  'points are listed with their positions, hidden where they are missing, cropped, and saved as .trc',
+  async ({ page, download }) => {
+    await startOver(page);
     await dropFiles(page, [{ name: 'walk.c3d', bytes: WALK }]);
     await expect.poll(() => namesIn(page)).toEqual(['walk']);
     await expect.poll(() => placeOf(page, 0.1)).toEqual([110, 1000, 3]);
@@ -54,7 +59,8 @@ it('points are listed with their positions, hidden where they are missing, cropp
       }
     });
     expect(refused).toContain('not available');
-  }));
+  },
+);
 
 it('points that were cropped come back after a reload', () =>
   withPage(async ({ page }) => {
@@ -68,10 +74,10 @@ it('points that were cropped come back after a reload', () =>
     await expect.poll(() => placeOf(page, 0)).toEqual([104, 1000, 3]);
   }, SMALL));
 
-it('a table of points is a take, and another one is compared', () =>
-  withPage(async ({ page }) => {
-    await dropFiles(page, [{ name: 'rows.csv', bytes: 'time,a.x,a.y,a.z\n0,1,2,3\n0.5,2,2,3\n' }]);
-    await expect.poll(() => namesIn(page)).toEqual(['rows']);
-    await dropFiles(page, [{ name: 'numbers.csv', bytes: '1,2,3\n' }]);
-    await expect.poll(() => page.locator('.compare').count()).toBeGreaterThan(0);
-  }));
+inPage('a table of points is a take, and another one is compared', async ({ page }) => {
+  await startOver(page);
+  await dropFiles(page, [{ name: 'rows.csv', bytes: 'time,a.x,a.y,a.z\n0,1,2,3\n0.5,2,2,3\n' }]);
+  await expect.poll(() => namesIn(page)).toEqual(['rows']);
+  await dropFiles(page, [{ name: 'numbers.csv', bytes: '1,2,3\n' }]);
+  await expect.poll(() => page.locator('.compare').count()).toBeGreaterThan(0);
+});

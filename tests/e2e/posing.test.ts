@@ -166,7 +166,7 @@ inPage('goes past a limit while the character’s switch is off', async ({ page 
   await expect.poll(async () => Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
 });
 
-testAll(POSING);
+testAll(POSING, inPage);
 
 inPage('leaves what it has no use for to the camera', async ({ page }) => {
   await openArm(page);

@@ -1,15 +1,13 @@
 /** Retargeting to the walker on the built page: by menu and keyboard, played, baked, saved, undone, redone. */
-import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import { expectClose } from '../helpers/close.ts';
-import { dropFiles, type OpenPage, withPage } from '../helpers/page.ts';
-
-const MARROW = fileURLToPath(new URL('../../build/marrow.js', import.meta.url));
+import { commandJson, type PoseJson } from '../helpers/command.ts';
+import { inOnePage, startOver } from '../helpers/one-page.ts';
+import { dropFiles } from '../helpers/page.ts';
 
 interface Part {
   readonly name: string;
@@ -132,195 +130,186 @@ const matrices = (page: Page, seconds: number) =>
     return window.marrow.worldMatrices('walker');
   }, seconds);
 
-/** The page as it opens, with its walker. */
-const withWalker = (body: (open: OpenPage) => Promise<void>) => withPage(body, { walking: true });
+const inPage = inOnePage({ walking: true });
 
 const takes = (page: Page) => page.evaluate(() => window.marrow.characters().find((c) => c.name === 'walker')?.takes);
 
-it('moves the walker as the take moves, is changed by keyboard, baked, saved and undone', () =>
-  withWalker(async ({ page }) => {
-    await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'walker'));
-    await page.evaluate(() => window.marrow.run('sample.walker'));
-    const take = bvh();
-    await dropFiles(page, [{ name: 'step.bvh', bytes: take }]);
-    await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'step'));
-    const before = await saved(page);
-    const opened = await page.evaluate(() => window.marrow.steps().undo);
-    expect(before.at(-1)).toBe(take);
+inPage('moves the walker as the take moves, is changed by keyboard, baked, saved and undone', async ({ page }) => {
+  await startOver(page);
+  await page.evaluate(() => window.marrow.run('sample.walker'));
+  const take = bvh();
+  await dropFiles(page, [{ name: 'step.bvh', bytes: take }]);
+  await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'step'));
+  const before = await saved(page);
+  const opened = await page.evaluate(() => window.marrow.steps().undo);
+  expect(before.at(-1)).toBe(take);
 
-    await page.getByRole('menuitem', { name: 'Edit' }).click();
-    await page.getByRole('menuitem', { name: /Retarget take/ }).click();
-    const dialog = page.getByRole('dialog', { name: 'Retarget take' });
-    const follows = (joint: string) => dialog.getByRole('combobox', { name: `${joint} follows`, exact: true });
-    const followed = (joint: string) => follows(joint).evaluate((s: HTMLSelectElement) => s.selectedOptions[0].label);
-    await follows('thigh_l').waitFor();
-    for (const [joint, source] of [
-      ['hips', 'Hips'],
-      ['head', 'Head'],
-      ['forearm_r', 'RightForeArm'],
-      ['shin_l', 'LeftLeg'],
-      ['ear_l', '—'],
-    ]) {
-      await expect.poll(() => followed(joint), { message: joint }).toBe(source);
-    }
-    // Previewed behind the dialog before applying, without a step.
-    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).not.toContain('Retarget');
-    // By keyboard: the ear follows the head. Typing a letter selects a name, as in every list.
-    await follows('ear_l').focus();
-    await page.keyboard.type('Head');
-    await expect.poll(() => followed('ear_l')).toBe('Head');
-    await expect.poll(() => dialog.getByRole('row', { name: /^ear_l/ }).textContent()).toContain('set by hand');
-    await page.keyboard.press('Backspace');
-    await dialog.getByRole('button', { name: 'Apply' }).focus();
-    await page.keyboard.press('Enter');
-    await dialog.waitFor({ state: 'detached' });
-    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
-    // What was made is selected.
-    await page
-      .getByRole('treeitem', { name: /^walker/, selected: true })
-      .first()
-      .waitFor();
+  await page.getByRole('menuitem', { name: 'Edit' }).click();
+  await page.getByRole('menuitem', { name: /Retarget take/ }).click();
+  const dialog = page.getByRole('dialog', { name: 'Retarget take' });
+  const follows = (joint: string) => dialog.getByRole('combobox', { name: `${joint} follows`, exact: true });
+  const followed = (joint: string) => follows(joint).evaluate((s: HTMLSelectElement) => s.selectedOptions[0].label);
+  await follows('thigh_l').waitFor();
+  for (const [joint, source] of [
+    ['hips', 'Hips'],
+    ['head', 'Head'],
+    ['forearm_r', 'RightForeArm'],
+    ['shin_l', 'LeftLeg'],
+    ['ear_l', '—'],
+  ]) {
+    await expect.poll(() => followed(joint), { message: joint }).toBe(source);
+  }
+  // Previewed behind the dialog before applying, without a step.
+  await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).not.toContain('Retarget');
+  // By keyboard: the ear follows the head. Typing a letter selects a name, as in every list.
+  await follows('ear_l').focus();
+  await page.keyboard.type('Head');
+  await expect.poll(() => followed('ear_l')).toBe('Head');
+  await expect.poll(() => dialog.getByRole('row', { name: /^ear_l/ }).textContent()).toContain('set by hand');
+  await page.keyboard.press('Backspace');
+  await dialog.getByRole('button', { name: 'Apply' }).focus();
+  await page.keyboard.press('Enter');
+  await dialog.waitFor({ state: 'detached' });
+  await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
+  // What was made is selected.
+  await page
+    .getByRole('treeitem', { name: /^walker/, selected: true })
+    .first()
+    .waitFor();
 
-    // Arms and legs point like the take's. Legs with planted feet may differ slightly.
-    const own = BONES.map(([, way]) => way);
-    const theirs = BONES.map(([way]) => way);
-    for (const seconds of [0, 0.25, 0.6, 0.75, 1.3]) {
-      const source = await directions(page, 'step', theirs, seconds);
-      const walker = await directions(page, 'walker', own, seconds);
-      source.forEach((way, i) => {
-        expect(degreesBetween(way, walker[i]), `${own[i].join(' to ')} at ${seconds} s`).toBeLessThan(12);
-      });
-    }
-    // It does move.
-    const [up, down] = [await directions(page, 'walker', own, 0.25), await directions(page, 'walker', own, 0.75)];
-    expect(degreesBetween(up[2], down[2])).toBeGreaterThan(15);
-
-    // Its own keys have no effect, with a notice; keying is refused with a remedy.
-    await page.evaluate(() => window.marrow.run('view.frameAll'));
-    await page
-      .getByRole('treeitem', { name: /^walker/ })
-      .first()
-      .click();
-    await expect
-      .poll(() => page.getByRole('note').filter({ hasText: 'walker is retargeted from step' }).isVisible())
-      .toBe(true);
-    await page.getByRole('tree').evaluate((tree) => {
-      tree.scrollTop = 0;
+  // Arms and legs point like the take's. Legs with planted feet may differ slightly.
+  const own = BONES.map(([, way]) => way);
+  const theirs = BONES.map(([way]) => way);
+  for (const seconds of [0, 0.25, 0.6, 0.75, 1.3]) {
+    const source = await directions(page, 'step', theirs, seconds);
+    const walker = await directions(page, 'walker', own, seconds);
+    source.forEach((way, i) => {
+      expect(degreesBetween(way, walker[i]), `${own[i].join(' to ')} at ${seconds} s`).toBeLessThan(12);
     });
-    await page.getByRole('treeitem').filter({ hasText: 'follows step' }).waitFor();
-    await page.keyboard.press('k');
-    await page
-      .getByText(/walker is retargeted from step.*Bake the retargeting to edit it/)
-      .filter({ visible: true })
-      .first()
-      .waitFor();
-    await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
-    // An unkeyed change overrides retargeting at that time; then it is discarded, with its step.
-    const tx = page.locator('.dof[data-dof="0"]').first();
-    await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
-    await tx.locator('input[type="text"]').fill('0.7');
-    await page.keyboard.press('Enter');
-    await expect.poll(() => tx.getAttribute('data-driver')).toBe('unkeyed');
-    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].dofs[0])).toBeCloseTo(0.7, 9);
-    await page.evaluate(() => window.marrow.seek(1.9));
-    await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
-    await page.evaluate(() => {
-      while (window.marrow.steps().undo !== 'Retarget step to walker') window.marrow.undo();
-    });
+  }
+  // It does move.
+  const [up, down] = [await directions(page, 'walker', own, 0.25), await directions(page, 'walker', own, 0.75)];
+  expect(degreesBetween(up[2], down[2])).toBeGreaterThan(15);
 
-    const times = [0, 0.35, 0.8, 1.75];
-    const live: number[][][] = [];
-    for (const seconds of times) live.push(await matrices(page, seconds));
-    await page.getByRole('note').getByRole('button', { name: 'Bake' }).click();
-    await expect.poll(() => takes(page)).toEqual(['walker_walk', 'walker_step']);
+  // Its own keys have no effect, with a notice; keying is refused with a remedy.
+  await page.evaluate(() => window.marrow.run('view.frameAll'));
+  await page
+    .getByRole('treeitem', { name: /^walker/ })
+    .first()
+    .click();
+  await expect
+    .poll(() => page.getByRole('note').filter({ hasText: 'walker is retargeted from step' }).isVisible())
+    .toBe(true);
+  await page.getByRole('tree').evaluate((tree) => {
+    tree.scrollTop = 0;
+  });
+  await page.getByRole('treeitem').filter({ hasText: 'follows step' }).waitFor();
+  await page.keyboard.press('k');
+  await page
+    .getByText(/walker is retargeted from step.*Bake the retargeting to edit it/)
+    .filter({ visible: true })
+    .first()
+    .waitFor();
+  await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
+  // An unkeyed change overrides retargeting at that time; then it is discarded, with its step.
+  const tx = page.locator('.dof[data-dof="0"]').first();
+  await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
+  await tx.locator('input[type="text"]').fill('0.7');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => tx.getAttribute('data-driver')).toBe('unkeyed');
+  await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].dofs[0])).toBeCloseTo(0.7, 9);
+  await page.evaluate(() => window.marrow.seek(1.9));
+  await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
+  await page.evaluate(() => {
+    while (window.marrow.steps().undo !== 'Retarget step to walker') window.marrow.undo();
+  });
+
+  const times = [0, 0.35, 0.8, 1.75];
+  const live: number[][][] = [];
+  for (const seconds of times) live.push(await matrices(page, seconds));
+  await page.getByRole('note').getByRole('button', { name: 'Bake' }).click();
+  await expect.poll(() => takes(page)).toEqual(['walker_walk', 'walker_step']);
+  for (const [i, seconds] of times.entries()) {
+    expectClose((await matrices(page, seconds)).flat(), live[i].flat(), 1e-6, `baked, at ${seconds} s`);
+  }
+  // Saved, it plays the same without the page and without the source.
+  const [skel, anim] = await page.evaluate(() =>
+    Promise.all(['walker.skel', 'walker_step.anim'].map((name) => window.marrow.save(name))),
+  );
+  const folder = mkdtempSync(join(tmpdir(), 'marrow-baked-'));
+  try {
+    writeFileSync(join(folder, 'walker.skel'), skel);
+    writeFileSync(join(folder, 'walker_step.anim'), anim);
     for (const [i, seconds] of times.entries()) {
-      expectClose((await matrices(page, seconds)).flat(), live[i].flat(), 1e-6, `baked, at ${seconds} s`);
-    }
-    // Saved, it plays the same without the page and without the source.
-    const [skel, anim] = await page.evaluate(() =>
-      Promise.all(['walker.skel', 'walker_step.anim'].map((name) => window.marrow.save(name))),
-    );
-    const folder = mkdtempSync(join(tmpdir(), 'marrow-baked-'));
-    try {
-      writeFileSync(join(folder, 'walker.skel'), skel);
-      writeFileSync(join(folder, 'walker_step.anim'), anim);
-      for (const [i, seconds] of times.entries()) {
-        const args = ['pose', 'walker.skel', 'walker_step.anim', '--time', String(seconds), '--json'];
-        // It warns of channels for morphs that it isn't given.
-        const text = execFileSync(process.execPath, [MARROW, ...args], {
-          cwd: folder,
-          encoding: 'utf8',
-          stdio: 'pipe',
-        });
-        // The command's output: joints with world matrices, as in the conformance files.
-        const posed = JSON.parse(text) as { characters: { joints: { world: number[] }[] }[] };
-        expectClose(
-          posed.characters[0].joints.flatMap(({ world }) => world),
-          live[i].flat(),
-          1e-6,
-          `saved, at ${seconds} s`,
-        );
-      }
-    } finally {
-      rmSync(folder, { recursive: true });
-    }
-
-    const undone = await page.evaluate((until) => {
-      const steps: (string | undefined)[] = [];
-      while (window.marrow.steps().undo !== until && window.marrow.undo()) steps.push(window.marrow.steps().redo);
-      return steps;
-    }, opened);
-    expect(undone).toEqual(['Bake step into walker', 'Retarget step to walker']);
-    await expect.poll(() => takes(page)).toEqual(['walker_walk']);
-    await expect.poll(() => saved(page)).toEqual(before);
-    while (await page.evaluate(() => window.marrow.redo()));
-    await expect.poll(() => takes(page)).toEqual(['walker_walk', 'walker_step']);
-    expectClose((await matrices(page, times[1])).flat(), live[1].flat(), 1e-6, 'redone');
-  }));
-
-it('follows the take as it is cropped or read again, and keeps moving when it is removed', () =>
-  withWalker(async ({ page }) => {
-    await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'walker'));
-    await page.evaluate(() => window.marrow.run('sample.walker'));
-    const take = bvh();
-    await dropFiles(page, [{ name: 'step.bvh', bytes: take }]);
-    await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'step'));
-    await page.evaluate(async () => {
-      const id = (name: string) => window.marrow.characters().find((c) => c.name === name)?.id;
-      await window.marrow.run('retarget.set', { character: 'walker', sourceId: id('step') });
-    });
-    const at = 0.25;
-    const live = await matrices(page, at);
-    // Cropped to start at 0.5 s: what was at 0.25 s is gone.
-    await page.evaluate(() => window.marrow.run('samples.crop', { character: 'step', from: 0.5, to: 1 }));
-    await expect.poll(() => matrices(page, at)).not.toEqual(live);
-    await page.evaluate(() => window.marrow.undo());
-    expectClose((await matrices(page, at)).flat(), live.flat(), 1e-9, 'crop undone');
-
-    const handHeight = async () => {
-      const index = await page.evaluate(
-        () =>
-          window.marrow
-            .characters()
-            .find((c) => c.name === 'walker')
-            ?.joints.findIndex((j) => j.name === 'hand_l') ?? -1,
+      const args = ['pose', 'walker.skel', 'walker_step.anim', '--time', String(seconds)];
+      // Joints with world matrices, as in the conformance files.
+      const posed = await commandJson<PoseJson>(args, folder);
+      expectClose(
+        posed.characters[0].joints.flatMap(({ world }) => world),
+        live[i].flat(),
+        1e-6,
+        `saved, at ${seconds} s`,
       );
-      return (await matrices(page, 0))[index][13];
-    };
-    const hanging = await handHeight();
-    // Reloaded with raised arms: a T-pose.
-    const still = take.split('\n').map((line) => line.replace(/-?75(?=[ \n])/g, '0'));
-    await dropFiles(page, [{ name: 'step.bvh', bytes: still.join('\n') }]);
-    await expect.poll(handHeight).toBeGreaterThan(hanging + 0.1);
-    const raised = await matrices(page, at);
-    await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(2);
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 
-    await page.evaluate(() => window.marrow.run('character.remove', { character: 'step' }));
-    await expect.poll(() => page.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['walker']);
-    expectClose((await matrices(page, at)).flat(), raised.flat(), 1e-9, 'the take removed');
-    await page.evaluate(() => {
-      window.marrow.undo();
-      window.marrow.undo();
-    });
-    expectClose((await matrices(page, at)).flat(), live.flat(), 1e-9, 'both undone');
-  }));
+  const undone = await page.evaluate((until) => {
+    const steps: (string | undefined)[] = [];
+    while (window.marrow.steps().undo !== until && window.marrow.undo()) steps.push(window.marrow.steps().redo);
+    return steps;
+  }, opened);
+  expect(undone).toEqual(['Bake step into walker', 'Retarget step to walker']);
+  await expect.poll(() => takes(page)).toEqual(['walker_walk']);
+  await expect.poll(() => saved(page)).toEqual(before);
+  while (await page.evaluate(() => window.marrow.redo()));
+  await expect.poll(() => takes(page)).toEqual(['walker_walk', 'walker_step']);
+  expectClose((await matrices(page, times[1])).flat(), live[1].flat(), 1e-6, 'redone');
+});
+
+inPage('follows the take as it is cropped or read again, and keeps moving when it is removed', async ({ page }) => {
+  await startOver(page);
+  await page.evaluate(() => window.marrow.run('sample.walker'));
+  const take = bvh();
+  await dropFiles(page, [{ name: 'step.bvh', bytes: take }]);
+  await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'step'));
+  await page.evaluate(async () => {
+    const id = (name: string) => window.marrow.characters().find((c) => c.name === name)?.id;
+    await window.marrow.run('retarget.set', { character: 'walker', sourceId: id('step') });
+  });
+  const at = 0.25;
+  const live = await matrices(page, at);
+  // Cropped to start at 0.5 s: what was at 0.25 s is gone.
+  await page.evaluate(() => window.marrow.run('samples.crop', { character: 'step', from: 0.5, to: 1 }));
+  await expect.poll(() => matrices(page, at)).not.toEqual(live);
+  await page.evaluate(() => window.marrow.undo());
+  expectClose((await matrices(page, at)).flat(), live.flat(), 1e-9, 'crop undone');
+
+  const handHeight = async () => {
+    const index = await page.evaluate(
+      () =>
+        window.marrow
+          .characters()
+          .find((c) => c.name === 'walker')
+          ?.joints.findIndex((j) => j.name === 'hand_l') ?? -1,
+    );
+    return (await matrices(page, 0))[index][13];
+  };
+  const hanging = await handHeight();
+  // Reloaded with raised arms: a T-pose.
+  const still = take.split('\n').map((line) => line.replace(/-?75(?=[ \n])/g, '0'));
+  await dropFiles(page, [{ name: 'step.bvh', bytes: still.join('\n') }]);
+  await expect.poll(handHeight).toBeGreaterThan(hanging + 0.1);
+  const raised = await matrices(page, at);
+  await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(2);
+
+  await page.evaluate(() => window.marrow.run('character.remove', { character: 'step' }));
+  await expect.poll(() => page.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['walker']);
+  expectClose((await matrices(page, at)).flat(), raised.flat(), 1e-9, 'the take removed');
+  await page.evaluate(() => {
+    window.marrow.undo();
+    window.marrow.undo();
+  });
+  expectClose((await matrices(page, at)).flat(), live.flat(), 1e-9, 'both undone');
+});

@@ -7,6 +7,8 @@ import { course, names, opened, REFERENCE, WASP } from './checks/workbench.ts';
 
 const broken = (name: string) => ({ name, bytes: sharedBytes(`data/malformed/${name}`) });
 
+const inPage = inOnePage();
+
 describe('the page', () => {
   it('opens with a character that walks', () =>
     withPage(
@@ -28,24 +30,24 @@ describe('the page', () => {
       { walking: true, fullMotion: true },
     ));
 
-  it('undoes and redoes what a slider does', () =>
-    withPage(async ({ page }) => {
-      await opened(page);
-      await page.evaluate(() => {
-        window.marrow.pause();
-        window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: 0.25 }] });
-      });
-      const height = () => page.evaluate(() => window.marrow.characters()[0].dofs[1]);
-      await expect.poll(() => height()).toBe(0.25);
-      await page.keyboard.press('Control+z');
-      await expect.poll(() => height()).not.toBe(0.25);
-      await page.keyboard.press('Control+Shift+z');
-      await expect.poll(() => height()).toBe(0.25);
-    }));
+  inPage('undoes and redoes what a slider does', async ({ page }) => {
+    await opened(page);
+    await undoAll(page);
+    await page.evaluate(() => {
+      window.marrow.pause();
+      window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: 0.25 }] });
+    });
+    const height = () => page.evaluate(() => window.marrow.characters()[0].dofs[1]);
+    await expect.poll(() => height()).toBe(0.25);
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => height()).not.toBe(0.25);
+    await page.keyboard.press('Control+Shift+z');
+    await expect.poll(() => height()).toBe(0.25);
+  });
 });
 
 describeShared('the page with the course’s files', () => {
-  testAll(REFERENCE);
+  testAll(REFERENCE, inPage);
 
   it('the page with the course’s files takes what the address names', () =>
     withPage(
@@ -58,8 +60,6 @@ describeShared('the page with the course’s files', () => {
         files: Object.fromEntries(WASP.map((name) => [`given/${name}`, sharedBytes(`data/cse169/${name}`)])),
       },
     ));
-
-  const inPage = inOnePage();
 
   inPage('leaves everything as it was when a file is wrong, and shows where', async ({ page }) => {
     await opened(page);

@@ -10,7 +10,14 @@ export interface Check {
   run(open: OpenPage): Promise<void>;
 }
 
-/** Registers the checks as tests of Chromium. */
-export function testAll(checks: readonly Check[]): void {
-  for (const { name, options, run } of checks) it(name, () => withPage(run, options));
+/**
+ * Registers the checks as tests of Chromium.
+ *
+ * @param inPage for those without options of their own, from `inOnePage`; default: a page for each
+ */
+export function testAll(checks: readonly Check[], inPage?: (name: string, run: Check['run']) => void): void {
+  for (const { name, options, run } of checks) {
+    if (inPage && !options) inPage(name, run);
+    else it(name, () => withPage(run, options));
+  }
 }

@@ -41,6 +41,23 @@ export function inOnePage(
     });
 }
 
+/** The page is at the start of its opening example again, in Pose mode and with nothing selected; its camera stays. */
+export async function startOver(page: Page): Promise<void> {
+  await page.waitForFunction(() => window.marrow?.characters().length);
+  await page.evaluate(async () => {
+    const { marrow } = window;
+    marrow.pause();
+    while (marrow.undo());
+    marrow.seek(0);
+    try {
+      await marrow.run('select.nothing');
+    } catch {
+      // Nothing is.
+    }
+    await marrow.run('posing.pose');
+  });
+}
+
 /** The document is that of the opening example again. Returns the number of steps. */
 export const undoAll = (page: Page): Promise<number> =>
   page.evaluate(() => {

@@ -38,6 +38,8 @@ export interface PageOptions {
   readonly touch?: boolean;
   /** Continues as soon as the page is loaded, without waiting for menus and panels. */
   readonly early?: boolean;
+  /** Stays blank until the test goes to `url`, which has routed requests before. */
+  readonly blank?: boolean;
   /** With what newcomers see: the hint over the viewport, and shadows. */
   readonly firstVisit?: boolean;
   /** With the pixels of the viewport, for tests that look at them; `later`: from when `fillPixels` says so. */
@@ -254,6 +256,7 @@ export async function openPage(options: PageOptions): Promise<OpenedPage> {
     if (!options.firstVisit) await another.addInitScript(asKnownVisitor);
     if (options.drawn !== true) await another.addInitScript(fillNoPixels, options.drawn === 'later');
     for (const script of [options.before ?? []].flat()) await another.addInitScript(script);
+    if (options.blank) return another;
     await another.goto(server.url + query);
     // If the page can't draw, it has neither.
     if (!options.early) await another.waitForFunction(() => !document.querySelector('#app.frame'));

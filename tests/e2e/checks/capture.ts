@@ -2,6 +2,7 @@
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
 import { expectClose } from '../../helpers/close.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles } from '../../helpers/page.ts';
 
 export const TAKE = `HIERARCHY
@@ -31,6 +32,7 @@ export const CAPTURE: readonly Check[] = [
   {
     name: 'opens a take, plays it between its frames, and writes the bytes that it read',
     async run({ page }) {
+      await undoAll(page);
       await dropFiles(page, [{ name: 'step.bvh', bytes: TAKE }]);
       await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'step'));
       const ends = () =>

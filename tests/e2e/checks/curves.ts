@@ -6,6 +6,7 @@ import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { readAnim } from '../../../src/formats/anim/read.ts';
 import { keysOf, type Take } from '../../../src/model/takes/take.ts';
 import type { Check } from '../../helpers/check.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles, type Pixels, readPixels } from '../../helpers/page.ts';
 
 /** How much a pixel has to be redder than green and blue, or less red than both; of 255. */
@@ -47,6 +48,7 @@ async function mapping(page: Page, left: number, top: number) {
 
 export function drop(name: string, text: string | Uint8Array) {
   return async (page: Page) => {
+    await undoAll(page);
     await dropFiles(page, [{ name, bytes: text }]);
     const stem = name.replace(/\.anim$/, '');
     await page.waitForFunction((n) => window.marrow.characters()[0]?.name === n, stem);

@@ -2,12 +2,13 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles } from '../../helpers/page.ts';
 
 export type Point = readonly [number, number, number];
 
 /** A leg of three bones hanging down, with knees that bend one way only. */
-export const LEG = `balljoint hip {
+const LEG = `balljoint hip {
   offset 0 2 0
   boxmin -0.1 -0.8 -0.1
   boxmax 0.1 0 0.1
@@ -27,6 +28,13 @@ export const LEG = `balljoint hip {
   }
 }
 `;
+
+/** In place of all that was done. */
+export async function openLeg(page: Page): Promise<void> {
+  await undoAll(page);
+  await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
+  await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+}
 
 export const drawn = (page: Page) =>
   page.evaluate(async () => {
@@ -75,8 +83,7 @@ export const IK: readonly Check[] = [
   {
     name: 'pins a joint by a click, lets it go by another, and drags it as one undo step',
     async run({ page }) {
-      await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
-      await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+      await openLeg(page);
       await drawn(page);
       await intoIk(page);
       const foot = await jointPlace(page, 'foot_l');

@@ -55,7 +55,7 @@ export async function dragUp(
   await page.mouse.move(from.x, from.y);
   await drawn(page);
   await page.mouse.down();
-  await page.mouse.move(from.x + dx, from.y + dy, { steps: 9 });
+  await page.mouse.move(from.x + dx, from.y + dy, { steps: 4 });
   await drawn(page);
   const now = await onPage(page, place(await shown(page), joint, point));
   expect(Math.hypot(now.x - from.x - dx, now.y - from.y - dy)).toBeLessThan(NEAR_POINTER);
@@ -102,10 +102,27 @@ export async function ontoHandle(
   toward: readonly [x: number, y: number],
   is: RegExp,
 ): Promise<{ readonly x: number; readonly y: number }> {
-  const chip = page.locator('.gizmo-chip .hand-readout:visible');
   const length = Math.hypot(...toward);
-  for (let radius = 20; radius < 220; radius += 3) {
-    const at = { x: middle.x + (radius * toward[0]) / length, y: middle.y + (radius * toward[1]) / length };
+  const way = { x: toward[0] / length, y: toward[1] / length };
+  // The first of them in the page, since moving the mouse waits for a frame each time; from there on by the mouse.
+  const begin = await page.evaluate(
+    async ({ middle, way, source }) => {
+      const canvas = document.querySelector('.viewport canvas[role=application]');
+      for (let radius = 20; radius < 220; radius += 3) {
+        const at = { clientX: middle.x + radius * way.x, clientY: middle.y + radius * way.y };
+        canvas?.dispatchEvent(new PointerEvent('pointermove', { ...at, bubbles: true, isPrimary: true }));
+        await new Promise(requestAnimationFrame);
+        const chips = [...document.querySelectorAll<HTMLElement>('.gizmo-chip .hand-readout')];
+        if (chips.some((chip) => chip.checkVisibility() && new RegExp(source).test(chip.textContent ?? '')))
+          return radius;
+      }
+      return 20;
+    },
+    { middle, way, source: is.source },
+  );
+  const chip = page.locator('.gizmo-chip .hand-readout:visible');
+  for (let radius = begin; radius < 220; radius += 3) {
+    const at = { x: middle.x + radius * way.x, y: middle.y + radius * way.y };
     await page.mouse.move(at.x, at.y);
     if ((await chip.allTextContents()).some((text) => is.test(text))) return at;
   }

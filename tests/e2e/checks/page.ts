@@ -143,6 +143,8 @@ export const BY_HAND: readonly Check[] = [
   },
   {
     name: 'a drag that ends in another panel leaves the keys to that panel',
+    // In a page where nothing has had the keys.
+    options: {},
     async run({ page }) {
       await openArm(page);
       const stage = await page.locator('.stage').boundingBox();

@@ -73,6 +73,7 @@ export const POSING: readonly Check[] = [
       await page.mouse.up();
       await expect.poll(async () => (await dofs(page))[8]).toBeCloseTo(-Math.PI / 9, 9);
       await expect.poll(() => undo(page)).toBe('Rotate elbow');
+      await page.getByRole('radio', { name: 'rx', exact: true }).click();
     },
   },
 ];

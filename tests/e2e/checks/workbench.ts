@@ -3,6 +3,7 @@ import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
 import { expectClose } from '../../helpers/close.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles } from '../../helpers/page.ts';
 import { conformance, sharedBytes } from '../../helpers/shared.ts';
 
@@ -34,6 +35,7 @@ export const REFERENCE: readonly Check[] = [
     name: 'shows the wasp walking exactly as the reference says, scrubbed anywhere',
     async run({ page }) {
       await opened(page);
+      await undoAll(page);
       await dropFiles(page, course(WASP));
       await opened(page, 'wasp');
       await expect.poll(() => names(page)).toEqual(['wasp']);
