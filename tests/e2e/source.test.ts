@@ -1,4 +1,5 @@
 /** The tab *Source*: lines light up, lines select, messages lead to their line; a file far higher than any element. */
+import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { dropFiles, withPage } from '../helpers/page.ts';
 
@@ -11,6 +12,29 @@ const SKEL = [
 const BROKEN = 'balljoint a {\noffset 0 0 0\nrotxlimit -1 x\n}\n';
 /** Pixels of its lines: more than the 33 million that an element can be high. */
 const LINES = 2_000_000;
+
+declare global {
+  interface Window {
+    /** Sends what `holdWorker` has kept, and all from now on. */
+    release?: () => void;
+  }
+}
+
+/** Workers are sent nothing until `window.release()`; the document says when there is something to be sent. */
+const holdWorker = (page: Page) =>
+  page.evaluate(() => {
+    const { prototype } = Worker;
+    const { postMessage } = prototype;
+    const kept: (() => void)[] = [];
+    prototype.postMessage = function (this: Worker, ...args: unknown[]) {
+      kept.push(() => Reflect.apply(postMessage, this, args));
+      document.documentElement.dataset.held = '';
+    };
+    window.release = () => {
+      prototype.postMessage = postMessage;
+      for (const send of kept) send();
+    };
+  });
 
 describe('the text of files', () => {
   it('follows the selection, selects what is clicked, and shows the line of a message', () =>
@@ -99,8 +123,12 @@ describe('the text of files', () => {
       await page.keyboard.press('Escape');
       await page.getByRole('alertdialog', { name: 'Discard the edits?' }).waitFor();
       await page.keyboard.press('Escape');
+      // Applied while it is checked, it is applied after that.
+      await holdWorker(page);
       await type(SKEL.replace('0 1 0', '0 2 0'));
+      await page.locator('html[data-held]').waitFor({ state: 'attached' });
       await page.keyboard.press('Control+Enter');
+      await page.evaluate(() => window.release?.());
       await page.getByText('Applied to figure.skel. One Undo reverts it').waitFor();
       await page.keyboard.press('Escape');
       await note.filter({ hasText: '1 line changed since it was opened' }).waitFor();

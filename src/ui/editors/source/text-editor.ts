@@ -51,7 +51,7 @@ export class TextEditor {
   private base = '';
   /** Of the text as it is; undefined once it is edited. */
   private checked: CheckedText | undefined;
-  private isChecking = false;
+  private running: Promise<CheckedText | undefined> | undefined;
   private timer = 0;
 
   constructor(private readonly calls: Calls) {
@@ -157,7 +157,7 @@ export class TextEditor {
   private reset(): void {
     clearTimeout(this.timer);
     this.checked = undefined;
-    this.isChecking = false;
+    this.running = undefined;
     this.field.mark([]);
     this.ask(false, false);
     this.show();
@@ -175,11 +175,18 @@ export class TextEditor {
   private async check(): Promise<CheckedText | undefined> {
     clearTimeout(this.timer);
     if (this.checked) return this.checked;
-    if (this.isChecking) {
+    if (this.running) {
       this.timer = window.setTimeout(() => void this.check(), PAUSE);
       return undefined;
     }
-    this.isChecking = true;
+    const running = this.read().finally(() => {
+      if (this.running === running) this.running = undefined;
+    });
+    this.running = running;
+    return running;
+  }
+
+  private async read(): Promise<CheckedText | undefined> {
     const { base, field } = this;
     const { revision } = field;
     try {
@@ -187,13 +194,11 @@ export class TextEditor {
       if (field.revision !== revision || this.base !== base) return undefined;
       this.checked = result;
       field.mark(result.diagnostics);
+      this.show();
       return result;
     } catch (error) {
       this.say(sentenceOf(error));
       return undefined;
-    } finally {
-      this.isChecking = false;
-      if (this.checked && field.revision === revision) this.show();
     }
   }
 
@@ -203,6 +208,8 @@ export class TextEditor {
       this.say('Nothing was edited, so nothing was applied.');
       return;
     }
+    // Of an earlier text, perhaps.
+    while (this.running) await this.running;
     const found = await this.check();
     if (!found) return;
     const { isSame, apply } = found;
