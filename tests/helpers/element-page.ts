@@ -22,7 +22,7 @@ const ALLOW = "window.trustedTypes?.createPolicy('default', { createScriptURL: (
 
 const STYLE = `
   body { margin: 16px; font: 16px/1.5 system-ui, sans-serif; }
-  marrow-viewer { width: 480px; }
+  marrow-viewer { width: 240px; }
   .many { display: grid; grid-template-columns: repeat(8, 1fr); gap: 4px; }
   .many marrow-viewer { width: auto; }
 `;
