@@ -23,37 +23,36 @@ const share = async (page: Page) => {
 const walks = (page: Page) => page.waitForFunction(() => window.marrow?.characters()[0]?.dofs.length === 93);
 
 describe('the viewport', () => {
-  it.each([
+  const asNewcomer = inOnePage({ walking: true, firstVisit: true });
+
+  for (const [width, height, least] of [
     [1440, 900, 0.55],
     [1024, 640, 0.45],
-  ])(
-    'has its share of %i × %i with a take, and nothing in the row below it is cut or overlaps',
-    (width, height, least) =>
-      withPage(
-        async ({ page }) => {
-          await walks(page);
-          await expect.poll(() => share(page)).toBeGreaterThanOrEqual(least);
-          const faults = () =>
-            page.locator('.transport-row').evaluate((row) => {
-              const all = [...row.querySelectorAll<HTMLElement>('button, input')].filter((one) =>
-                one.checkVisibility(),
-              );
-              const boxes = all.map((one) => one.getBoundingClientRect());
-              const cut = all.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent);
-              const covered = boxes.flatMap((a, i) =>
-                boxes.flatMap((b, j) =>
-                  j > i && a.left < b.right - 0.5 && b.left < a.right - 0.5 ? [all[i].textContent] : [],
-                ),
-              );
-              const beyond = boxes.filter(({ right }) => right > innerWidth).length;
-              return { cut, covered, beyond };
-            });
-          await page.evaluate(() => window.marrow.seek(119.496));
-          await expect.poll(faults).toEqual({ cut: [], covered: [], beyond: 0 });
-        },
-        { walking: true, firstVisit: true, size: { width, height } },
-      ),
-  );
+  ]) {
+    asNewcomer(
+      `has its share of ${width} × ${height} with a take, and nothing in the row below it is cut or overlaps`,
+      async ({ page }) => {
+        await page.setViewportSize({ width, height });
+        await walks(page);
+        await expect.poll(() => share(page)).toBeGreaterThanOrEqual(least);
+        const faults = () =>
+          page.locator('.transport-row').evaluate((row) => {
+            const all = [...row.querySelectorAll<HTMLElement>('button, input')].filter((one) => one.checkVisibility());
+            const boxes = all.map((one) => one.getBoundingClientRect());
+            const cut = all.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent);
+            const covered = boxes.flatMap((a, i) =>
+              boxes.flatMap((b, j) =>
+                j > i && a.left < b.right - 0.5 && b.left < a.right - 0.5 ? [all[i].textContent] : [],
+              ),
+            );
+            const beyond = boxes.filter(({ right }) => right > innerWidth).length;
+            return { cut, covered, beyond };
+          });
+        await page.evaluate(() => window.marrow.seek(119.496));
+        await expect.poll(faults).toEqual({ cut: [], covered: [], beyond: 0 });
+      },
+    );
+  }
 
   it('has nothing below it without a take, until one is begun or a tab is opened', () =>
     withPage(
@@ -116,55 +115,58 @@ inPage(
   },
 );
 
-it('curve editor and dope sheet are seen together, other tabs replace both, and the last one folds; by mouse and by keys', () =>
-  withPage(
-    async ({ page }) => {
-      await walks(page);
-      await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
-      await page.locator('.curve-plot').waitFor();
-      await page.getByRole('tab', { name: 'Dope sheet' }).click();
-      await page.locator('.dope-sheet').waitFor();
-      await expect.poll(() => seen(page)).toEqual(['Curve editor', 'Dope sheet']);
-      const [dope, curves] = [await box(page, '.dope-sheet'), await box(page, '.curve-plot')];
-      expect(dope.y + dope.height).toBeLessThanOrEqual(curves.y + 1);
-      expect([dope.x, dope.width]).toEqual([curves.x, curves.width]);
+inPage(
+  'curve editor and dope sheet are seen together, other tabs replace both, and the last one folds; by mouse and by keys',
+  async ({ page }) => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await walks(page);
+    await run(page, 'page.tab.curves');
+    await page.getByRole('treeitem', { name: /^upper_arm_l/ }).click();
+    await page.locator('.curve-plot').waitFor();
+    await page.getByRole('tab', { name: 'Dope sheet' }).click();
+    await page.locator('.dope-sheet').waitFor();
+    await expect.poll(() => seen(page)).toEqual(['Curve editor', 'Dope sheet']);
+    const [dope, curves] = [await box(page, '.dope-sheet'), await box(page, '.curve-plot')];
+    expect(dope.y + dope.height).toBeLessThanOrEqual(curves.y + 1);
+    expect([dope.x, dope.width]).toEqual([curves.x, curves.width]);
 
-      // The splitter, by keys.
-      const edge = page.getByRole('separator', { name: 'Height of the dope sheet' });
-      await edge.focus();
-      await page.keyboard.press('ArrowDown');
-      await expect.poll(async () => (await box(page, '.dope-sheet')).height).toBeCloseTo(dope.height + 16, 0);
+    // The splitter, by keys.
+    const edge = page.getByRole('separator', { name: 'Height of the dope sheet' });
+    await edge.focus();
+    await page.keyboard.press('ArrowDown');
+    await expect.poll(async () => (await box(page, '.dope-sheet')).height).toBeCloseTo(dope.height + 16, 0);
 
-      // Keys are for the one that was worked in last.
-      await page.locator('.curve-plot').focus();
-      await page.keyboard.press('Control+a');
-      await expect.poll(() => page.locator('[id^=curves-selected]').textContent()).not.toBe('');
+    // Keys are for the one that was worked in last.
+    await page.locator('.curve-plot').focus();
+    await page.keyboard.press('Control+a');
+    await expect.poll(() => page.locator('[id^=curves-selected]').textContent()).not.toBe('');
 
-      await page.getByRole('tab', { name: 'Takes' }).click();
-      await expect.poll(() => seen(page)).toEqual(['Takes']);
-      // It has the focus once it is loaded, since it was clicked.
-      await page.locator('[data-tab="takes"] :focus').waitFor();
-      const tab = page.getByRole('tab', { name: 'Curve editor' });
-      await tab.focus();
-      await page.keyboard.press('Enter');
-      await expect.poll(() => seen(page)).toEqual(['Curve editor']);
-      await page.keyboard.press('ArrowRight');
-      await page.keyboard.press(' ');
-      await expect.poll(() => seen(page)).toEqual(['Curve editor', 'Dope sheet']);
-      await page.keyboard.press(' ');
-      await expect.poll(() => seen(page)).toEqual(['Curve editor']);
-      await tab.click();
-      await expect.poll(() => seen(page)).toEqual([]);
-      await page.locator('.scrubber').waitFor();
-      await page.locator('.curve-plot').waitFor({ state: 'hidden' });
-    },
-    { walking: true, size: { width: 1440, height: 900 } },
-  ));
+    await page.getByRole('tab', { name: 'Takes' }).click();
+    await expect.poll(() => seen(page)).toEqual(['Takes']);
+    // It has the focus once it is loaded, since it was clicked.
+    await page.locator('[data-tab="takes"] :focus').waitFor();
+    const tab = page.getByRole('tab', { name: 'Curve editor' });
+    await tab.focus();
+    await page.keyboard.press('Enter');
+    await expect.poll(() => seen(page)).toEqual(['Curve editor']);
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press(' ');
+    await expect.poll(() => seen(page)).toEqual(['Curve editor', 'Dope sheet']);
+    await page.keyboard.press(' ');
+    await expect.poll(() => seen(page)).toEqual(['Curve editor']);
+    await tab.click();
+    await expect.poll(() => seen(page)).toEqual([]);
+    await page.locator('.scrubber').waitFor();
+    await page.locator('.curve-plot').waitFor({ state: 'hidden' });
+    await page.setViewportSize({ width: 1280, height: 800 });
+  },
+);
 
 inPage(
   'without a selection there are the curves of the root only, and it is said how to get others',
   async ({ page }) => {
     await walks(page);
+    await run(page, 'page.tab.curves');
     await run(page, 'select.nothing');
     await page.getByText('Select a joint to edit its curves').waitFor();
     const joints = () => page.locator('.channel-row .channel-joint').allTextContents();
