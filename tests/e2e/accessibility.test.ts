@@ -1,6 +1,6 @@
 /**
- * WCAG 2.2 AA by axe-core, in the built page. One page goes through the states; each state is checked at every size, in
- * alternating themes, so that it is also seen in both.
+ * WCAG 2.2 AA by axe-core, in the built page. One page goes through the states at every size. Each state is checked on a
+ * large page in one theme, and in the other on a small one, where every second is a phone's.
  */
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -261,9 +261,10 @@ it('the page meets WCAG 2.2 AA in every state, theme and size', { timeout: 240_0
     for (const [i, size] of SIZES.entries()) {
       await page.setViewportSize(size);
       for (const [s, [state, enter]] of STATES.entries()) {
-        // Every state with both themes, and both themes at every size, with few changes.
-        const colorScheme = s < STATES.length / 2 === (i === 1) ? 'dark' : 'light';
         await enter(page);
+        if (i > 0 && s % 2 !== i % 2) continue;
+        // Both themes at every size, with few changes.
+        const colorScheme = s < STATES.length / 2 === i > 0 ? 'dark' : 'light';
         await page.emulateMedia({ colorScheme });
         await page.evaluate(() => new Promise(requestAnimationFrame));
         const { violations } = await page.evaluate((options) => window.axe.run(options), OPTIONS);
