@@ -76,7 +76,7 @@ const filesOf = (kind: string) => (realFiles().get(kind) ?? []).map(({ name, tex
 const lines = (text: string) => splitLines(text).lines;
 
 describeShared('what the page changed in a real file', () => {
-  it('is nothing after opening, for every file', async () => {
+  it('is nothing after opening, for every file but the longest', async () => {
     for (const [, files] of all()) {
       for (const { name, text } of files) {
         if (text.length >= LONG) continue;
