@@ -10,6 +10,7 @@ import { compileSkin } from '../../evaluate/skin/deform.ts';
 import { NO_TRAVEL, placementMatrix } from '../../evaluate/space/placements.ts';
 import { invertAffine } from '../../math/mat4.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
+import { transformPoint } from '../../math/vec3.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
 import type { AttachmentSets } from '../shared/attachments.ts';
@@ -159,7 +160,7 @@ function takesOf(
       },
   );
   if (own) points.addOutermost();
-  else if (skin) for (const point of pointsOfBody(joints)) points.addPoint(point);
+  else if (skin) for (const point of pointsOfBody(joints, size)) points.addPoint(point);
   const tracks = tracksOf(nodes, moments, points.watch, morphs.length);
   const moved = { nodes, points, tracks, width };
   return motions.map((motion, i) => {
@@ -206,11 +207,11 @@ function axisLength(size: number, tolerance: number): number {
 }
 
 /** Points of the body that show how joints turn. */
-function pointsOfBody({ skeleton, nodes: { lastOf }, worlds }: FileJoints): readonly RigidPoint[] {
+function pointsOfBody({ skeleton, nodes: { lastOf }, worlds }: FileJoints, size: number): readonly RigidPoint[] {
   const inverse = new Float64Array(16);
-  return bodyPoints(skeleton, worlds, lastOf).flatMap(({ joint, point: [x, y, z] }) => {
+  return bodyPoints({ skeleton, worlds, lastOf, size }).flatMap(({ joint, point: corner }) => {
     invertAffine(worlds, 16 * lastOf[joint], inverse, 0);
-    const point = [0, 1, 2].map((r) => inverse[r] * x + inverse[4 + r] * y + inverse[8 + r] * z + inverse[12 + r]);
+    const point = transformPoint(inverse, corner);
     return point.every(Number.isFinite) ? [{ joint, point }] : [];
   });
 }

@@ -16,18 +16,28 @@ const WIDEST = 0.15;
 /** Length of a joint without children, as a fraction of the mean of the others. */
 const SHORT = 0.3;
 
+/** A skeleton in the pose that its body is made in. */
+export interface Bare {
+  readonly skeleton: Skeleton;
+  /** World matrices, 16 numbers each. */
+  readonly worlds: Float64Array;
+  /** Which of the matrices is a joint's. */
+  readonly lastOf: Int32Array;
+  /** Of the character. */
+  readonly size: number;
+}
+
 /**
  * A skin that shows a skeleton by its boxes and bones.
- * @param worlds of the joints in the pose that the body is made in, 16 numbers each
- * @param lastOf which of the matrices is a joint's
  * @param name of the mesh
  */
-export function bodyOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Array, name: string): Skin {
+export function bodyOf(bare: Bare, name: string): Skin {
+  const { worlds, lastOf } = bare;
   const bindings = new Float64Array(16 * lastOf.length);
   lastOf.forEach((node, joint) => {
     bindings.set(worlds.subarray(16 * node, 16 * node + 16), 16 * joint);
   });
-  const { boxes, bones } = partsOf(skeleton, worlds, lastOf);
+  const { boxes, bones } = partsOf(bare);
   return skinOf([...boxes.flatMap(boxFaces), ...bones.flatMap(boneFaces)], bindings, name);
 }
 
@@ -35,12 +45,8 @@ export function bodyOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Ar
  * Points, in the world, that show how joints turn: corners of boxes, and of the bones of joints that have nothing else,
  * no child elsewhere, no End Site, no tip.
  */
-export function bodyPoints(
-  skeleton: Skeleton,
-  worlds: Float64Array,
-  lastOf: Int32Array,
-): readonly { readonly joint: number; readonly point: Vec3 }[] {
-  const { boxes, bones } = partsOf(skeleton, worlds, lastOf);
+export function bodyPoints(bare: Bare): readonly { readonly joint: number; readonly point: Vec3 }[] {
+  const { boxes, bones } = partsOf(bare);
   const ofStubs = bones
     .filter(({ isStub }) => isStub)
     .map(({ joint, from, to }) => ({ joint, corners: [to, ...ringOf(from, to).slice(0, 2)] }));
@@ -53,19 +59,27 @@ interface Box {
   readonly corners: readonly Vec3[];
 }
 
-function partsOf(skeleton: Skeleton, worlds: Float64Array, lastOf: Int32Array) {
-  const boxed = new Set(boxedJoints(skeleton));
+function partsOf(bare: Bare) {
+  const { skeleton, worlds, lastOf } = bare;
+  const boxed = new Set(boxedJoints(bare));
   return {
     boxes: [...boxed].map((j) => boxOf(skeleton.joints[j], j, worlds, 16 * lastOf[j])),
-    bones: boxed.size < skeleton.joints.length ? bonesOf(skeleton, worlds, lastOf, boxed) : [],
+    bones: boxed.size < skeleton.joints.length ? bonesOf(bare, boxed) : [],
   };
 }
 
+/** Larger boxes, as fractions of the character's size, would be all that is seen, and need keys without end. */
+const LARGEST_BOX = 10;
+
 /** The joints that are shown by their boxes: not by default ones where most are, nor by such as hide the skeleton. */
-export function boxedJoints(skeleton: Skeleton): readonly number[] {
+export function boxedJoints({ skeleton, size }: Pick<Bare, 'skeleton' | 'size'>): readonly number[] {
   if (areBoxesOversized(skeleton)) return [];
   const arePlain = areBoxesPlain(skeleton);
-  return skeleton.joints.flatMap((joint, j) => (hasBox(joint) && (hasOwnBox(joint) || !arePlain) ? [j] : []));
+  const isShown = (joint: Joint) =>
+    hasBox(joint) &&
+    (hasOwnBox(joint) || !arePlain) &&
+    Math.max(...joint.box.min.map(Math.abs), ...joint.box.max.map(Math.abs)) <= LARGEST_BOX * size;
+  return skeleton.joints.flatMap((joint, j) => (isShown(joint) ? [j] : []));
 }
 
 interface Bone {
@@ -84,12 +98,7 @@ function boxOf({ box: { min, max } }: Joint, joint: number, worlds: Float64Array
 }
 
 /** @param boxed joints that need no bone to be seen by */
-function bonesOf(
-  { joints }: Skeleton,
-  worlds: Float64Array,
-  lastOf: Int32Array,
-  boxed: ReadonlySet<number>,
-): readonly Bone[] {
+function bonesOf({ skeleton: { joints }, worlds, lastOf }: Bare, boxed: ReadonlySet<number>): readonly Bone[] {
   const at = (j: number): Vec3 => {
     const o = 16 * lastOf[j] + 12;
     return [worlds[o], worlds[o + 1], worlds[o + 2]];

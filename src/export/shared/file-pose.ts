@@ -49,9 +49,10 @@ export function filePoseOf(character: Character, { body, influences, tolerance }
     joints = { skeleton, nodes, rest: row, worlds };
   }
   const own = shownSkin(character);
-  const skin =
-    own ?? (body && joints ? bodyOf(joints.skeleton, joints.worlds, joints.nodes.lastOf, 'body') : undefined);
-  const sets = skin && skeleton && attachmentSets(skin, skeleton.joints.length, skeleton.joints.length, influences);
   const size = sizeOf(character, own, rest);
+  const bare = body &&
+    joints && { skeleton: joints.skeleton, worlds: joints.worlds, lastOf: joints.nodes.lastOf, size };
+  const skin = own ?? (bare ? bodyOf(bare, 'body') : undefined);
+  const sets = skin && skeleton && attachmentSets(skin, skeleton.joints.length, skeleton.joints.length, influences);
   return { skin, joints, sets, restPose: [...rest], size, tolerance: tolerance ?? TOLERANCE_OF_SIZE * size };
 }

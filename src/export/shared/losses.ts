@@ -213,7 +213,7 @@ function leftOut({ character, options, motions, filePose }: Written): readonly L
   const endSites = joints.reduce((sum, joint) => sum + (joint.endSites?.length ?? 0), 0);
   const hasBody = skins.length === 0 && options.body;
   const boxes = skins.length > 0 ? 0 : joints.filter(hasBox).length;
-  const seen = hasBody && skeleton ? boxedJoints(skeleton).length : 0;
+  const seen = hasBody && skeleton ? boxedJoints({ skeleton, size: filePose.size }).length : 0;
   const count = (n: number, one: string, many = `${one}s`) => (n > 0 ? [`${n} ${n === 1 ? one : many}`] : []);
   const of = (what: string, n: number, isApplied = true) =>
     count(n, 'joint').map((owners) => `${what} of ${owners}${isApplied ? ' (applied)' : ''}`);

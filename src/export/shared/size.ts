@@ -7,6 +7,7 @@ import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { poseAt } from '../../evaluate/pose.ts';
 import { blendMorphs, compileSkin, deform } from '../../evaluate/skin/deform.ts';
 import type { Character } from '../../model/document.ts';
+import { hasBox } from '../../model/skeleton/boxes.ts';
 import type { Skin } from '../../model/skin.ts';
 
 /**
@@ -25,6 +26,18 @@ export function sizeOf(character: Character, skin: Skin | undefined, rest: Float
     return [diagonal(character, skin, dofs)];
   });
   const largest = Math.max(size, ...starts.slice(0, MANY));
+  return largest > 0 ? largest : largestBox(character);
+}
+
+/** No box is as large in earnest. */
+const FAR = 1e9;
+
+/** Of a character that is one point, such as a sword of one joint. */
+function largestBox({ skeleton }: Character): number {
+  const diagonals = (skeleton?.joints ?? [])
+    .filter(hasBox)
+    .map(({ box: { min, max } }) => Math.hypot(...max.map((m, k) => m - min[k])));
+  const largest = Math.max(0, ...diagonals.filter((diagonal) => diagonal < FAR));
   return largest > 0 ? largest : 1;
 }
 

@@ -47,6 +47,19 @@ describe('the body of a character without a skin', () => {
     expect([...(skin?.attachments?.joints ?? [])]).toEqual(Array.from({ length: 48 }, (_, v) => (v < 24 ? 0 : 1)));
   });
 
+  it('has a bone for a box that is far larger than the character, and a single joint is as large as its box', () => {
+    const [far, fine] = [1.6e81, 9].map((y) => ({ min: [-1, 0, -1], max: [1, y, 1] }) as const);
+    const file = (joints: readonly Joint[]) => filePoseOf(character({ skeleton: skeletonOf(joints) }), DEFAULT_GLB);
+    const two = file([joint(-1, { box: far }), joint(0, { box: fine })]);
+    expect(two.skin?.positions.every((x) => Math.abs(x) <= 11)).toBe(true);
+    expect(two.skin?.attachments?.joints).toContain(0);
+    const sword = file([joint(-1, { box: fine })]);
+    expect(sword.size).toBeCloseTo(Math.hypot(2, 9, 2), 12);
+    expect(sword.skin?.positions).toContain(10);
+    // Floats of a GLB file have no such number.
+    expect(file([joint(-1, { box: far })])).toMatchObject({ size: 1, skin: { positions: { length: 8 * 3 * 3 } } });
+  });
+
   it('has bones where boxes are missing, and instead of default ones that most joints have', () => {
     const seen = (joints: readonly Joint[]) =>
       filePoseOf(character({ skeleton: skeletonOf(joints) }), DEFAULT_GLB).skin?.attachments?.joints.length;
