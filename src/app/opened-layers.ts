@@ -16,7 +16,7 @@ export { provideLayers } from '../evaluate/layers.ts';
  * @param open opens the same files again
  */
 export function askWhatToKeep<Options extends { readonly keep?: Keep }>(
-  { layers }: ParseOutput,
+  { layers }: Pick<ParseOutput, 'layers'>,
   options: Options,
   { messages, store }: { readonly messages: Messages; readonly store: Store },
   open: (options: Options) => void,
@@ -24,7 +24,10 @@ export function askWhatToKeep<Options extends { readonly keep?: Keep }>(
   const { edited = [] } = layers ?? {};
   if (options.keep !== undefined || edited.length === 0) return;
   const names = edited.join(', ');
-  const text = `${names} ${edited.length === 1 ? 'was' : 'were'} edited since it was saved with its layers. The edit is open, without layers.`;
+  const text =
+    edited.length === 1
+      ? `${names} was edited since it was saved with its layers. The edit is open, without layers.`
+      : `${names} were edited since they were saved with their layers. The edits are open, without layers.`;
   const { document } = store;
   const keepLayers = () => {
     messages.withdraw(text);

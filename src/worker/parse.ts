@@ -17,7 +17,7 @@ import { sha256 } from '../formats/sha256.ts';
 import { ZipRefusal } from '../formats/unzip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { emptyDumpMessage, isEmptyDump } from '../model/dump.ts';
-import { type BrokenFile, baseName, byFileName, type ParsedFile, type SourceFile } from '../model/files.ts';
+import { type BrokenFile, baseName, byFileName, byPath, type ParsedFile, type SourceFile } from '../model/files.ts';
 import { importedFrom, waitingBuffer } from './parse-imports.ts';
 import { sourceOf, tooLargeToPost, unreadable } from './parsed-blob.ts';
 import { passageOf } from './passage.ts';
@@ -120,7 +120,9 @@ async function joinedFiles(
   const { files: joined, diagnostics: problems } = joinLayers(hashed, keep ?? 'edit', byFileName);
   diagnostics.push(...problems);
   if (joined === hashed) return { joined };
-  return { joined, layers: { edited: editedPlainFiles(hashed).map(({ source }) => source.name) } };
+  const edited = editedPlainFiles(hashed).map(({ source }) => source);
+  const hasNamesakes = new Set(edited.map(byFileName)).size < edited.length;
+  return { joined, layers: { edited: edited.map(hasNamesakes ? byPath : byFileName) } };
 }
 
 /** The files with the hashes that others of them ask for. */

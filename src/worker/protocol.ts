@@ -63,7 +63,10 @@ export interface ParseOutput {
   readonly facts: readonly KnownSkin[];
   /** Paths of given files that are to be given again, as `before`, with those that come later. */
   readonly keeps: readonly string[];
-  /** Of takes with layers: names of plain files that were edited since they were saved with them. Absent without any. */
+  /**
+   * Of takes with layers: the plain files that were edited since they were saved with them, by name, or by path where
+   * names are equal. Absent without any.
+   */
   readonly layers?: { readonly edited: readonly string[] };
 }
 
