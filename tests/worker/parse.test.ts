@@ -53,6 +53,22 @@ describe('the parse job', () => {
     expect(files).toMatchObject([{ kind: 'texture', texture: { name: 'face.BMP', mime: 'image/bmp', bytes } }]);
   });
 
+  it('names plain files that were edited since once each, by their paths where names are equal', async () => {
+    const anim = 'animation { range 0 1 numchannels 1 channel { keys 1 { 0 0 flat flat } } }';
+    const layer = { name: 'arm', file: 'walk.arm.anim', mode: 'additive' };
+    const layers = (name: string) => {
+      const flattened = { file: 'walk.anim', sha256: '0f'.repeat(32) };
+      return given(`${name}.layers.json`, JSON.stringify({ base: 'walk.base.anim', flattened, layers: [layer] }));
+    };
+    const folder = (name: string) => [
+      ...['walk.anim', 'walk.base.anim', layer.file].map((file) => given(`${name}/${file}`, anim)),
+      ...['one', 'two'].map((file) => layers(`${name}/${file}`)),
+    ];
+    const edited = async (...names: string[]) => (await parse({ files: names.flatMap(folder) }, ignore)).layers?.edited;
+    expect(await edited('a')).toEqual(['walk.anim']);
+    expect(await edited('a', 'b')).toEqual(['a/walk.anim', 'b/walk.anim']);
+  });
+
   it('unpacks zips into folders of their own', async () => {
     const zip = zipSync({
       'hero/hero.skel': strToU8(skel),

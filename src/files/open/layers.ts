@@ -52,9 +52,9 @@ export function plainFilesIn(files: readonly ParsedFile[]): readonly ParsedFile[
   });
 }
 
-/** The plain files among these that were edited since they were saved with controls. */
+/** The plain files among these that were edited since they were saved with controls, each once. */
 export function editedPlainFiles(files: readonly ParsedFile[]): readonly ParsedFile[] {
-  return plainFilesIn(files).filter((plain) =>
+  return [...new Set(plainFilesIn(files))].filter((plain) =>
     files.some((file) => {
       const flattened = flattenedIn(file);
       return flattened && fileNamed(files, flattened.file, file.source) === plain && isEdited(plain, flattened);
