@@ -90,8 +90,13 @@ inPage('the stepped preview holds each pose up to the next key, and changes noth
   await expect.poll(shown).toBeCloseTo(smooth, 1);
   const isOn = page.getByRole('button', { name: 'Stepped preview is on' });
   await expect.poll(() => isOn.count()).toBe(0);
+  const leftOfTime = () =>
+    page.getByRole('textbox', { name: 'Time in seconds' }).evaluate((e) => e.getBoundingClientRect().left);
+  const before = await leftOfTime();
   await page.keyboard.press('Shift+D');
   await expect.poll(() => arm(page)).toBeCloseTo(first.value, 9);
+  await isOn.waitFor();
+  await expect.poll(leftOfTime).toBe(before);
   await expect.poll(shown).toBeCloseTo(degrees(first.value), 1);
   await isOn.click();
   await expect.poll(() => arm(page)).not.toBeCloseTo(first.value, 3);

@@ -142,10 +142,10 @@ function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   };
   wb.timeline.autoKey.subscribe(show);
   show();
-  return toolbar(element('div', { class: 'tools', 'aria-label': 'Keying' }, key, auto, steppedSwitch(wb)));
+  return toolbar(element('div', { class: 'tools', 'aria-label': 'Keying' }, key, auto));
 }
 
-function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement {
+function times(wb: Uses<'actions' | 'transport' | 'settings' | 'messages'>): HTMLElement {
   const at = (timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const time = new NumberField({
@@ -197,6 +197,8 @@ function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement {
     { class: 'times' },
     labelled('Time', time.element, 's'),
     labelled('Frame', frame.element, last),
+    // Last, so that nothing moves when it appears.
+    steppedSwitch(wb),
   );
 }
 
