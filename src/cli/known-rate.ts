@@ -8,8 +8,11 @@ import type { Loaded } from './load.ts';
 /** Codes of what readers say where they use a usual rate. */
 const ASSUMED: ReadonlySet<string> = new Set(['rate-assumed', 'rate-expected']);
 
-/** Kinds of files that are nothing but frames. */
-const STATING: ReadonlySet<string> = new Set<ParsedFile['kind']>(['bvh', 'amc', 'trc']);
+/** Whether it holds frames, whose rate it states, or its kind does, unless one was assumed. */
+function hasFrames(file: ParsedFile): boolean {
+  if (file.kind === 'character') return file.characters.some(({ takes }) => takes.some(({ samples }) => samples));
+  return file.kind === 'bvh' || file.kind === 'amc' || file.kind === 'trc';
+}
 
 /**
  * The files with frames at this rate wherever one was assumed: the same frames at other times. Takes with layers, goals
@@ -26,10 +29,10 @@ export function atKnownRate(loaded: Loaded, framesPerSecond: number | undefined)
     const samples = { ...take.samples, frameSeconds: 1 / framesPerSecond, startSeconds: start };
     return { ...take, samples, range: rangeOfSamples(samples) };
   };
-  const stated = loaded.files
-    .filter(({ kind, source }) => STATING.has(kind) && !assumed.has(source.path) && !assumed.has(source.name))
+  const known = loaded.files
+    .filter((file) => hasFrames(file) && !assumed.has(file.source.path))
     .map(({ source }) =>
-      withoutPlace('info', 'rate-stated', 'It states its frame rate, so --rate changes nothing in it.', source.path),
+      withoutPlace('info', 'rate-known', 'Its frame rate is known, so --rate changes nothing in it.', source.path),
     );
   const files = loaded.files.map((file): ParsedFile => {
     if (!assumed.has(file.source.path)) return file;
@@ -43,5 +46,5 @@ export function atKnownRate(loaded: Loaded, framesPerSecond: number | undefined)
     (one): Diagnostic =>
       ASSUMED.has(one.code) ? { ...one, assumed: `used ${framesPerSecond} frames per second, as --rate says` } : one,
   );
-  return { ...loaded, files, diagnostics: [...diagnostics, ...stated] };
+  return { ...loaded, files, diagnostics: [...diagnostics, ...known] };
 }

@@ -412,8 +412,8 @@ describe('marrow export', () => {
     expect(after.times.values).toEqual([0, 0.02, 0.04]);
     expect(meta('known/one.npz')).toMatchObject({ rate: 50, notes: [expect.stringContaining('50')] });
     // Stated rates stay, and the one file that is converted is the same.
-    const stated = await exported('takes/walk.bvh', '--to', 'npz', '--out', 'stated', '--rate', '50');
-    expect(stated.err).toContain('1 take: It states its frame rate, so --rate changes nothing in it.\n');
+    const known = await exported('takes/walk.bvh', '--to', 'npz', '--out', 'stated', '--rate', '50');
+    expect(known.err).toContain('1 take: Its frame rate is known, so --rate changes nothing in it.\n');
     expect(npz('stated/takes/walk.npz').fps.values).toEqual([10]);
     expect((await command(['convert', 'one.amc', 'one.bvh', '--rate', '50'], folder)).code).toBe(0);
     expect(readFileSync(join(folder, 'one.bvh'), 'utf8')).toContain('Frame Time: 0.02\n');

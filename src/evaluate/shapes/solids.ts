@@ -5,7 +5,7 @@
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import { boneEnds } from '../../model/skeleton/bone-ends.ts';
-import { hasBox } from '../../model/skeleton/boxes.ts';
+import { BOX_FACES, boxCorner, hasBox } from '../../model/skeleton/boxes.ts';
 import { jointDofCount, rootDofCount } from '../../model/skeleton/dofs.ts';
 import type { Skeleton } from '../../model/skeleton/skeleton.ts';
 import { blendMorphs, compileSkin, deform } from '../skin/deform.ts';
@@ -71,9 +71,7 @@ function bonesOf({ joints, ...skeleton }: Skeleton, world: Float64Array): Solid 
   joints.forEach((joint, j) => {
     if (joint.parent >= 0) made.bone(at(joint.parent, [0, 0, 0]), at(j, [0, 0, 0]), size);
     if (hasBox(joint)) {
-      const { min, max } = joint.box;
-      const corner = (i: number) => at(j, [i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]]);
-      made.box([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
+      made.box([0, 1, 2, 3, 4, 5, 6, 7].map((i) => at(j, boxCorner(joint.box, i))));
     } else made.knob(at(j, [0, 0, 0]), 0.8 * WIDEST * size);
   });
   for (const end of boneEnds({ ...skeleton, joints })) made.bone(at(end.joint, [0, 0, 0]), at(end.joint, end.at), size);
@@ -127,7 +125,7 @@ class Solids {
     }
   }
 
-  /** Corners indexed by bits: x, y, z. */
+  /** Corners in the order of `boxCorner`. */
   box(corners: readonly (readonly number[])[]): void {
     for (const [a, b, c, d] of BOX_FACES) this.face([corners[a], corners[b], corners[c], corners[d]]);
   }
@@ -148,15 +146,6 @@ class Solids {
     if (corners.length > 3) this.triangles.push(first, first + 2, first + 3);
   }
 }
-
-const BOX_FACES = [
-  [0, 1, 3, 2],
-  [4, 5, 7, 6],
-  [0, 1, 5, 4],
-  [2, 3, 7, 6],
-  [0, 2, 6, 4],
-  [1, 3, 7, 5],
-];
 
 function cross(a: readonly number[], b: readonly number[]): number[] {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

@@ -6,7 +6,7 @@
 
 import { acrossOf, cross, scaled, subtract, transformPoint, unit, type Vec3 } from '../../math/vec3.ts';
 import { hasOwnBox } from '../../model/skeleton/axis-angle.ts';
-import { areBoxesOversized, areBoxesPlain, hasBox } from '../../model/skeleton/boxes.ts';
+import { areBoxesOversized, areBoxesPlain, BOX_FACES, boxCorner, hasBox } from '../../model/skeleton/boxes.ts';
 import type { Joint, Skeleton } from '../../model/skeleton/skeleton.ts';
 import { oneSurface, type Skin } from '../../model/skin.ts';
 
@@ -55,15 +55,21 @@ export function bodyPoints(bare: Bare): readonly { readonly joint: number; reado
 
 interface Box {
   readonly joint: number;
-  /** Eight, by the bits of x, y and z. */
+  /** Eight, in the order of `boxCorner`. */
   readonly corners: readonly Vec3[];
 }
+
+const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7];
 
 function partsOf(bare: Bare) {
   const { skeleton, worlds, lastOf } = bare;
   const boxed = new Set(boxedJoints(bare));
   return {
-    boxes: [...boxed].map((j) => boxOf(skeleton.joints[j], j, worlds, 16 * lastOf[j])),
+    boxes: [...boxed].map((joint): Box => {
+      const { box } = skeleton.joints[joint];
+      const corners = CORNERS.map((i) => transformPoint(worlds, boxCorner(box, i), 16 * lastOf[joint]));
+      return { joint, corners };
+    }),
     bones: boxed.size < skeleton.joints.length ? bonesOf(bare, boxed) : [],
   };
 }
@@ -88,13 +94,6 @@ interface Bone {
   readonly to: Vec3;
   /** Whether it is there only to be seen. */
   readonly isStub: boolean;
-}
-
-function boxOf({ box: { min, max } }: Joint, joint: number, worlds: Float64Array, o: number): Box {
-  // Boxes with min > max are drawn too.
-  const side = (bit: number, k: number) => (bit ? Math.max(min[k], max[k]) : Math.min(min[k], max[k]));
-  const corner = (i: number) => transformPoint(worlds, [side(i & 1, 0), side(i & 2, 1), side(i & 4, 2)], o);
-  return { joint, corners: [0, 1, 2, 3, 4, 5, 6, 7].map(corner) };
 }
 
 /** @param boxed joints that need no bone to be seen by */
@@ -158,16 +157,6 @@ function boneFaces({ joint, from, to }: Bone): readonly Face[] {
     ];
   });
 }
-
-/** Corners of the faces of a box, by the bits of x, y and z. */
-const BOX_FACES = [
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-];
 
 function boxFaces({ joint, corners }: Box): readonly Face[] {
   return BOX_FACES.map((face) => ({ joint, corners: face.map((i) => corners[i]) }));

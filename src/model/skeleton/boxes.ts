@@ -5,6 +5,7 @@
  * with a bone of its own has a box only if someone set one.
  */
 
+import type { Vec3 } from '../../math/vec3.ts';
 import { perObject } from '../per-object.ts';
 import { hasOwnBox } from './axis-angle.ts';
 import { isOfBvh } from './joint-types.ts';
@@ -75,4 +76,23 @@ function middleOf(lengths: readonly number[]): number {
 /** Whether at least one joint has a box that is drawn and measured. */
 export function hasBoxes({ joints }: Skeleton): boolean {
   return joints.some(hasBox);
+}
+
+/** The faces of a box, counter-clockwise from outside, by its corners: `boxCorner`. */
+export const BOX_FACES: readonly (readonly number[])[] = [
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+];
+
+/**
+ * A corner of a box in its joint's space. A box with min > max is the same as the other way round.
+ * @param i from 0 to 7; its bits are the sides of x, y and z, 1 for the greater
+ */
+export function boxCorner({ min, max }: Box, i: number): Vec3 {
+  const side = (k: 0 | 1 | 2) => (i & (1 << k) ? Math.max(min[k], max[k]) : Math.min(min[k], max[k]));
+  return [side(0), side(1), side(2)];
 }
