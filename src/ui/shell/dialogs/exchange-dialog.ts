@@ -108,7 +108,7 @@ class Saving {
       askChoice(
         'body',
         'Body',
-        { yes: 'Bones', no: 'None' },
+        { yes: 'Boxes and bones', no: 'None' },
         { shownIf: () => this.has('body') && !this.character().skins.length },
       ),
     ];
