@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
-import { dropFiles } from '../../helpers/page.ts';
+import { dropFiles, openFiles } from '../../helpers/page.ts';
 
 export const ARM = `balljoint shoulder {
 	boxmin -0.1 0 -0.1
@@ -21,8 +21,8 @@ export const offer = (page: Page) => page.getByRole('region', { name: 'Unsaved w
 export const restore = (page: Page) => offer(page).getByRole('button', { name: 'Restore' }).click();
 export const openArm = async (page: Page) => {
   await ready(page);
-  await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
-  await shown(page, 'arm');
+  // Resolves once it is open, where an arm of before is replaced too.
+  await openFiles(page, [{ path: 'arm.skel', blob: new Blob([ARM]) }]);
 };
 
 /** Small, since many pages are opened here, each drawn in software. */
