@@ -76,8 +76,8 @@ export class Autosave {
   private isHeld = false;
   private last: SessionState | undefined;
   private marksChanged = false;
-  /** The document that the page opened by itself. */
-  private own: Document | undefined;
+  /** The document that the page opened by itself: not kept, even if undo leads back to it. */
+  private readonly own: Document;
   private hasComplained = false;
   /** No save before this time, since the last one failed. */
   private retryAtMs = 0;
@@ -298,7 +298,6 @@ export class Autosave {
     this.lock = Promise.resolve(lock);
     this.isHeld = true;
     putBack(session.state, this.parts, wasWork);
-    this.own = undefined;
     this.last = this.state();
     this.marksChanged = false;
     this.rhythm.clear();

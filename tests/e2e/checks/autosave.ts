@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import type { Check } from '../../helpers/check.ts';
+import { undoAll } from '../../helpers/one-page.ts';
 import { dropFiles, openFiles } from '../../helpers/page.ts';
 
 export const ARM = `balljoint shoulder {
@@ -30,7 +31,7 @@ export const SMALL = { size: { width: 960, height: 600 } } as const;
 
 export const RESTORING: readonly Check[] = [
   {
-    name: 'work that is restored over other work is one step, that undo takes back',
+    name: 'work that is restored over other work is one step, that undo takes back; with all undone nothing is kept',
     options: SMALL,
     async run({ page }) {
       await openArm(page);
@@ -48,6 +49,8 @@ export const RESTORING: readonly Check[] = [
       const hasUndone = await page.evaluate(() => window.marrow.undo());
       expect(hasUndone).toBe(true);
       await shown(page, 'other');
+      await undoAll(page);
+      await page.waitForFunction(() => document.documentElement.dataset.autosave === 'nothing');
     },
   },
 ];
