@@ -1,10 +1,11 @@
 /** Another program's numbers on the page: dropped, pasted, at several times, and wrong ones. */
 import type { Page } from 'playwright-core';
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { Evaluator } from '../../src/teaching/program/evaluator.ts';
 import { type Program, RIGHT_PROGRAM } from '../../src/teaching/program/program.ts';
 import { COMPARE_COLOURS } from '../../src/view/compare/compare-colours.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { inOnePage, startOver } from '../helpers/one-page.ts';
+import { dropFiles } from '../helpers/page.ts';
 import { characterOf, OWN, ownBytes } from '../teaching/lesson-files.ts';
 
 const given = (...names: readonly string[]) => names.map((name) => ({ name, bytes: ownBytes(name) }));
@@ -117,113 +118,28 @@ const says = (page: Page, text: string | RegExp) => banner(page).getByText(text)
 const marked = (page: Page, joint: string, mark: string) =>
   page.locator(`.row-joint:has-text("${joint}") .compare-swatch[aria-label="${mark}"]`).waitFor();
 
+const inPage = inOnePage({ drawn: 'later' }, ({ page }) =>
+  page.context().grantPermissions(['clipboard-read', 'clipboard-write']),
+);
+
+/** Without numbers and pixels of before. */
+async function startComparing(page: Page): Promise<void> {
+  await startOver(page);
+  await page.evaluate(async () => {
+    window.fillPixels(false);
+    try {
+      await window.marrow.run('compare.stop');
+    } catch {
+      // Nothing is compared.
+    }
+  });
+}
+
 describe('another program’s numbers', () => {
-  it('dropped numbers get a banner, marks of joints, causes, and theirs beside ours; time moves between those compared', () =>
-    withPage(
-      async ({ page }) => {
-        await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
-        await dropFiles(page, [
-          ...given('crawler.skel', 'crawler_walk.anim'),
-          { name: 'mine@1.5.txt', bytes: printed([1.5], [], REVERSED) },
-        ]);
-        await says(
-          page,
-          'First wrong: body. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 25 wrong joints.',
-        );
-        const { undo } = await page.evaluate(() => window.marrow.steps());
-        await marked(page, 'root', 'agrees');
-        await marked(page, 'body', 'own error');
-        const panel = page.locator('.compare');
-        await panel.getByText('rotation-order', { exact: true }).waitFor();
-
-        await panel.locator('.compare-row', { hasText: 'femur_l1' }).click();
-        await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'femur_l1' }).waitFor();
-        const ours = panel.locator('section[aria-label=Marrow’s] .number');
-        const drawn = await page.evaluate(() => window.marrow.worldMatrices()[9]);
-        const numbers = (await ours.allTextContents()).map((text) => Number(text.replace('−', '-')));
-        numbers.forEach((number, i) => {
-          expect(number).toBeCloseTo(drawn[4 * (i % 4) + Math.floor(i / 4)], 2);
-        });
-        await panel.getByRole('button', { name: /^See its steps/ }).click();
-        await page.locator('.step-card[aria-label="W₉"]').waitFor();
-
-        // Another time: nothing is marked, and the banner leads back.
-        await page.evaluate(() => window.marrow.seek(0.4));
-        await page.locator('.row-joint .compare-swatch').first().waitFor({ state: 'detached' });
-        await legend(page).waitFor({ state: 'detached' });
-        await banner(page).getByRole('button', { name: 'Go to 1.5 s' }).click();
-        await marked(page, 'body', 'own error');
-
-        // Of the same name: in its place.
-        await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
-        await says(page, /^All agree: 26 world matrices at 1.5 s/);
-        await page.getByText('mine@1.5.txt replaced the earlier numbers of that name.').waitFor();
-        await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [8, 9, 10]) }]);
-        await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: coxa_l1\. No known mistake/);
-        await banner(page).getByRole('button', { name: 'Details' }).click();
-        await panel.getByText('What differs: Joint coxa_l1 and all below it at 2 of 3 times').waitFor();
-        await panel.getByRole('button', { name: '1 s, differs' }).click();
-        await marked(page, 'femur_l1', 'inherited');
-
-        // An edit compares again.
-        await page.evaluate(() => window.marrow.run('pose.resetToZero'));
-        await says(page, /^First wrong in more\.txt at 1 s: root/);
-        await page.keyboard.press('ControlOrMeta+z');
-        await says(page, /^First wrong in more\.txt at 1 s: coxa_l1/);
-
-        await panel.getByRole('grid', { name: 'Joints' }).focus();
-        await page.keyboard.press('Escape');
-        await banner(page).waitFor({ state: 'hidden' });
-        await expect.poll(() => page.locator('.row-joint .compare-swatch').count()).toBe(0);
-        await expect.poll(async () => (await page.evaluate(() => window.marrow.steps())).undo).toBe(undo);
-
-        const pasted = printed([1.5], [22]);
-        await panel.getByLabel(/^Print your world matrices/).fill(pasted);
-        await panel.getByRole('button', { name: 'Compare', exact: true }).click();
-        await says(page, /^First wrong: tibia_r2/);
-        // By keys too, in the place of what was pasted before.
-        await page.evaluate((text) => navigator.clipboard.writeText(text), printed([1.5]));
-        await panel.getByRole('grid', { name: 'Joints' }).focus();
-        await page.keyboard.press('ControlOrMeta+v');
-        await says(page, /^All agree: 26 world matrices/);
-        await dropFiles(page, [{ name: 'short.txt', bytes: 'time 1.5\n1 2 3\n' }]);
-        const line = page.locator('.message-line');
-        await line.getByText(/^short\.txt:2: not compared\. Expected 12 or 16 numbers for each of 26 joints/).waitFor();
-        await line.getByRole('button', { name: 'Show line 2 of short.txt in Source' }).click();
-        await page.locator('.source-lines').getByText('1 2 3').waitFor();
-        await page.evaluate(() => window.marrow.run('compare.stop'));
-
-        // Steps of the pose that was compared, not of the one shown.
-        await dropFiles(page, [{ name: 'still.txt', bytes: printed([undefined]) }]);
-        await says(page, /^All agree: 26 world matrices in the file pose/);
-        await page.evaluate(() => window.marrow.run('page.tab.compare'));
-        await panel.locator('.compare-row', { hasText: 'femur_l1' }).click();
-        await panel.getByRole('button', { name: /^See its steps/ }).click();
-        await page.getByRole('button', { name: 'File pose', pressed: true }).waitFor();
-        const still = printed([undefined]).split('\n')[9].split(' ').map(Number);
-        const steps = page.locator('.step-card[aria-label="W₉"] .grid').first().locator('.number');
-        await expect
-          .poll(async () => (await steps.allTextContents()).map((text) => Number(text.replace('−', '-'))).slice(0, 4))
-          .toEqual([0, 4, 8, 12].map((at) => expect.closeTo(still[at], 2)));
-        await page.evaluate(() => window.marrow.run('compare.stop'));
-
-        // Of the same times under another name: which is compared is said.
-        await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
-        await says(page, /^All agree: 26 world matrices/);
-        await dropFiles(page, [{ name: 'other.txt', bytes: printed([1.5], [8]) }]);
-        await says(page, /^other\.txt instead of mine@1\.5\.txt\. First wrong: /);
-        await page.evaluate(() => window.marrow.run('page.tab.compare'));
-        await panel.locator('.compare-files').getByText('instead of mine@1.5.txt').waitFor();
-        await page.evaluate(() => window.marrow.run('compare.stop'));
-
-        await expectDrawn(page);
-      },
-      { drawn: 'later' },
-    ));
-
-  it('without a take, numbers of time 0 are marked at once; Ctrl+V compares from anywhere, and Enter selects', () =>
-    withPage(async ({ page }) => {
-      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  inPage(
+    'without a take, numbers of time 0 are marked at once; Ctrl+V compares from anywhere, and Enter selects',
+    async ({ page }) => {
+      await startComparing(page);
       const paste = async (text: string) => {
         await page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
         await page.keyboard.press('ControlOrMeta+v');
@@ -273,5 +189,108 @@ describe('another program’s numbers', () => {
       await expect.poll(() => field.inputValue()).toBe(printed([undefined]));
       await page.keyboard.press('ControlOrMeta+Enter');
       await says(page, /^All agree/);
-    }));
+    },
+  );
+
+  inPage(
+    'dropped numbers get a banner, marks of joints, causes, and theirs beside ours; time moves between those compared',
+    async ({ page }) => {
+      await startComparing(page);
+      await dropFiles(page, [
+        ...given('crawler.skel', 'crawler_walk.anim'),
+        { name: 'mine@1.5.txt', bytes: printed([1.5], [], REVERSED) },
+      ]);
+      await says(
+        page,
+        'First wrong: body. You multiply Rx·Ry·Rz; it should be Rz·Ry·Rx. Explains all 25 wrong joints.',
+      );
+      const { undo } = await page.evaluate(() => window.marrow.steps());
+      await marked(page, 'root', 'agrees');
+      await marked(page, 'body', 'own error');
+      const panel = page.locator('.compare');
+      await panel.getByText('rotation-order', { exact: true }).waitFor();
+
+      await panel.locator('.compare-row', { hasText: 'femur_l1' }).click();
+      await page.locator('[role=treeitem][aria-selected=true]', { hasText: 'femur_l1' }).waitFor();
+      const ours = panel.locator('section[aria-label=Marrow’s] .number');
+      const drawn = await page.evaluate(() => window.marrow.worldMatrices()[9]);
+      const numbers = (await ours.allTextContents()).map((text) => Number(text.replace('−', '-')));
+      numbers.forEach((number, i) => {
+        expect(number).toBeCloseTo(drawn[4 * (i % 4) + Math.floor(i / 4)], 2);
+      });
+      await panel.getByRole('button', { name: /^See its steps/ }).click();
+      await page.locator('.step-card[aria-label="W₉"]').waitFor();
+
+      // Another time: nothing is marked, and the banner leads back.
+      await page.evaluate(() => window.marrow.seek(0.4));
+      await page.locator('.row-joint .compare-swatch').first().waitFor({ state: 'detached' });
+      await legend(page).waitFor({ state: 'detached' });
+      await banner(page).getByRole('button', { name: 'Go to 1.5 s' }).click();
+      await marked(page, 'body', 'own error');
+
+      // Of the same name: in its place.
+      await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
+      await says(page, /^All agree: 26 world matrices at 1.5 s/);
+      await page.getByText('mine@1.5.txt replaced the earlier numbers of that name.').waitFor();
+      await dropFiles(page, [{ name: 'more.txt', bytes: printed([0.5, 1], [8, 9, 10]) }]);
+      await says(page, /^Agrees at 1.5 s\. First wrong in more\.txt at 0.5 s: coxa_l1\. No known mistake/);
+      await banner(page).getByRole('button', { name: 'Details' }).click();
+      await panel.getByText('What differs: Joint coxa_l1 and all below it at 2 of 3 times').waitFor();
+      await panel.getByRole('button', { name: '1 s, differs' }).click();
+      await marked(page, 'femur_l1', 'inherited');
+
+      // An edit compares again.
+      await page.evaluate(() => window.marrow.run('pose.resetToZero'));
+      await says(page, /^First wrong in more\.txt at 1 s: root/);
+      await page.keyboard.press('ControlOrMeta+z');
+      await says(page, /^First wrong in more\.txt at 1 s: coxa_l1/);
+
+      await panel.getByRole('grid', { name: 'Joints' }).focus();
+      await page.keyboard.press('Escape');
+      await banner(page).waitFor({ state: 'hidden' });
+      await expect.poll(() => page.locator('.row-joint .compare-swatch').count()).toBe(0);
+      await expect.poll(async () => (await page.evaluate(() => window.marrow.steps())).undo).toBe(undo);
+
+      const pasted = printed([1.5], [22]);
+      await panel.getByLabel(/^Print your world matrices/).fill(pasted);
+      await panel.getByRole('button', { name: 'Compare', exact: true }).click();
+      await says(page, /^First wrong: tibia_r2/);
+      // By keys too, in the place of what was pasted before.
+      await page.evaluate((text) => navigator.clipboard.writeText(text), printed([1.5]));
+      await panel.getByRole('grid', { name: 'Joints' }).focus();
+      await page.keyboard.press('ControlOrMeta+v');
+      await says(page, /^All agree: 26 world matrices/);
+      await dropFiles(page, [{ name: 'short.txt', bytes: 'time 1.5\n1 2 3\n' }]);
+      const line = page.locator('.message-line');
+      await line.getByText(/^short\.txt:2: not compared\. Expected 12 or 16 numbers for each of 26 joints/).waitFor();
+      await line.getByRole('button', { name: 'Show line 2 of short.txt in Source' }).click();
+      await page.locator('.source-lines').getByText('1 2 3').waitFor();
+      await page.evaluate(() => window.marrow.run('compare.stop'));
+
+      // Steps of the pose that was compared, not of the one shown.
+      await dropFiles(page, [{ name: 'still.txt', bytes: printed([undefined]) }]);
+      await says(page, /^All agree: 26 world matrices in the file pose/);
+      await page.evaluate(() => window.marrow.run('page.tab.compare'));
+      await panel.locator('.compare-row', { hasText: 'femur_l1' }).click();
+      await panel.getByRole('button', { name: /^See its steps/ }).click();
+      await page.getByRole('button', { name: 'File pose', pressed: true }).waitFor();
+      const still = printed([undefined]).split('\n')[9].split(' ').map(Number);
+      const steps = page.locator('.step-card[aria-label="W₉"] .grid').first().locator('.number');
+      await expect
+        .poll(async () => (await steps.allTextContents()).map((text) => Number(text.replace('−', '-'))).slice(0, 4))
+        .toEqual([0, 4, 8, 12].map((at) => expect.closeTo(still[at], 2)));
+      await page.evaluate(() => window.marrow.run('compare.stop'));
+
+      // Of the same times under another name: which is compared is said.
+      await dropFiles(page, [{ name: 'mine@1.5.txt', bytes: printed([1.5]) }]);
+      await says(page, /^All agree: 26 world matrices/);
+      await dropFiles(page, [{ name: 'other.txt', bytes: printed([1.5], [8]) }]);
+      await says(page, /^other\.txt instead of mine@1\.5\.txt\. First wrong: /);
+      await page.evaluate(() => window.marrow.run('page.tab.compare'));
+      await panel.locator('.compare-files').getByText('instead of mine@1.5.txt').waitFor();
+      await page.evaluate(() => window.marrow.run('compare.stop'));
+
+      await expectDrawn(page);
+    },
+  );
 });

@@ -7,11 +7,12 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { unzipSync, zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import type { Character } from '../../src/model/document.ts';
 import { glbOf } from '../helpers/glb.ts';
 import { hero, vrmOf, WALKER_FILES } from '../helpers/hero.ts';
-import { type DroppedFile, dropFiles, dropPaths, type OpenPage, withPage } from '../helpers/page.ts';
+import { inOnePage } from '../helpers/one-page.ts';
+import { type DroppedFile, dropFiles, dropPaths, type OpenPage } from '../helpers/page.ts';
 import { posed } from '../helpers/posed.ts';
 import { mixamoFile } from '../import/fbx/mixamo-file.ts';
 import { fbxBytes } from '../import/fbx/write-fbx.ts';
@@ -205,44 +206,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
   await removeAll(page);
 }
 
-it('a VRM, and an FBX file like Mixamo’s, are played, posed, keyed, saved as text, retargeted and saved as GLB', () =>
-  withPage(
-    async (open) => {
-      const { page } = open;
-      const own = await hero(LENGTH);
-      const frames = Array.from({ length: 30 * LENGTH + 1 }, (_, f) => f / 30);
-      const { triangles, positions } = own.skins[0];
-      const files = [
-        {
-          name: 'hero.vrm',
-          bytes: vrmOf(own),
-          scale: 1,
-          within: 1 / 2000,
-          of: own,
-          order: Array.from({ length: positions.length / 3 }, (_, v) => v),
-        },
-        {
-          name: 'hero.fbx',
-          // At frames, in centimetres; keys are floats. Vertices come in the order of the corners of triangles.
-          bytes: fbxBytes(mixamoFile(own, frames, 100)),
-          scale: 100,
-          within: 1e-4,
-          of: { ...own, morphs: [] },
-          order: new Set(triangles),
-        },
-      ];
-      for (const { name, bytes, scale, within, of, order } of files) {
-        await dropFiles(page, [{ name, bytes }]);
-        await opened(page, 'hero');
-        for (const seconds of TIMES) {
-          const shape = await shapeAt(page, 'hero', seconds);
-          expect(distance(shape, expected(of, seconds, scale, order))).toBeLessThan(2.8 * scale * within);
-        }
-        await goThrough(open, scale);
-      }
-    },
-    { before: noDisk, size: SMALL },
-  ));
+const inPage = inOnePage({ before: noDisk, size: SMALL });
 
 /** The hero as `.gltf` with a buffer and an image in files of their own. */
 async function separate(): Promise<readonly DroppedFile[]> {
@@ -262,83 +226,81 @@ async function separate(): Promise<readonly DroppedFile[]> {
   ];
 }
 
-it('a .gltf with its files is opened from a folder, a zip, together and one by one; reading is cancelled', () =>
-  withPage(
-    async ({ page }) => {
-      const files = await separate();
-      const [gltf, bin, png] = files;
-      const folder = mkdtempSync(join(tmpdir(), 'marrow-gltf-'));
-      try {
-        const scene = join(folder, 'scene');
-        mkdirSync(join(scene, 'textures'), { recursive: true });
-        writeFileSync(join(scene, gltf.name), gltf.bytes);
-        writeFileSync(join(scene, bin.name), bin.bytes);
-        writeFileSync(join(scene, 'textures', png.name), png.bytes);
-        const messages = () => page.locator('.lower').textContent();
-        const said = page.locator('.message-line');
-        const isWhole = async () => {
-          await opened(page, 'hero');
-          const [{ vertexCount, joints }] = await page.evaluate(() => window.marrow.characters());
-          expect([vertexCount, joints.length]).toEqual([2019, 32]);
-          await expect.poll(messages).toContain('Problems in your files appear here');
-          await removeAll(page);
-        };
-        await dropPaths(page, [scene]);
-        await isWhole();
-        const zip = zipSync({
-          'scene/hero.gltf': Buffer.from(gltf.bytes),
-          'scene/hero data.bin': Buffer.from(bin.bytes),
-          'scene/textures/hero.png': Buffer.from(png.bytes),
-        });
-        await dropFiles(page, [{ name: 'scene.zip', bytes: zip }]);
-        await isWhole();
-        await dropFiles(page, files);
-        await isWhole();
+/** The first, since it looks for messages. */
+inPage(
+  'a .gltf with its files is opened from a folder, a zip, together and one by one; reading is cancelled',
+  async ({ page }) => {
+    const files = await separate();
+    const [gltf, bin, png] = files;
+    const folder = mkdtempSync(join(tmpdir(), 'marrow-gltf-'));
+    try {
+      const scene = join(folder, 'scene');
+      mkdirSync(join(scene, 'textures'), { recursive: true });
+      writeFileSync(join(scene, gltf.name), gltf.bytes);
+      writeFileSync(join(scene, bin.name), bin.bytes);
+      writeFileSync(join(scene, 'textures', png.name), png.bytes);
+      const messages = () => page.locator('.lower').textContent();
+      const said = page.locator('.message-line');
+      const isWhole = async () => {
+        await opened(page, 'hero');
+        const [{ vertexCount, joints }] = await page.evaluate(() => window.marrow.characters());
+        expect([vertexCount, joints.length]).toEqual([2019, 32]);
+        await expect.poll(messages).toContain('Problems in your files appear here');
+        await removeAll(page);
+      };
+      await dropPaths(page, [scene]);
+      await isWhole();
+      const zip = zipSync({
+        'scene/hero.gltf': Buffer.from(gltf.bytes),
+        'scene/hero data.bin': Buffer.from(bin.bytes),
+        'scene/textures/hero.png': Buffer.from(png.bytes),
+      });
+      await dropFiles(page, [{ name: 'scene.zip', bytes: zip }]);
+      await isWhole();
+      await dropFiles(page, files);
+      await isWhole();
 
-        // One by one: what is missing is named, and nothing is opened without it.
-        const parts = files.map((file) => ({ ...file, name: file.name.replace('hero', 'solo') }));
-        const solo = { ...parts[0], bytes: String(gltf.bytes).replace('hero%20data', 'solo%20data') };
-        await dropFiles(page, [solo]);
-        await expect.poll(() => said.textContent()).toContain('solo%20data.bin');
-        await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(0);
-        await dropFiles(page, [parts[1]]);
-        await opened(page, 'solo');
-        // And again, edited in another program.
-        const renamed = { ...solo, bytes: solo.bytes.replace('mixamorig:Hips', 'mixamorig:Pelvis') };
-        await dropFiles(page, [renamed]);
-        const names = () => page.evaluate(() => window.marrow.characters()[0].joints.map(({ name }) => name));
-        await expect.poll(names).toContain('mixamorig:Pelvis');
-        await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(1);
+      // One by one: what is missing is named, and nothing is opened without it.
+      const parts = files.map((file) => ({ ...file, name: file.name.replace('hero', 'solo') }));
+      const solo = { ...parts[0], bytes: String(gltf.bytes).replace('hero%20data', 'solo%20data') };
+      await dropFiles(page, [solo]);
+      await expect.poll(() => said.textContent()).toContain('solo%20data.bin');
+      await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(0);
+      await dropFiles(page, [parts[1]]);
+      await opened(page, 'solo');
+      // And again, edited in another program.
+      const renamed = { ...solo, bytes: solo.bytes.replace('mixamorig:Hips', 'mixamorig:Pelvis') };
+      await dropFiles(page, [renamed]);
+      const names = () => page.evaluate(() => window.marrow.characters()[0].joints.map(({ name }) => name));
+      await expect.poll(names).toContain('mixamorig:Pelvis');
+      await expect.poll(() => page.evaluate(() => window.marrow.characters().length)).toBe(1);
 
-        // Large enough to be read for a while.
-        const large = join(folder, 'large.glb');
-        writeFileSync(large, largeGlb());
-        const before = await page.evaluate(() => window.marrow.steps());
-        // At once when it is said to be read, however fast that is.
-        await page.evaluate(() => {
-          const loaded = document.querySelector<HTMLElement>('.loaded');
-          if (!loaded) throw new Error('The progress was expected.');
-          new MutationObserver(() => {
-            if (!loaded.textContent?.includes('large.glb')) return;
-            document.body.dataset.read ??= loaded.textContent;
-            [...loaded.querySelectorAll('button')].find(({ textContent }) => textContent === 'Cancel')?.click();
-          }).observe(loaded, { subtree: true, childList: true, characterData: true });
-        });
-        await dropPaths(page, [large]);
-        await expect.poll(() => said.textContent()).toContain('Open cancelled. Nothing was changed.');
-        await expect
-          .poll(() => page.evaluate(() => document.body.dataset.read))
-          .toMatch(/Reading large\.glb, .* of \d/);
-        await expect.poll(() => page.evaluate(() => window.marrow.steps())).toEqual(before);
-        await expect.poll(() => names()).toContain('mixamorig:Pelvis');
-        await dropFiles(page, [{ name: 'post.skel', bytes: 'balljoint post { }' }]);
-        await opened(page, 'post');
-      } finally {
-        rmSync(folder, { recursive: true });
-      }
-    },
-    { size: SMALL },
-  ));
+      // Large enough to be read for a while.
+      const large = join(folder, 'large.glb');
+      writeFileSync(large, largeGlb());
+      const before = await page.evaluate(() => window.marrow.steps());
+      // At once when it is said to be read, however fast that is.
+      await page.evaluate(() => {
+        const loaded = document.querySelector<HTMLElement>('.loaded');
+        if (!loaded) throw new Error('The progress was expected.');
+        new MutationObserver(() => {
+          if (!loaded.textContent?.includes('large.glb')) return;
+          document.body.dataset.read ??= loaded.textContent;
+          [...loaded.querySelectorAll('button')].find(({ textContent }) => textContent === 'Cancel')?.click();
+        }).observe(loaded, { subtree: true, childList: true, characterData: true });
+      });
+      await dropPaths(page, [large]);
+      await expect.poll(() => said.textContent()).toContain('Open cancelled. Nothing was changed.');
+      await expect.poll(() => page.evaluate(() => document.body.dataset.read)).toMatch(/Reading large\.glb, .* of \d/);
+      await expect.poll(() => page.evaluate(() => window.marrow.steps())).toEqual(before);
+      await expect.poll(() => names()).toContain('mixamorig:Pelvis');
+      await dropFiles(page, [{ name: 'post.skel', bytes: 'balljoint post { }' }]);
+      await opened(page, 'post');
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  },
+);
 
 /** Points enough to be read for a while. */
 function largeGlb(): Uint8Array {
@@ -357,3 +319,42 @@ function largeGlb(): Uint8Array {
 
 /** Triangles. */
 const LARGE = 150_000;
+
+inPage(
+  'a VRM, and an FBX file like Mixamo’s, are played, posed, keyed, saved as text, retargeted and saved as GLB',
+  async (open) => {
+    const { page } = open;
+    await removeAll(page);
+    const own = await hero(LENGTH);
+    const frames = Array.from({ length: 30 * LENGTH + 1 }, (_, f) => f / 30);
+    const { triangles, positions } = own.skins[0];
+    const files = [
+      {
+        name: 'hero.vrm',
+        bytes: vrmOf(own),
+        scale: 1,
+        within: 1 / 2000,
+        of: own,
+        order: Array.from({ length: positions.length / 3 }, (_, v) => v),
+      },
+      {
+        name: 'hero.fbx',
+        // At frames, in centimetres; keys are floats. Vertices come in the order of the corners of triangles.
+        bytes: fbxBytes(mixamoFile(own, frames, 100)),
+        scale: 100,
+        within: 1e-4,
+        of: { ...own, morphs: [] },
+        order: new Set(triangles),
+      },
+    ];
+    for (const { name, bytes, scale, within, of, order } of files) {
+      await dropFiles(page, [{ name, bytes }]);
+      await opened(page, 'hero');
+      for (const seconds of TIMES) {
+        const shape = await shapeAt(page, 'hero', seconds);
+        expect(distance(shape, expected(of, seconds, scale, order))).toBeLessThan(2.8 * scale * within);
+      }
+      await goThrough(open, scale);
+    }
+  },
+);

@@ -1,6 +1,7 @@
 /** The page's frame is visible before any script, in the system's theme, and doesn't shift when the script runs. */
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { inOnePage } from '../helpers/one-page.ts';
 import { type OpenPage, withPage } from '../helpers/page.ts';
 
 const PARTS = [
@@ -109,42 +110,39 @@ describe('the frame of the page', () => {
 });
 
 describe('what a newcomer is told', () => {
-  it('the first steps go for good when closed, and the Help menu has longer ones', () =>
-    withPage(
-      async ({ page, url }) => {
-        const steps = page.getByRole('region', { name: 'First steps' });
-        await steps.getByText('Drag a joint').waitFor();
-        await page.evaluate(() => window.marrow.run('posing.ik'));
-        await steps.waitFor({ state: 'hidden' });
-        await page.evaluate(() => window.marrow.run('posing.fk'));
-        await steps.getByText('Click a joint').waitFor();
-        await steps.getByRole('button', { name: 'Close first steps' }).click();
-        await steps.waitFor({ state: 'hidden' });
-        // Kept a moment after the change.
-        await page.waitForFunction(() => localStorage.getItem('marrow.settings')?.includes('"firstSteps":false'));
-        await page.goto(url);
-        await page.locator('.inspector .lil-gui').first().waitFor();
-        await expect.poll(() => steps.isVisible()).toBe(false);
-        await page.evaluate(() => window.marrow.run('help.firstAnimation'));
-        await page.getByRole('region', { name: 'First animation' }).waitFor();
-      },
-      { firstVisit: true },
-    ));
+  const inPage = inOnePage({ firstVisit: true });
 
-  it('the status bar says what the mouse does where it is', () =>
-    withPage(async ({ page }) => {
-      const bar = page.locator('.status-bar');
-      await page
-        .locator('.stage canvas')
-        .first()
-        .hover({ position: { x: 40, y: 120 } });
-      await bar.getByText('Orbit').waitFor();
-      await page.mouse.down();
-      await page.locator('.tree').hover();
-      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-      await expect.poll(() => bar.innerText()).toContain('orbit');
-      await page.mouse.up();
-      await page.locator('.tree').hover();
-      await bar.getByText('Frame').waitFor();
-    }));
+  inPage('the first steps go for good when closed, and the Help menu has longer ones', async ({ page, url }) => {
+    const steps = page.getByRole('region', { name: 'First steps' });
+    await steps.getByText('Drag a joint').waitFor();
+    await page.evaluate(() => window.marrow.run('posing.ik'));
+    await steps.waitFor({ state: 'hidden' });
+    await page.evaluate(() => window.marrow.run('posing.fk'));
+    await steps.getByText('Click a joint').waitFor();
+    await steps.getByRole('button', { name: 'Close first steps' }).click();
+    await steps.waitFor({ state: 'hidden' });
+    // Kept a moment after the change.
+    await page.waitForFunction(() => localStorage.getItem('marrow.settings')?.includes('"firstSteps":false'));
+    await page.goto(url);
+    await page.locator('.inspector .lil-gui').first().waitFor();
+    await expect.poll(() => steps.isVisible()).toBe(false);
+    await page.evaluate(() => window.marrow.run('help.firstAnimation'));
+    await page.getByRole('region', { name: 'First animation' }).waitFor();
+  });
+
+  inPage('the status bar says what the mouse does where it is', async ({ page }) => {
+    const bar = page.locator('.status-bar');
+    await page
+      .locator('.stage canvas')
+      .first()
+      .hover({ position: { x: 40, y: 120 } });
+    await bar.getByText('Orbit').waitFor();
+    await page.mouse.down();
+    await page.locator('.tree').hover();
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await expect.poll(() => bar.innerText()).toContain('orbit');
+    await page.mouse.up();
+    await page.locator('.tree').hover();
+    await bar.getByText('Frame').waitFor();
+  });
 });

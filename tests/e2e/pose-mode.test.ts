@@ -1,8 +1,8 @@
 /** Pose mode on the built page, by real mouse: limbs by their ends, rings, the dot in their middle, and the camera. */
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import { inOnePage, startOver } from '../helpers/one-page.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { dropFiles } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { apart, drawn, jointPlace, onPage, standing, undoLabel } from './checks/ik.ts';
 import { dragUp, expectArmOnly, limbFrom, place, shown } from './checks/limb-drag.ts';
@@ -85,13 +85,16 @@ describeShared('Pose mode with captures and axis-angle skeletons', () => {
     await expectArmOnly(page, hand, await limbFrom(page, 'LeftShoulder'));
   });
 
-  it('axis-angle skeletons open in FK; in Pose mode a hand bends its arm, and the next other character is in Pose', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'axis-angle skeletons open in FK; in Pose mode a hand bends its arm, and the next other character is in Pose',
+    async ({ page }) => {
+      await startOver(page);
       await dropFiles(page, [{ name: 'human.axskel', bytes: sharedBytes('data/axis-skel/human.axskel') }]);
       await opened(page, 'human');
       await expect.poll(() => mode(page)).toBe('FK');
       await page.evaluate(() => window.marrow.run('posing.pose'));
       await page.getByRole('button', { name: 'Reach: Limb' }).waitFor();
       await expectArmOnly(page, { joint: 9, point: [0, 0.05, 0], by: [8, -25] }, [5, 6, 7, 8, 9]);
-    }));
+    },
+  );
 });

@@ -82,33 +82,35 @@ function dialogsOneByOne(): void {
   };
 }
 
-it('asks for one place after the other, ends when a dialog is given up, and lists what was saved', () =>
-  withPage(
-    async ({ page }) => {
-      await firstName(page);
-      await page.evaluate(() => {
-        window.marrow.run('rig.create', {});
-        window.marrow.run('rig.create', {});
-      });
-      await page.getByText('Unsaved: character.skel and 1 more').waitFor();
-      const said = page.locator('.message-line');
-      const asked = () => page.evaluate(() => Reflect.get(window, 'asked'));
-      await page.keyboard.press('Control+s');
-      await said.getByText('Not saved: character.skel, character2.skel.').waitFor();
-      await expect.poll(() => asked()).toEqual(['character.skel']);
-      await page.getByRole('button', { name: 'Save changes' }).click();
-      await said.getByText('Saved character.skel. Not saved: character2.skel.').waitFor();
-      await expect.poll(() => page.locator('.severity-error, .severity-warning').count()).toBe(0);
-      await titled(page, '• character2.skel – Marrow');
-      await page.getByRole('button', { name: 'Save changes' }).click();
-      await titled(page, 'Marrow');
-      const bytes = (await read(page, 'character2.skel')).length;
-      await expect
-        .poll(() => page.locator('.file-row').allInnerTexts())
-        .toEqual([`character.skel\n${bytes} bytes`, `character2.skel\n${bytes} bytes`]);
-    },
-    { before: dialogsOneByOne },
-  ));
+inPage(
+  'asks for one place after the other, ends when a dialog is given up, and lists what was saved',
+  async ({ page }) => {
+    await firstName(page);
+    await undoAll(page);
+    await page.evaluate(dialogsOneByOne);
+    await page.evaluate(() => {
+      window.marrow.run('rig.create', {});
+      window.marrow.run('rig.create', {});
+    });
+    await page.getByText('Unsaved: character.skel and 1 more').waitFor();
+    const said = page.locator('.message-line');
+    const asked = () => page.evaluate(() => Reflect.get(window, 'asked'));
+    await page.keyboard.press('Control+s');
+    await said.getByText('Not saved: character.skel, character2.skel.').waitFor();
+    await expect.poll(() => asked()).toEqual(['character.skel']);
+    await page.getByRole('button', { name: 'Save changes' }).click();
+    await said.getByText('Saved character.skel. Not saved: character2.skel.').waitFor();
+    await expect.poll(() => page.locator('.severity-error, .severity-warning').count()).toBe(0);
+    await titled(page, '• character2.skel – Marrow');
+    await page.getByRole('button', { name: 'Save changes' }).click();
+    await titled(page, 'Marrow');
+    const bytes = (await read(page, 'character2.skel')).length;
+    await expect
+      .poll(() => page.locator('.file-row').allInnerTexts())
+      .toEqual([`character.skel\n${bytes} bytes`, `character2.skel\n${bytes} bytes`]);
+    await page.evaluate(privateDisk);
+  },
+);
 
 describe('saving in place', () => {
   withHero('marks what changed in title and menu bar, takes the mark back with undo, and writes it', async (page) => {
@@ -228,28 +230,28 @@ describe('reloading', () => {
     await page.getByText('Nothing has changed on disk.').waitFor();
   });
 
-  it('reloading is what dropping a file of the same name again does, too', () =>
-    withPage(async ({ page }) => {
-      await firstName(page);
-      await dropFiles(page, HERO);
-      await shown(page);
-      await page.evaluate(() => {
-        window.marrow.pause();
-        window.marrow.seek(0.5);
-      });
-      await page.getByRole('treeitem', { name: 'tip' }).click();
-      const before = await height(page);
-      await setRange(page, 5);
-      await titled(page, '• hero_walk.anim – Marrow');
-      await dropFiles(page, [{ name: 'hero_walk.anim', bytes: anim(4) }]);
-      await titled(page, 'Marrow');
-      await expect.poll(() => height(page)).toBeGreaterThan(before);
-      await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['hero_walk']);
-      await expect.poll(() => page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
-      await page.keyboard.press('Control+z');
-      await titled(page, '• hero_walk.anim – Marrow');
-      await expect.poll(() => height(page)).toBe(before);
-    }));
+  inPage('reloading is what dropping a file of the same name again does, too', async ({ page }) => {
+    await firstName(page);
+    await undoAll(page);
+    await dropFiles(page, HERO);
+    await shown(page);
+    await page.evaluate(() => {
+      window.marrow.pause();
+      window.marrow.seek(0.5);
+    });
+    await page.getByRole('treeitem', { name: 'tip' }).click();
+    const before = await height(page);
+    await setRange(page, 5);
+    await titled(page, '• hero_walk.anim – Marrow');
+    await dropFiles(page, [{ name: 'hero_walk.anim', bytes: anim(4) }]);
+    await titled(page, 'Marrow');
+    await expect.poll(() => height(page)).toBeGreaterThan(before);
+    await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['hero_walk']);
+    await expect.poll(() => page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
+    await page.keyboard.press('Control+z');
+    await titled(page, '• hero_walk.anim – Marrow');
+    await expect.poll(() => height(page)).toBe(before);
+  });
 
   it('fetches again what the address named', () => {
     const files: Record<string, Uint8Array> = {};

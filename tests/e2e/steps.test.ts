@@ -1,6 +1,6 @@
 /** The steps of a joint and of a vertex, as the page shows and copies them. */
 import type { Locator, Page } from 'playwright-core';
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { compileTake } from '../../src/evaluate/compiled-take.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
@@ -8,7 +8,8 @@ import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { compileSkin, deform } from '../../src/evaluate/skin/deform.ts';
 import { runToEnd } from '../../src/evaluate/steps.ts';
 import { FourAttachments, type FourFacts, type KeptFour } from '../../src/teaching/program/four-attachments.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { inOnePage, startOver } from '../helpers/one-page.ts';
+import { dropFiles } from '../helpers/page.ts';
 import { characterOf, characterOfTexts, OWN, ownBytes } from '../teaching/lesson-files.ts';
 
 const CRAWLER = [...OWN.crawler, 'crawler.png'];
@@ -47,9 +48,13 @@ function rxOfCoxaAt(timeSeconds: number): number {
   return evaluateChannel(compileTake(take), 3 + 3 * 8, timeSeconds);
 }
 
+const inPage = inOnePage({ size: { width: 1440, height: 900 } });
+
 describe('the steps of the crawler', () => {
-  it('the steps end at the numbers that are drawn, and their symbols and slider change nothing in the document', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'the steps end at the numbers that are drawn, and their symbols and slider change nothing in the document',
+    async ({ page }) => {
+      await startOver(page);
       await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
       await dropFiles(
         page,
@@ -93,7 +98,8 @@ describe('the steps of the crawler', () => {
       expect(place).toEqual([...meant.positions.subarray(3 * vertex, 3 * vertex + 3)]);
       expect(normal).toEqual([...meant.normals.subarray(3 * vertex, 3 * vertex + 3)]);
       await expect.poll(() => page.evaluate(() => window.marrow.steps().undo)).toBe(opened);
-    }));
+    },
+  );
 });
 
 /** The row of the card, as copied: `vertex`, its index, its displacement, and that as a percentage of the size. */
@@ -151,48 +157,48 @@ async function measuredOf(page: Page, kept: KeptFour): Promise<FourFacts> {
 }
 
 describe('the heat map of four attachments', () => {
-  it('the card of four attachments has the numbers of the pose that is drawn, and selects the vertex', () =>
-    withPage(
-      async ({ page }) => {
-        await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
-        await dropFiles(
-          page,
-          Object.entries(NINE).map(([name, bytes]) => ({ name, bytes })),
-        );
-        await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 120);
-        await page.evaluate(() => window.marrow.run('draw.skin.four'));
-        const card = page.getByRole('region', { name: 'Four attachments' });
-        await card.getByText('120 of 120 vertices have more than four attachments, up to 9.').waitFor();
-        const first = await measuredOf(page, 'largest four normalised');
-        await expect
-          .poll(() => largestOf(page))
-          .toEqual([first.vertex, first.largest, (100 * first.largest) / first.size]);
+  inPage(
+    'the card of four attachments has the numbers of the pose that is drawn, and selects the vertex',
+    async ({ page }) => {
+      await startOver(page);
+      await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+      await dropFiles(
+        page,
+        Object.entries(NINE).map(([name, bytes]) => ({ name, bytes })),
+      );
+      await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 120);
+      await page.evaluate(() => window.marrow.run('draw.skin.four'));
+      const card = page.getByRole('region', { name: 'Four attachments' });
+      await card.getByText('120 of 120 vertices have more than four attachments, up to 9.').waitFor();
+      const first = await measuredOf(page, 'largest four normalised');
+      await expect
+        .poll(() => largestOf(page))
+        .toEqual([first.vertex, first.largest, (100 * first.largest) / first.size]);
 
-        await page.evaluate(() =>
-          window.marrow.run('pose.setDofs', { dofs: [8, 12, 15, 20].map((index) => ({ index, value: 0.7 })) }),
-        );
-        const posed = await measuredOf(page, 'largest four normalised');
-        expect(posed.largest).not.toBe(first.largest);
-        const button = card.getByRole('button', { name: 'vertex' });
-        await page.waitForFunction(
-          (v) => document.querySelector('.heat-card .link')?.textContent === v,
-          `vertex ${posed.vertex}`,
-        );
-        await card.getByRole('combobox').selectOption('first four');
-        const given = await measuredOf(page, 'first four');
-        await page.waitForFunction(
-          (v) => document.querySelector('.heat-card .link')?.textContent === v,
-          `vertex ${given.vertex}`,
-        );
-        await expect
-          .poll(() => largestOf(page))
-          .toEqual([given.vertex, given.largest, (100 * given.largest) / given.size]);
-        await button.click();
-        await page.locator('.facts-head .label', { hasText: `Vertex ${given.vertex}` }).waitFor();
+      await page.evaluate(() =>
+        window.marrow.run('pose.setDofs', { dofs: [8, 12, 15, 20].map((index) => ({ index, value: 0.7 })) }),
+      );
+      const posed = await measuredOf(page, 'largest four normalised');
+      expect(posed.largest).not.toBe(first.largest);
+      const button = card.getByRole('button', { name: 'vertex' });
+      await page.waitForFunction(
+        (v) => document.querySelector('.heat-card .link')?.textContent === v,
+        `vertex ${posed.vertex}`,
+      );
+      await card.getByRole('combobox').selectOption('first four');
+      const given = await measuredOf(page, 'first four');
+      await page.waitForFunction(
+        (v) => document.querySelector('.heat-card .link')?.textContent === v,
+        `vertex ${given.vertex}`,
+      );
+      await expect
+        .poll(() => largestOf(page))
+        .toEqual([given.vertex, given.largest, (100 * given.largest) / given.size]);
+      await button.click();
+      await page.locator('.facts-head .label', { hasText: `Vertex ${given.vertex}` }).waitFor();
 
-        await page.evaluate(() => window.marrow.run('draw.skin.solid'));
-        await card.waitFor({ state: 'hidden' });
-      },
-      { size: { width: 1440, height: 900 } },
-    ));
+      await page.evaluate(() => window.marrow.run('draw.skin.solid'));
+      await card.waitFor({ state: 'hidden' });
+    },
+  );
 });
