@@ -75,9 +75,9 @@ const removeAll = (page: Page) =>
 /** Drawing in software takes most of the time. */
 const SMALL = { width: 1024, height: 640 };
 /** Seconds of the takes. */
-const LENGTH = 0.6;
+const LENGTH = 0.4;
 /** Frames of them. */
-const TIMES = [0.2, 0.5];
+const TIMES = [0.1, 0.3];
 /** Between keys. */
 const POSED = 0.21;
 
@@ -149,7 +149,7 @@ async function goThrough({ page, download }: OpenPage, scale: number): Promise<v
     page.evaluate(
       async ([own, a, b]) => {
         const directions: number[][] = [];
-        for (const seconds of [0.2, 0.4]) {
+        for (const seconds of [0.2, 0.35]) {
           window.marrow.seek(seconds);
           await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
           const { joints = [] } = window.marrow.characters().find((c) => c.name === own) ?? {};
