@@ -113,7 +113,8 @@ async function expectDrawn(page: Page): Promise<void> {
 const bytesOf = (colour: string) => [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
 
 const banner = (page: Page) => page.locator('.compare-banner');
-const says = (page: Page, text: string | RegExp) => banner(page).getByText(text).waitFor();
+const says = (page: Page, text: string | RegExp) =>
+  expect.poll(() => banner(page).getByText(text).isVisible()).toBe(true);
 /** Waits for the mark of a joint in the outliner. */
 const marked = (page: Page, joint: string, mark: string) =>
   page.locator(`.row-joint:has-text("${joint}") .compare-swatch[aria-label="${mark}"]`).waitFor();

@@ -1,5 +1,5 @@
 /** The tab *Source*: lines light up, lines select, messages lead to their line; a file far higher than any element. */
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { describe, expect } from 'vitest';
 import { inOnePage, startOver } from '../helpers/one-page.ts';
 import { dropFiles } from '../helpers/page.ts';
@@ -20,6 +20,9 @@ declare global {
     release?: () => void;
   }
 }
+
+/** Texts are checked once nobody types: after a third of a second `waitFor` would ask again half a second later. */
+const seen = (locator: Locator) => expect.poll(() => locator.isVisible()).toBe(true);
 
 /** Workers are sent nothing until `window.release()`; the document says when there is something to be sent. */
 const holdWorker = (page: Page) =>
@@ -48,7 +51,7 @@ describe('the text of files', () => {
       await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
       await page.getByRole('treeitem', { name: 'leg' }).waitFor();
       await page.evaluate(() => window.marrow.run('page.tab.source'));
-      await page.getByText('11 lines').waitFor();
+      await seen(page.getByText('11 lines'));
       const fetched = () => asked().filter((path) => /^assets\/text-editor-/.test(path) && path.endsWith('.js')).length;
       await expect.poll(fetched).toBe(0);
       await page.getByRole('button', { name: 'Edit', exact: true }).click();
@@ -76,7 +79,7 @@ describe('the text of files', () => {
       await page.keyboard.press('Tab');
       await page.keyboard.press('Space');
       await expect.poll(text).toEqual(lines.map((line) => line.replace('boxmin', 'boxmean')));
-      await page.locator('.cm-lint-marker').first().waitFor();
+      await seen(page.locator('.cm-lint-marker').first());
       await page.keyboard.press('Escape');
       await page.getByRole('search').waitFor({ state: 'detached' });
       await page.keyboard.press('Control+z');
@@ -89,15 +92,16 @@ describe('the text of files', () => {
       await page.keyboard.type('6');
       await page.keyboard.press('Enter');
       await page.keyboard.type('offset 0 x 0');
+      await seen(page.locator('.cm-lint-marker-error'));
       await page.locator('.cm-lint-marker-error').hover();
       await page.locator('.cm-tooltip .cm-diagnostic-error', { hasText: /^Expected/ }).waitFor();
-      await page.getByRole('button', { name: /^Line 6: Expected/ }).waitFor();
+      await seen(page.getByRole('button', { name: /^Line 6: Expected/ }));
       // Letters and Space are typed, not the page's shortcuts; F1 is the manual, of which Escape leads back.
       for (let n = 0; n < 3; n++) await page.keyboard.press('Backspace');
       await page.keyboard.type('3 0');
-      await page.getByText('The text can be applied.').waitFor();
+      await seen(page.getByText('The text can be applied.'));
       await page.keyboard.press('Control+Enter');
-      await page.getByText('Applied to figure.skel. One Undo reverts it').waitFor();
+      await seen(page.getByText('Applied to figure.skel. One Undo reverts it'));
       await page.keyboard.press('Escape');
       await page.locator('.source-line[data-change="changed"]', { hasText: 'offset 0 3 0' }).waitFor();
       await expect.poll(() => page.locator('.source-lines:focus').count()).toBe(1);
@@ -111,7 +115,7 @@ describe('the text of files', () => {
     await dropFiles(page, [{ name: 'figure.skel', bytes: SKEL }]);
     await page.waitForFunction(() => window.marrow.characters().some(({ name }) => name === 'figure'));
     await page.evaluate(() => window.marrow.run('page.tab.source'));
-    await page.getByText('11 lines').waitFor();
+    await seen(page.getByText('11 lines'));
     await page.getByRole('treeitem', { name: 'leg' }).click();
     await lit.first().waitFor();
     await expect.poll(() => lit.allTextContents()).toEqual(['5', '6', '7', '8', '9']);
@@ -143,7 +147,7 @@ describe('the text of files', () => {
       window.marrow.run('rig.rename', { characterId: id, joint: 1, name: 'knee' });
     });
     // What the page changed is marked; what it was is shown by a click, and by the switch.
-    await note.filter({ hasText: '1 line changed since it was opened' }).waitFor();
+    await seen(note.filter({ hasText: '1 line changed since it was opened' }));
     await expect.poll(() => lit.allTextContents()).toEqual(['5~', '6', '7', '8', '9']);
     await page.keyboard.press('F7');
     const row = (change: string) => page.locator(`.source-line[data-change="${change}"]`);
@@ -182,7 +186,7 @@ describe('the text of files', () => {
       await page.keyboard.insertText(text);
     };
     await type(SKEL.replace('0 1 0', '0 x 0'));
-    await page.getByRole('button', { name: /^Line 6: Expected/ }).waitFor();
+    await seen(page.getByRole('button', { name: /^Line 6: Expected/ }));
     await page.keyboard.press('Control+Enter');
     await page.getByText('Not applied. The text has 1 error.').waitFor();
     await page.keyboard.press('Escape');
@@ -191,12 +195,12 @@ describe('the text of files', () => {
     // Applied while it is checked, it is applied after that.
     await holdWorker(page);
     await type(SKEL.replace('0 1 0', '0 2 0'));
-    await page.locator('html[data-held]').waitFor({ state: 'attached' });
+    await expect.poll(() => page.locator('html[data-held]').count()).toBe(1);
     await page.keyboard.press('Control+Enter');
     await page.evaluate(() => window.release?.());
-    await page.getByText('Applied to figure.skel. One Undo reverts it').waitFor();
+    await seen(page.getByText('Applied to figure.skel. One Undo reverts it'));
     await page.keyboard.press('Escape');
-    await note.filter({ hasText: '1 line changed since it was opened' }).waitFor();
+    await seen(note.filter({ hasText: '1 line changed since it was opened' }));
     await row('changed').filter({ hasText: '0 2 0' }).waitFor();
     await page.evaluate(() => window.marrow.run('edit.undo'));
     await note.waitFor({ state: 'hidden' });
@@ -210,7 +214,7 @@ describe('the text of files', () => {
     await page.getByRole('textbox', { name: 'Text of broken.skel' }).and(page.locator(':focus')).waitFor();
     await type(BROKEN.replace(' x', ' 2'));
     await page.keyboard.press('Control+Enter');
-    await page.getByText('Applied to broken.skel. One Undo reverts it').waitFor();
+    await seen(page.getByText('Applied to broken.skel. One Undo reverts it'));
     await page.keyboard.press('Escape');
     await page.locator('.source-line[data-line="3"]:not([data-severity])', { hasText: '-1 2' }).waitFor();
     await dropFiles(page, [{ name: 'broken.skel', bytes: BROKEN.replace(' x', ' 1') }]);
@@ -218,10 +222,9 @@ describe('the text of files', () => {
 
     await dropFiles(page, [{ name: 'many.skel', bytes: `balljoint a {${'\n'.repeat(LINES)}offset 0 x 0 }\n` }]);
     const last = LINES + 1;
-    await page
-      .getByRole('button', { name: `Show line ${last} of many.skel in Source` })
-      .first()
-      .click();
+    const leads = page.getByRole('button', { name: `Show line ${last} of many.skel in Source` }).first();
+    await seen(leads);
+    await leads.click();
     await page.locator(`.source-line.is-current[data-line="${last}"]`, { hasText: 'offset 0 x 0' }).waitFor();
     await page.getByText('2,000,002 lines').waitFor();
     await page.locator('.source-lines').press('Home');

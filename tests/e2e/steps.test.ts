@@ -48,7 +48,7 @@ function rxOfCoxaAt(timeSeconds: number): number {
   return evaluateChannel(compileTake(take), 3 + 3 * 8, timeSeconds);
 }
 
-const inPage = inOnePage({ size: { width: 1440, height: 900 } });
+const inPage = inOnePage();
 
 describe('the steps of the crawler', () => {
   inPage(
@@ -160,6 +160,7 @@ describe('the heat map of four attachments', () => {
   inPage(
     'the card of four attachments has the numbers of the pose that is drawn, and selects the vertex',
     async ({ page }) => {
+      await page.setViewportSize({ width: 1440, height: 900 });
       await startOver(page);
       await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
       await dropFiles(

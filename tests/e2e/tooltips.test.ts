@@ -6,6 +6,8 @@ import { withPage } from '../helpers/page.ts';
 
 const tooltip = (page: Page) => page.getByRole('tooltip');
 const play = (page: Page) => page.getByRole('button', { name: 'Play', exact: true });
+/** It comes after a moment, when `waitFor` would ask again half a second later. */
+const shown = (page: Page) => expect.poll(() => tooltip(page).isVisible()).toBe(true);
 const hidden = (page: Page) => tooltip(page).waitFor({ state: 'hidden' });
 
 describe('a tooltip', () => {
@@ -13,7 +15,7 @@ describe('a tooltip', () => {
 
   inPage('shows text and key to a resting pointer, at once to a neighbour, and hides at Escape', async ({ page }) => {
     await play(page).hover();
-    await tooltip(page).waitFor();
+    await shown(page);
     await expect.poll(() => tooltip(page).locator('.tooltip-text').textContent()).toBe('Play');
     await expect.poll(() => tooltip(page).locator('kbd').textContent()).toBe('Space');
     await page.getByRole('button', { name: 'Go to next key' }).hover();
@@ -27,7 +29,7 @@ describe('a tooltip', () => {
     async ({ page }) => {
       const boxes = page.getByRole('button', { name: /^Boxes/ });
       await boxes.hover();
-      await tooltip(page).waitFor();
+      await shown(page);
       const box = await tooltip(page).boundingBox();
       if (!box) throw new Error('The tooltip has no box.');
       await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 40 });
@@ -47,7 +49,7 @@ describe('a tooltip', () => {
     await auto.focus();
     await page.keyboard.press('Shift+Tab');
     await page.keyboard.press('Tab');
-    await tooltip(page).waitFor();
+    await shown(page);
     const described = await auto.evaluate(
       (target) => document.getElementById(target.getAttribute('aria-describedby') ?? '')?.textContent,
     );
@@ -66,7 +68,7 @@ describe('a tooltip', () => {
         const touchPoints = [{ x: at.x + at.width / 2, y: at.y + at.height / 2 }];
         const cdp = await page.context().newCDPSession(page);
         await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
-        await tooltip(page).waitFor();
+        await shown(page);
         await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
         await expect.poll(() => tooltip(page).isVisible()).toBe(true);
         await expect.poll(() => target.getAttribute('aria-pressed')).toBe('false');
