@@ -87,9 +87,13 @@ export class Points {
   private readonly dofs: Float64Array;
   private readonly world: Float64Array;
   private readonly source: PoseSource;
+  /** By seconds, where they are kept. */
+  private readonly kept: Map<number, Float64Array> | undefined;
 
-  constructor(character: Character) {
+  /** @param keeps whether what was posed once is kept, for those that are posed at the same times again and again */
+  constructor(character: Character, keeps = false) {
     this.character = character;
+    this.kept = keeps ? new Map() : undefined;
     const { joints } = requireSkeleton(character);
     this.source = poseSource(character);
     this.dofs = new Float64Array(this.source.count);
@@ -98,7 +102,12 @@ export class Points {
   }
 
   pose(seconds: number): void {
-    const { character, dofs, world, at } = this;
+    const { character, dofs, world, at, kept } = this;
+    const known = kept?.get(seconds);
+    if (known) {
+      at.set(known);
+      return;
+    }
     const skeleton = requireSkeleton(character);
     poseFrom(this.source, seconds, dofs);
     worldMatrices(compileSkeleton(skeleton), dofs, world);
@@ -115,6 +124,7 @@ export class Points {
         next += 3;
       }
     });
+    kept?.set(seconds, at.slice());
   }
 
   /** From the lowest point to the highest. */
@@ -259,9 +269,18 @@ const SHORTEST = 0.15;
 /** Frames examined for contacts. */
 const CONTACTS = 600;
 
+/** Sources, each of which is compared with a dozen characters. */
+const sources = new WeakMap<Character, Points>();
+
+function sourcePoints(from: Character): Points {
+  const points = sources.get(from) ?? new Points(from, true);
+  sources.set(from, points);
+  return points;
+}
+
 /** Measures a retargeted humanoid of `data/bvh` against its source. */
 export function pairFit(of: Character, from: Character): PairFit {
-  const [own, other] = [new Points(of), new Points(from)];
+  const [own, other] = [new Points(of), sourcePoints(from)];
   const joint = (c: Character, side: Side, part: Part) => {
     const found = limbJoint(c, side, part);
     if (found === undefined) throw new Error(`${c.id} has no ${side} ${part}.`);

@@ -4,7 +4,7 @@ import { retargetPlan } from '../../../src/evaluate/retarget/make-plan.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { TakeCheck } from '../../../src/review/check-take.ts';
 import { type Flag, flagText } from '../../../src/review/flags.ts';
-import { displayedFrames } from '../../../src/review/frames.ts';
+import { displayedFrames, type TakeFrames } from '../../../src/review/frames.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { captured, HUMANOIDS, requireSkeleton, retargeted } from './captures.ts';
 
@@ -22,9 +22,36 @@ const KNOWN: Readonly<Record<string, number>> = {
   'perception-neuron-course.bvh': 6,
 };
 
-function flagsOf(character: Character, scale = 1): readonly Flag[] {
+/** Of sources, which are checked at the size of each target. */
+const sources = new Map<Character, TakeFrames>();
+
+/** The frames of a character, each posed once: a check looks at some twice. */
+function framesOf(character: Character): TakeFrames {
   const frames = displayedFrames(character);
   if (!frames) throw new Error(`${character.name} has no take.`);
+  const kept = new Map<number, readonly [dofs: Float64Array, points: Float64Array]>();
+  return {
+    ...frames,
+    write: (frame, dofs, points) => {
+      const known = kept.get(frame);
+      if (!known) {
+        frames.write(frame, dofs, points);
+        kept.set(frame, [dofs.slice(), points.slice()]);
+        return;
+      }
+      dofs.set(known[0]);
+      points.set(known[1]);
+    },
+  };
+}
+
+function sourceFrames(source: Character): TakeFrames {
+  const frames = sources.get(source) ?? framesOf(source);
+  sources.set(source, frames);
+  return frames;
+}
+
+function flagsOf(character: Character, frames: TakeFrames, scale = 1): readonly Flag[] {
   const points = new Float64Array(3 * frames.pointCount);
   const dofs = new Float64Array(frames.dofCount);
   const write: typeof frames.write = (frame, d, p) => {
@@ -37,6 +64,10 @@ function flagsOf(character: Character, scale = 1): readonly Flag[] {
     check.frame(f, dofs, points);
   }
   return check.end().filter(({ kind }) => ['jitter', 'spike', 'slide'].includes(kind));
+}
+
+function ownFlags(character: Character): readonly Flag[] {
+  return flagsOf(character, framesOf(character));
 }
 
 function isKnown(flag: Flag, known: readonly Flag[]): boolean {
@@ -55,9 +86,9 @@ describeShared('what review flags in each of 14 real humanoids on each other', (
       if (!driver) throw new Error(`${target} is not retargeted.`);
       const { scale } = retargetPlan(driver, shown, requireSkeleton(shown));
       // Where a foot goes, rotations alone don't know.
-      const alone = flagsOf(retargeted(source, captured(target), { plantsFeet: false }));
-      const known = [...flagsOf(source, scale), ...alone.filter(({ kind }) => kind !== 'slide')];
-      return flagsOf(shown)
+      const alone = ownFlags(retargeted(source, captured(target), { plantsFeet: false }));
+      const known = [...flagsOf(source, sourceFrames(source), scale), ...alone.filter(({ kind }) => kind !== 'slide')];
+      return ownFlags(shown)
         .filter((flag) => !isKnown(flag, known))
         .map((flag) => `${target}: ${flagText(flag)}`);
     });

@@ -1,4 +1,7 @@
-/** Every real humanoid retargeted to every other one: arms and legs point like the source's, on planted feet. */
+/**
+ * Real humanoids retargeted to each other, each two of them one way: arms and legs point like the source's, on planted
+ * feet. There and back is `there-and-back.shared.deep.test.ts`.
+ */
 import { expect, it } from 'vitest';
 import { describeShared } from '../../helpers/shared.ts';
 import { captured, HUMANOIDS, pairFit, retargeted } from './captures.ts';
@@ -14,11 +17,16 @@ const TIPS = 55;
 const HIPS = 0.045;
 const SLIDE = 0.004;
 
+/** The next half of the list, as in a circle: those of the other half have this one among theirs. */
+function targetsOf(file: string): readonly string[] {
+  const own = HUMANOIDS.indexOf(file);
+  return [...HUMANOIDS.slice(own + 1), ...HUMANOIDS.slice(0, own)].slice(0, HUMANOIDS.length / 2);
+}
+
 describeShared('each of 14 real humanoids on each other', () => {
-  it.each(HUMANOIDS)('%s on 13 other humanoids points its limbs in the same directions, on planted feet', (file) => {
+  it.each(HUMANOIDS)('%s on 7 other humanoids points its limbs in the same directions, on planted feet', (file) => {
     const source = captured(file);
-    for (const target of HUMANOIDS) {
-      if (target === file) continue;
+    for (const target of targetsOf(file)) {
       const fit = pairFit(retargeted(source, captured(target)), source);
       const told = `${file} on ${target}: ${JSON.stringify(fit)}`;
       expect(fit.median, told).toBeLessThan(DIRECTIONS);
