@@ -37,14 +37,15 @@ export function bySamplers(glb: Glb, arc: Arc): Player {
     pending.push(...(nodes[next].children ?? []));
   }
   const joints = skins[0]?.joints ?? [];
+  const still = nodes.map(
+    ({ translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }): Numbers => ({
+      translation: Float64Array.from(translation),
+      rotation: Float64Array.from(rotation),
+      scale: Float64Array.from(scale),
+    }),
+  );
   return (take, seconds) => {
-    const numbers = nodes.map(
-      ({ translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }): Numbers => ({
-        translation: Float64Array.from(translation),
-        rotation: Float64Array.from(rotation),
-        scale: Float64Array.from(scale),
-      }),
-    );
+    const numbers = still.map((own) => ({ ...own }));
     let weights: readonly number[] = [];
     for (const curve of takes[take] ?? []) {
       const value = valueAt(curve, seconds, arc);
@@ -93,35 +94,51 @@ function valueAt({ path, interpolation, times, values, width }: Curve, seconds: 
     }
     return isRotation ? unit(out) : out;
   }
-  if (!isRotation) return a.map((v, c) => v + u * (b[c] - v));
-  const dot = a.reduce((sum, v, c) => sum + v * b[c], 0);
+  if (!isRotation) {
+    for (let c = 0; c < width; c++) a[c] += u * (b[c] - a[c]);
+    return a;
+  }
+  let dot = 0;
+  for (let c = 0; c < width; c++) dot += a[c] * b[c];
   const sign = dot < 0 ? -1 : 1;
   const angle = arc === 'slerp' ? Math.acos(Math.min(1, Math.abs(dot))) : 0;
   const [s, t] = angle > 1e-6 ? [Math.sin((1 - u) * angle), Math.sin(u * angle)] : [1 - u, u];
-  return unit(a.map((v, c) => s * v + t * sign * b[c]));
+  for (let c = 0; c < width; c++) a[c] = s * a[c] + t * sign * b[c];
+  return unit(a);
 }
 
+/** The same one, normalised. */
 function unit(q: Float64Array): Float64Array {
-  const length = Math.hypot(...q);
-  return q.map((v) => v / length);
+  let squares = 0;
+  for (const v of q) squares += v * v;
+  const length = Math.sqrt(squares);
+  for (let c = 0; c < q.length; c++) q[c] /= length;
+  return q;
 }
+
+const local = new Float64Array(12);
 
 /** Writes the world matrix of a node at `to`, below that at `above`; a negative one is no parent. */
 function writeWorld({ translation: t, rotation, scale }: Numbers, out: Float64Array, above: number, to: number): void {
   const [x, y, z, w] = rotation;
-  const local = [
-    [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)].map((v) => v * scale[0]),
-    [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)].map((v) => v * scale[1]),
-    [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)].map((v) => v * scale[2]),
-    [...t],
-  ];
-  local.forEach((column, c) => {
+  const [sx, sy, sz] = scale;
+  local[0] = (1 - 2 * (y * y + z * z)) * sx;
+  local[1] = 2 * (x * y + w * z) * sx;
+  local[2] = 2 * (x * z - w * y) * sx;
+  local[3] = 2 * (x * y - w * z) * sy;
+  local[4] = (1 - 2 * (x * x + z * z)) * sy;
+  local[5] = 2 * (y * z + w * x) * sy;
+  local[6] = 2 * (x * z + w * y) * sz;
+  local[7] = 2 * (y * z - w * x) * sz;
+  local[8] = (1 - 2 * (x * x + y * y)) * sz;
+  local.set(t, 9);
+  for (let c = 0; c < 4; c++) {
+    const l = 3 * c;
     for (let r = 0; r < 3; r++) {
-      out[to + 4 * c + r] =
-        above < 0
-          ? column[r]
-          : column.reduce((sum, v, k) => sum + out[above + 4 * k + r] * v, 0) + (c === 3 ? out[above + 12 + r] : 0);
+      const a = above + r;
+      const own = above < 0 ? local[l + r] : out[a] * local[l] + out[a + 4] * local[l + 1] + out[a + 8] * local[l + 2];
+      out[to + 4 * c + r] = c === 3 && above >= 0 ? own + out[a + 12] : own;
     }
-  });
+  }
   out[to + 15] = 1;
 }

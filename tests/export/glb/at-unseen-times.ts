@@ -13,7 +13,7 @@ const MAX_DEGREES = 2;
 const GOLDEN = 0.6180339887498949;
 
 /** Expects joints, their axes and vertices within what the file promises, in programs of both kinds; returns the file. */
-export function expectWithin({ name, character }: Named, options: Partial<GlbOptions>, count = 300): Glb {
+export function expectWithin({ name, character }: Named, options: Partial<GlbOptions>, count = 160): Glb {
   const made = glbOf(character, options);
   const { tolerance, takes } = made.report;
   const times = Array.from({ length: count }, (_, i) => (((i + 0.37) * GOLDEN) % 1) * takes[0].seconds);
