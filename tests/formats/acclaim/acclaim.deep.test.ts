@@ -257,9 +257,8 @@ describe('random skeletons of Acclaim', () => {
               compiled.motions[j].write(dofs, starts[j], after, 0);
               dofs[at] = value;
               compiled.motions[j].writeDerivative(dofs, starts[j], d, slope, 0);
-              slope.forEach((v, k) => {
-                expect(Math.abs(v - (after[k] - before[k]) / 2e-5)).toBeLessThan(1e-7);
-              });
+              const off = slope.map((v, k) => Math.abs(v - (after[k] - before[k]) / 2e-5));
+              expect(Math.max(...off)).toBeLessThan(1e-7);
             });
           });
         });
