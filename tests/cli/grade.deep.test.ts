@@ -6,7 +6,7 @@ import { strToU8, zipSync } from 'fflate';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Grade } from '../../src/cli/grade/grade.ts';
 import { ODD_AMC, ODD_ASF } from '../helpers/acclaim.ts';
-import { command, commandJson, type PoseJson } from '../helpers/command.ts';
+import { type CommandResult, command, commandJson, type PoseJson } from '../helpers/command.ts';
 
 const SKEL = `balljoint root { offset 1 0 0 pose 0.2 0.3 0.5
   balljoint arm { offset 0 2 0 pose 0.25 -0.4 0.1
@@ -72,15 +72,20 @@ afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 const GRADE = ['grade', 'class', '--reference', 'ref'];
 /** Each way to call it once: the class stays as it is. */
-const graded = new Map<string, Promise<readonly Grade[]>>();
-const grades = (...args: string[]) => {
+const printed = new Map<string, Promise<CommandResult>>();
+const graded = (...args: string[]) => {
   const key = args.join(' ');
-  const known = graded.get(key) ?? judged(args);
-  graded.set(key, known);
+  const known = printed.get(key) ?? command([...GRADE, ...args], folder);
+  printed.set(key, known);
   return known;
 };
-const judged = async (args: readonly string[]) =>
-  (await commandJson<{ submissions: readonly Grade[] }>([...GRADE, ...args], folder, 1)).submissions;
+const gradedJson = async (...args: string[]) => {
+  const { code, out } = await graded(...args, '--json');
+  expect(code).toBe(1);
+  // The command's documented shape; tests check what they read of it.
+  return JSON.parse(out) as { readonly submissions: readonly Grade[]; readonly skipped: readonly string[] };
+};
+const grades = async (...args: string[]) => (await gradedJson(...args)).submissions;
 const gradeOf = async (name: string) => {
   const found = (await grades()).find((grade) => grade.name === name);
   if (!found) throw new Error(`There is no submission ${name}.`);
@@ -165,7 +170,7 @@ describe('marrow grade', () => {
   });
 
   it('prints a line each, with paths and lines of problems', async () => {
-    const { out, code } = await command(GRADE, folder);
+    const { out, code } = await graded();
     expect(code).toBe(1);
     const lines = out.split('\n');
     expect(lines.find((line) => line.startsWith('cid'))).toMatch(/not judged {2}no .* class\/cid\/test\.skel:2:\d+ /);
@@ -175,14 +180,14 @@ describe('marrow grade', () => {
 
   it('prints CSV that a spreadsheet reads, whatever the names', async () => {
     write('odd/=1+1/test.skel', SKEL);
-    const { out } = await command([...GRADE, '--csv'], folder);
+    const { out } = await graded('--csv');
     expect(out).toContain(`"O'Neil, <i>""&amp;",not judged,no,`);
     expect(out.split('\r\n')).toHaveLength(12);
     expect((await command(['grade', 'odd', '--reference', 'ref', '--csv'], folder)).out).toContain("\r\n'=1+1,right,");
   });
 
   it('prints HTML with a page each, every name escaped, and nothing from outside', async () => {
-    const { out } = await command([...GRADE, '--html'], folder);
+    const { out } = await graded('--html');
     expect(out.match(/<section id=/g)).toHaveLength(10);
     expect(out).toContain('O&#39;Neil, &lt;i&gt;&quot;&amp;amp;');
     expect(out).not.toContain('<i>');
@@ -194,12 +199,11 @@ describe('marrow grade', () => {
   });
 
   it('says which files of the class belong to nobody, on all ways', async () => {
-    const { err } = await command(GRADE, folder);
+    const { err } = await graded();
     expect(err).toContain('class/kim.txt warning file-loose: Expected a folder or a zip for each submission');
     expect(err).not.toContain('DS_Store');
-    const report = await commandJson<{ skipped: readonly string[] }>(GRADE, folder, 1);
-    expect(report.skipped).toEqual(['class/kim.txt']);
-    expect((await command([...GRADE, '--html'], folder)).out).toContain(
+    expect((await gradedJson()).skipped).toEqual(['class/kim.txt']);
+    expect((await graded('--html')).out).toContain(
       '<code>class/kim.txt</code> is neither a folder nor a zip, and was skipped.',
     );
   });
@@ -344,7 +348,7 @@ describe('marrow grade', () => {
     });
     const dan = await gradeOf('dan');
     expect(dan.parts[0].shown?.yours).not.toEqual(dan.parts[0].shown?.marrows);
-    const { out } = await command([...GRADE, '--html'], folder);
+    const { out } = await graded('--html');
     expect(out).toMatch(
       /First wrong: joint 1 &quot;arm&quot; at 0\.7 s\. You use local matrices as world matrices. Each should be multiplied /,
     );
