@@ -38,8 +38,11 @@ function worldsAt(shown: Character, seconds: number): readonly number[] {
   return [...worlds, ...dofs.subarray(dofs.length - shown.morphs.length)];
 }
 
+/** Half of the ninth digit behind the point. */
+const NEAR = 5e-10;
+
 /** Saves, opens, and compares: how it looks and moves. */
-async function expectSame(characters: readonly Character[], digits = 9): Promise<readonly Character[]> {
+async function expectSame(characters: readonly Character[]): Promise<readonly Character[]> {
   const { characters: again, diagnostics } = openedFrom(pageOf(characters));
   expect(diagnostics.filter(({ severity }) => severity === 'error')).toEqual([]);
   expect(again.map(({ name }) => name)).toEqual(characters.map(({ name }) => name));
@@ -58,7 +61,10 @@ async function expectSame(characters: readonly Character[], digits = 9): Promise
     for (const seconds of [0, 0.37, 1.1]) {
       const [ours, theirs] = [worldsAt(own, seconds), worldsAt(one, seconds)];
       expect(theirs.length).toBe(ours.length);
-      theirs.forEach((value, k) => void expect(value).toBeCloseTo(ours[k], digits));
+      // An `expect` for each of thousands of numbers took most of the time.
+      theirs.forEach((value, k) => {
+        if (!(Math.abs(value - ours[k]) < NEAR)) expect(value, `${one.name} at ${seconds} s, ${k}`).toBe(ours[k]);
+      });
     }
   });
   return again;
@@ -164,7 +170,10 @@ describe('a saved page', () => {
     const bvh = await opened(captures);
     await expectSame(bvh);
     expect([...filesIn(pageOf(bvh)).keys()].every((name) => name.endsWith('.bvh'))).toBe(true);
-    const glb = await opened({ 'hero.glb': glbOf(await hero()).bytes });
+    const walker = await hero();
+    // Fitting keys to all of the walk takes longer, and shows nothing else.
+    const takes = walker.takes.map((take) => ({ ...take, range: [0, 0.25] as const }));
+    const glb = await opened({ 'hero.glb': glbOf({ ...walker, takes }).bytes });
     await expectSame(glb);
     await expectSame(await opened({ 'points.trc': TRC }));
     await expectSame(await opened({ 'a.asf': ODD_ASF, 'a.amc': ODD_AMC }));
