@@ -9,6 +9,7 @@ import type { Samples } from '../../../src/model/takes/samples.ts';
 import type { Take } from '../../../src/model/takes/take.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { ALL_BVH, sharedCaptures } from '../../helpers/bvh-files.ts';
+import { expectEqual } from '../../helpers/equal.ts';
 import { expectEdit } from '../../helpers/expect-edit.ts';
 import { captured, personSkeleton, takeOfRoots } from '../../helpers/mocap.ts';
 
@@ -204,7 +205,7 @@ describe('joining real takes', () => {
           const timeSeconds = samples.startSeconds + Math.round(part * count) * samples.frameSeconds;
           const halves = splitSamples.run(documentOf(hero), { characterId: 'c1', timeSeconds });
           const joined = joinTakes.run(halves, { takes: [ref(0), ref(1)], overlapSeconds: 0, name: take.name });
-          expect(samplesOf(shownIn(joined)).values, `cut at ${timeSeconds} s`).toEqual(values);
+          expectEqual(samplesOf(shownIn(joined)).values, values, `cut at ${timeSeconds} s`);
         }
         const own = stepsOf(pointsOf(hero, take));
         const overlapSeconds = Math.floor(count / 3) * samples.frameSeconds;
