@@ -12,7 +12,8 @@ describeShared('real characters as FBX', () => {
 
   it('real skeletons with takes by chance are read as they are here', () => {
     const isOff = (name: string) => /^(six|nine)/.test(name);
-    // Their weights don't sum to 1, which changes vertices, and is said.
-    for (const one of movedCharacters((name) => !isOff(name))) expectSeen(one);
+    // Their weights don't sum to 1, which changes vertices, and is said. Angles are as large as they get in wide takes,
+    // and wild ones have all kinds of keys.
+    for (const one of movedCharacters((name) => !isOff(name) && / wi(de|ld)$/.test(name))) expectSeen(one);
   });
 });
