@@ -242,7 +242,7 @@ describe('a hundred commands, whichever', () => {
         expect(watched.undoable).toBe(count);
         expectSame(stateOf(watched.store), end);
       }),
-      { numRuns: 30 },
+      { numRuns: 20 },
     );
     // None of them is here only to be refused. Which ones a seed left out are tried among their own kind.
     for (const id of COMMANDS_HERE.filter((each) => !done.has(each))) {
@@ -276,7 +276,7 @@ describe('a hundred commands, whichever', () => {
         while (watched.redoable) watched.redo();
         expect(watched.store.redoLabel).toBeUndefined();
       }),
-      { numRuns: 20 },
+      { numRuns: 12 },
     );
   });
 });
