@@ -17,7 +17,7 @@ const CASES = Number(process.env.MARROW_CASES ?? 20);
 /** Larger files have a turn only in so many rounds: they take most of the time, and are like the others. */
 const LARGE = 200_000;
 const TURN = 8;
-/** Smaller ones are read in pieces too. */
+/** Smaller ones are read in pieces too, every other time. */
 const SMALL = 30_000;
 
 interface Score {
@@ -53,7 +53,7 @@ describe('a real file damaged by one token', () => {
       const { value, diagnostics } = readAsOpened(file.name, bytes);
       score.tried++;
       expect(value === undefined).toBe(diagnostics.some(({ severity }) => severity === 'error'));
-      if (bytes.length < SMALL) {
+      if (bytes.length < SMALL && score.tried % 2 === 0) {
         const cuts = Array.from({ length: 5 }, () => Math.floor(cut() * bytes.length));
         expectEqual(readAsOpened(file.name, bytes, cuts), { ...(value && { value }), diagnostics });
       }
@@ -142,5 +142,5 @@ it('reading never throws, and leaves a file with errors in errors, whatever it h
       expect(excerpt?.text.length ?? 0).toBeLessThanOrEqual(200);
     }
   });
-  fc.assert(property, { numRuns: 400 });
+  fc.assert(property, { numRuns: 200 });
 });
