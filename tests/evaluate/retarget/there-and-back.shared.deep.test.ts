@@ -25,7 +25,7 @@ function baked(driven: Character): Character {
 describeShared('real takes on another humanoid and back', () => {
   it.each(HUMANOIDS)('%s on another humanoid and back points like itself', (file) => {
     const source = captured(file);
-    for (const other of ['mixamo-names.bvh', 'lafan1-dance-10frames.bvh', 'xsens-armchair.bvh']) {
+    for (const other of ['mixamo-names.bvh', 'xsens-armchair.bvh']) {
       if (other === file) continue;
       const there = baked(retargeted(source, captured(other)));
       const fit = pairFit(retargeted(there, captured(file, `${file} copy`)), source);
