@@ -100,7 +100,7 @@ describe('a traced line', () => {
           }
         }
       }),
-      { numRuns: 700 },
+      { numRuns: 350 },
     );
   });
 
@@ -120,7 +120,7 @@ describe('a traced line', () => {
           expect(drawn.some((p) => p.x0 <= x + ASIDE_PIXELS && p.x1 >= x - ASIDE_PIXELS)).toBe(true);
         }
       }),
-      { numRuns: 500 },
+      { numRuns: 250 },
     );
   });
 
@@ -147,7 +147,7 @@ describe('a traced line', () => {
           expect(line.columns.bottoms[i]).toBeGreaterThanOrEqual(cut(bottom) - WITHIN_PIXELS);
         }
       }),
-      { numRuns: 150 },
+      { numRuns: 100 },
     );
   });
 });
