@@ -116,7 +116,7 @@ const layout = {
   number: fc.constantFrom(...NUMBERS),
   lineEnd: fc.constantFrom(...LINE_ENDS),
 };
-const RUNS = { numRuns: 200 };
+const RUNS = { numRuns: 100 };
 
 function expectRead(lines: readonly string[], lineEnd: string, kinds: object): void {
   const text = lines

@@ -135,7 +135,7 @@ describe('whatever the way', () => {
         s.apply(holdPins, { ...HOLD, range, atSeconds: a });
         expect(slide(shown(s), place, ...range)).toBeLessThan(TOLERANCE);
       }),
-      { numRuns: 12, examples: [[SLID, 0.5823565781116486, 0.564058494567871]] },
+      { numRuns: 8, examples: [[SLID, 0.5823565781116486, 0.564058494567871]] },
     );
   });
 });
@@ -174,7 +174,7 @@ describe('whatever the curves', () => {
           expect(s.document).toEqual(document);
         }
       }),
-      { numRuns: 15 },
+      { numRuns: 10 },
     );
   });
 });

@@ -61,7 +61,7 @@ describe('a key inserted on the curve', () => {
         }
         expectSameShape(after, channel);
       }),
-      { numRuns: 400 },
+      { numRuns: 200 },
     );
   });
 
@@ -133,7 +133,7 @@ describe('a key inserted between two others and moved', () => {
         fc.pre(after !== channel && !isLinear(channel, index - 1));
         expect(cornerOf(channel, time, by)).toBe(0);
       }),
-      { numRuns: 400 },
+      { numRuns: 200 },
     );
   });
 

@@ -108,7 +108,7 @@ describe('bind mode', () => {
           expect(farthest(was.normals[s], is.normals[s])).toBeLessThan(TURNED);
         });
       }),
-      { numRuns: 150 },
+      { numRuns: 80 },
     );
     expect(moved).toBeGreaterThan(20);
   });
@@ -211,7 +211,7 @@ describe('pivots', () => {
           expect(farthest(a, b)).toBeLessThan(STAYS * sizeOf(was.world));
         }
       }),
-      { numRuns: 120 },
+      { numRuns: 70 },
     );
   });
 
@@ -233,7 +233,7 @@ describe('pivots', () => {
           expect(farthest(at(was), at(is))).toBeLessThan(STAYS * sizeOf(was.world));
         }
       }),
-      { numRuns: 100 },
+      { numRuns: 60 },
     );
   });
 });
@@ -266,7 +266,7 @@ describe('what is shown', () => {
           expect(rootDofCount(now.skeleton)).toBe(rootDofCount(hero.skeleton));
         },
       ),
-      { numRuns: 100 },
+      { numRuns: 60 },
     );
   });
 });

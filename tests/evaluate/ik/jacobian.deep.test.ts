@@ -75,14 +75,14 @@ describe('the Jacobian', () => {
   it('the Jacobian is what finite differences say, for joints of all kinds, with couples, points and orientations', () => {
     fc.assert(
       fc.property(anyProblem(false), (any) => expectSlopes(any, false)),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
   });
 
   it('knows that a linked DOF is constant at its own limit', () => {
     fc.assert(
       fc.property(anyProblem(true), (any) => expectSlopes(any, true)),
-      { numRuns: 100 },
+      { numRuns: 60 },
     );
   });
 });
@@ -106,7 +106,7 @@ describe('the matrices of the joints that matter', () => {
           expectClose(own, world.subarray(16 * joints[s], 16 * joints[s] + 16), 1e-11 * largest, `joint ${joints[s]}`);
         }
       }),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
   });
 });
@@ -142,7 +142,7 @@ describe('the screws of a joint', () => {
         }
         expect(jointMotion(of).stretches ?? false).toBe(false);
       }),
-      { numRuns: 250 },
+      { numRuns: 120 },
     );
   });
 

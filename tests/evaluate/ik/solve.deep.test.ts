@@ -67,7 +67,7 @@ describe('a solution of any problem', () => {
         applyConstraints(problem.skeleton, settled, true);
         expect(settled).toEqual(dofs);
       }),
-      { numRuns: 200 },
+      { numRuns: 100 },
     );
   });
 
@@ -92,7 +92,7 @@ describe('a solution of any problem', () => {
         solve(ikProblem(skeleton, pins, poseOf(skeleton)), start, how);
         expect(start).toEqual(dofs);
       }),
-      { numRuns: 100 },
+      { numRuns: 60 },
     );
   });
 
@@ -113,7 +113,7 @@ describe('a solution of any problem', () => {
           if (!follows.has(dof) && (dof === locked || ofDof[dof] < 0)) expect(value).toBe(start[dof]);
         });
       }),
-      { numRuns: 100 },
+      { numRuns: 60 },
     );
   });
 });
@@ -143,7 +143,7 @@ describe('a target', () => {
           if (residuals.every((off) => off <= 1e-3 * problem.reach)) solved++;
         },
       ),
-      { numRuns: 100 },
+      { numRuns: 60 },
     );
     expect(solved).toBeGreaterThanOrEqual(0.98 * count);
   });

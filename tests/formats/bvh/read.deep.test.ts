@@ -395,7 +395,7 @@ describe('any hierarchy and any rows', () => {
       const cuts = made.cuts.map((cut) => cut % (bytes.length + 1));
       expectEqual(readInPieces('x.bvh', bytes, cuts), read('x.bvh', bytes));
     });
-    fc.assert(property, { numRuns: 200 });
+    fc.assert(property, { numRuns: 120 });
   });
 
   it('are told of, whatever the size of the file is said to be, if no value before them is a number', () => {
@@ -426,7 +426,7 @@ describe('any hierarchy and any rows', () => {
         expect(whole.value === undefined).toBe(whole.diagnostics.some((d) => d.severity === 'error'));
       },
     );
-    fc.assert(property, { numRuns: 500 });
+    fc.assert(property, { numRuns: 250 });
   });
 
   it('hold for rows of numbers alone: what is read is whole lines of them, or refused', () => {
@@ -449,6 +449,6 @@ describe('any hierarchy and any rows', () => {
       }
       expect(read).toEqual(expected);
     });
-    fc.assert(property, { numRuns: 500 });
+    fc.assert(property, { numRuns: 250 });
   });
 });
