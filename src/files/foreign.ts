@@ -250,7 +250,9 @@ export function otherContent(fileName: string, kind: ContentKind, head: Uint8Arr
     return withoutPlace('error', 'file-empty', 'The file is empty: copy or export it again.', fileName);
   }
   const from = head[0] === 0xef && head[1] === 0xbb && head[2] === 0xbf ? 3 : 0;
-  const start = Array.from(head.subarray(from, HEAD_BYTES), characterOf).join('');
+  // Added up: a list of them, joined, took more than twice as long, for each file that is opened.
+  let start = '';
+  for (const byte of head.subarray(from, HEAD_BYTES)) start += characterOf(byte);
   // The first entry decides, since XML is what web pages are, too.
   const found = FOREIGN.find((foreign) => foreign.start?.test(start));
   if (!found || found.of?.some((own) => own === kind)) return undefined;
