@@ -214,6 +214,7 @@ describe('random skeletons of Acclaim', () => {
         const again = await readAsfText(text);
         expect(again.value && writtenText(again.value, 'x.asf')).toBe(text);
       }),
+      { numRuns: 60 },
     );
   });
 
@@ -224,6 +225,7 @@ describe('random skeletons of Acclaim', () => {
         expect([...framesOf(again).values]).toEqual([...framesOf(given).values]);
         expect(apart(given, again)).toBeLessThan(1e-9);
       }),
+      { numRuns: 60 },
     );
   });
 
@@ -235,6 +237,7 @@ describe('random skeletons of Acclaim', () => {
         const { capture: bones } = toAcclaimBones(bareCharacter(bvh.skeleton, bvh.take), framesOf(given));
         expect(apart(given, await readAgain(bones))).toBeLessThan(1e-9);
       }),
+      { numRuns: 60 },
     );
   });
 
