@@ -10,10 +10,10 @@ const sample = (name: string) => readFileSync(new URL(`../../public/samples/${na
 const WALKER = ['walker.skel', 'walker.skin', 'walker_walk.anim'].map((name) => ({ name, bytes: sample(name) }));
 const TWIN = [{ name: 'twin.skel', bytes: sample('walker.skel') }];
 
-const withSmallPage = (body: (open: OpenPage) => Promise<void>, options: PageOptions = {}) =>
-  withPage(body, { ...SMALL, ...options });
-
-/** Large enough for the tree to show joints. The test that crashes it is the last one. */
+/**
+ * Large enough for the tree to show joints. The first test needs a browser in which nothing was done yet, and the last
+ * one crashes it.
+ */
 const inPage = inOnePage({ expected: /crashed/ });
 /** Of what was done before, nothing is left but that it can't be redone. */
 const inFreshPage = (name: string, body: (open: OpenPage) => Promise<void>) =>
@@ -42,32 +42,63 @@ async function crash(page: Page): Promise<void> {
   await crashed;
 }
 
+/** Runs in the page: as if files were changed or removed on disk after opening. */
+function refuseFiles(): void {
+  const { put } = IDBObjectStore.prototype;
+  IDBObjectStore.prototype.put = function (value, key) {
+    if (typeof value === 'object' && value !== null && 'given' in value) {
+      throw new DOMException('It was changed on disk.', 'NotReadableError');
+    }
+    return put.call(this, value, key);
+  };
+}
+
 describe('work', () => {
+  inPage(
+    'work is kept to the last moment when its page is closed, and not offered where nothing was done',
+    async ({ page: idle, openAnother }) => {
+      const page = await openAnother();
+      await openArm(page);
+      await kept(page);
+      // A page with nothing but the example, with another view and time.
+      await idle.evaluate(() => window.marrow.seek(0.5));
+      await idle.keyboard.press('1');
+      await idle.reload();
+      await ready(idle);
+      await setDof(page, 6, 0.75);
+      await page.close();
+      await idle.reload();
+      await offer(idle)
+        .getByText(/Unsaved work from .*: arm, 2 joints\./)
+        .waitFor();
+      await expect.poll(() => older(idle).count()).toBe(0);
+      await restore(idle);
+      await shown(idle, 'arm');
+      await dofOf(idle).toBe(0.75);
+    },
+  );
+
   for (const { name, run } of RESTORING) inFreshPage(name, run);
 
-  withArm('work that was put off is in the Open menu, for as long as it is not restored', async ({ page }) => {
-    await page.reload();
-    await ready(page);
-    const inMenu = page.getByRole('menuitem', { name: /^Restore last session/ });
-    const openMenu = () => page.getByRole('menuitem', { name: 'Open', exact: true }).click();
-    await offer(page).getByRole('button', { name: 'Not now' }).click();
-    await expect.poll(() => offer(page).count()).toBe(0);
-    await openMenu();
-    await inMenu.click();
-    // The offer has the focus, so that Enter restores.
-    await page.keyboard.press('Enter');
-    await shown(page, 'arm');
-    await openMenu();
-    await expect.poll(() => inMenu.count()).toBe(0);
-    await page.keyboard.press('Escape');
-  });
-
   withArm(
-    'work goes on being kept under the same session after it was restored, to the last moment; discarded, it can be had back',
+    'work that was put off is in the Open menu until it is restored, and goes on being kept under the same session then, ' +
+      'to the last moment; discarded, it can be had back',
     async ({ page }) => {
       await page.reload();
-      await restore(page);
+      await ready(page);
+      const inMenu = page.getByRole('menuitem', { name: /^Restore last session/ });
+      const openMenu = () => page.getByRole('menuitem', { name: 'Open', exact: true }).click();
+      await offer(page).getByRole('button', { name: 'Not now' }).click();
+      await expect.poll(() => offer(page).count()).toBe(0);
+      await openMenu();
+      await inMenu.click();
+      // The offer has the focus, so that Enter restores.
+      await page.keyboard.press('Enter');
       await shown(page, 'arm');
+      await openMenu();
+      await expect.poll(() => inMenu.count()).toBe(0);
+      await page.keyboard.press('Escape');
+
       await page.reload();
       await offer(page).waitFor();
       await expect.poll(() => older(page).count()).toBe(0);
@@ -87,25 +118,30 @@ describe('work', () => {
     },
   );
 
-  it('work is kept to the last moment when its page is closed, and not offered where nothing was done', () =>
-    withSmallPage(async ({ page: idle, openAnother }) => {
-      const page = await openAnother();
-      await openArm(page);
+  inFreshPage(
+    'autosave keeps what was read of a file that can’t be copied, every vertex where it was',
+    async ({ page }) => {
+      const skin =
+        'positions 3 { 0 0 0 1 0 0 0 2 0 } normals 3 { 0 0 1 0 0 1 0 0 1 } ' +
+        'skinweights 3 { 1 0 1 1 0 1 2 0 0.5 1 0.5 } triangles 1 { 0 1 2 } bindings 2 { ' +
+        'matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } matrix { 1 0 0 0 1 0 0 0 1 0 1 0 } }';
+      await page.evaluate(refuseFiles);
+      await dropFiles(page, [
+        { name: 'arm.skel', bytes: ARM },
+        { name: 'arm.skin', bytes: skin },
+      ]);
+      await page.waitForFunction(() => window.marrow.vertices().length === 9);
+      await setDof(page, 6, 0.5);
       await kept(page);
-      // A page with nothing but the example, with another view and time.
-      await idle.evaluate(() => window.marrow.seek(0.5));
-      await idle.keyboard.press('1');
-      await idle.reload();
-      await ready(idle);
-      await setDof(page, 6, 0.75);
-      await page.close();
-      await idle.reload();
-      await offer(idle).getByText('arm, 2 joints').waitFor();
-      await expect.poll(() => older(idle).count()).toBe(0);
-      await restore(idle);
-      await shown(idle, 'arm');
-      await dofOf(idle).toBe(0.75);
-    }));
+      const before = await page.evaluate(() => window.marrow.vertices());
+      await page.reload();
+      await ready(page);
+      await page.evaluate(refuseFiles);
+      await restore(page);
+      await shown(page, 'arm');
+      await expect.poll(() => page.evaluate(() => window.marrow.vertices())).toEqual(before);
+    },
+  );
 
   withArm('the sessions of two tabs stay apart', async ({ page, openAnother }) => {
     const other = await openAnother();
@@ -125,141 +161,84 @@ describe('work', () => {
     await expect.poll(async () => (await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
   });
 
-  it('skin, keys, layers, goals of limbs, an attachment and retargeting come back after a crash, and move as they did', () =>
-    withPage(
-      async ({ page, openAnother }) => {
-        await ready(page);
-        await dropFiles(page, [...WALKER, { name: 'sword.skel', bytes: ARM }, ...TWIN]);
-        await shown(page, 'sword');
-        await shown(page, 'twin');
-        await page.evaluate(async () => {
-          const { marrow } = window;
-          marrow.pause();
-          marrow.seek(0.5);
-          const [walker, sword, twin] = ['walker', 'sword', 'twin'].map((name) => {
-            const found = marrow.characters().find((one) => one.name === name);
-            if (!found) throw new Error(`no ${name}`);
-            return { ...found, jointIn: (joint: string) => found.joints.findIndex((one) => one.name === joint) };
-          });
-          const characterId = walker.id;
-          const joints = ['thigh_l', 'shin_l', 'foot_l'].map(walker.jointIn);
-          await marrow.run('keys.move', {
-            characterId,
-            keys: [{ channel: 3, indices: [0] }],
-            seconds: 0.01,
-            values: [0.2],
-          });
-          await marrow.run('limbs.add', { characterId, joints, orient: true, mirrored: true });
-          await marrow.run('limbs.switch', { characterId, limb: 0, timeSeconds: 0.5, to: 'ik' });
-          await marrow.run('layers.add', { characterId, name: 'wave' });
-          const index = walker.dofs.length - 5;
-          await marrow.run('pose.setDofs', { characterId, dofs: [{ index, value: 0.4 }], timeSeconds: 0.5, key: {} });
-          await marrow.run('retarget.set', { characterId: twin.id, sourceId: walker.id });
-          const grip = { leaderId: twin.id, joint: twin.jointIn('hand_r'), span: [0.25, 2] };
-          await marrow.run('attach.add', { characterId: sword.id, ...grip });
-        });
-        const seen = (of: Page) =>
-          of.evaluate(() => {
-            const { marrow } = window;
-            return [0, 0.4, 0.9].map((seconds) => {
-              marrow.seek(seconds);
-              const moved = marrow.characters().map(({ name }) => marrow.worldMatrices(name));
-              return {
-                moved,
-                vertices: marrow.vertices('walker'),
-                limbs: marrow.limbs('walker'),
-                layers: marrow.layers('walker'),
-              };
-            });
-          });
-        const last = (await seen(page))[2];
-        expect(last.limbs.map(({ blend }) => blend)).toEqual([1, undefined]);
-        expect(last.vertices.length).toBeGreaterThan(1000);
-        expect(last.layers.map(({ name }) => name)).toEqual(['wave']);
-        await kept(page);
-        const before = await seen(page);
-        await crash(page);
-
-        const again = await openAnother();
-        await ready(again);
-        await restore(again);
-        await shown(again, 'sword');
-        await expect.poll(() => seen(again)).toEqual(before);
-        // What is retargeted is written by the worker, which has restored nothing.
-        const made = await again.evaluate(async () => (await window.marrow.glb({}, 'sword')).bytes.length);
-        expect(made).toBeGreaterThan(1000);
-        await again.evaluate(() => window.marrow.run('attach.putDown', { character: 'sword', timeSeconds: 0.9 }));
-        const undone = await again.evaluate(() => window.marrow.undo());
-        expect(undone).toBe(true);
-        await expect.poll(() => seen(again)).toEqual(before);
-      },
-      { ...SMALL, expected: /crashed/ },
-    ));
-
   inFreshPage(
-    'work comes back after a crash: document, selection, time, and what was open is gone',
+    'skin, keys, layers, goals of limbs, an attachment and retargeting come back after a crash, and move as they did; ' +
+      'selection and time too, and what was open is gone',
     async ({ page, openAnother }) => {
-      await openArm(page);
-      await page.getByRole('treeitem', { name: 'elbow' }).click();
-      await setDof(page, 6, 0.5);
+      await dropFiles(page, [...WALKER, { name: 'sword.skel', bytes: ARM }, ...TWIN]);
+      await shown(page, 'sword');
+      await shown(page, 'twin');
+      await page.evaluate(async () => {
+        const { marrow } = window;
+        marrow.pause();
+        marrow.seek(0.5);
+        const [walker, sword, twin] = ['walker', 'sword', 'twin'].map((name) => {
+          const found = marrow.characters().find((one) => one.name === name);
+          if (!found) throw new Error(`no ${name}`);
+          return { ...found, jointIn: (joint: string) => found.joints.findIndex((one) => one.name === joint) };
+        });
+        const characterId = walker.id;
+        const joints = ['thigh_l', 'shin_l', 'foot_l'].map(walker.jointIn);
+        await marrow.run('keys.move', {
+          characterId,
+          keys: [{ channel: 3, indices: [0] }],
+          seconds: 0.01,
+          values: [0.2],
+        });
+        await marrow.run('limbs.add', { characterId, joints, orient: true, mirrored: true });
+        await marrow.run('limbs.switch', { characterId, limb: 0, timeSeconds: 0.5, to: 'ik' });
+        await marrow.run('layers.add', { characterId, name: 'wave' });
+        const index = walker.dofs.length - 5;
+        await marrow.run('pose.setDofs', { characterId, dofs: [{ index, value: 0.4 }], timeSeconds: 0.5, key: {} });
+        await marrow.run('retarget.set', { characterId: twin.id, sourceId: walker.id });
+        const grip = { leaderId: twin.id, joint: twin.jointIn('hand_r'), span: [0.25, 2] };
+        await marrow.run('attach.add', { characterId: sword.id, ...grip });
+      });
+      const seen = (of: Page) =>
+        of.evaluate(() => {
+          const { marrow } = window;
+          return [0, 0.4, 0.9].map((seconds) => {
+            marrow.seek(seconds);
+            const moved = marrow.characters().map(({ name }) => marrow.worldMatrices(name));
+            return {
+              names: marrow.characters().map(({ name }) => name),
+              moved,
+              vertices: marrow.vertices('walker'),
+              limbs: marrow.limbs('walker'),
+              layers: marrow.layers('walker'),
+            };
+          });
+        });
+      const before = await seen(page);
+      const last = before[2];
+      expect(last.limbs.map(({ blend }) => blend)).toEqual([1, undefined]);
+      expect(last.names).not.toContain('post');
+      expect(last.vertices.length).toBeGreaterThan(1000);
+      expect(last.layers.map(({ name }) => name)).toEqual(['wave']);
+      await page.getByRole('treeitem', { name: 'elbow' }).first().click();
       await page.evaluate(() => window.marrow.seek(0.75));
       await kept(page);
-      const before = await dofs(page);
       await crash(page);
 
       const again = await openAnother();
       await ready(again);
-      await offer(again)
-        .getByText(/Unsaved work from .*: arm, 2 joints\./)
-        .waitFor();
       await restore(again);
-      await shown(again, 'arm');
-      await expect.poll(() => dofs(again)).toEqual(before);
+      await shown(again, 'sword');
+      const names = () => again.evaluate(() => window.marrow.characters().map(({ name }) => name));
+      await expect.poll(names).toEqual(last.names);
       await again.locator('[role=treeitem][aria-selected=true]', { hasText: 'elbow' }).waitFor();
       await expect.poll(() => again.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toContain('0.75');
-      await expect.poll(() => again.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['arm']);
       await expect.poll(() => offer(again).count()).toBe(0);
+      await expect.poll(() => seen(again)).toEqual(before);
+      // What is retargeted is written by the worker, which has restored nothing.
+      const made = await again.evaluate(async () => (await window.marrow.glb({}, 'sword')).bytes.length);
+      expect(made).toBeGreaterThan(1000);
+      await again.evaluate(() => window.marrow.run('attach.putDown', { character: 'sword', timeSeconds: 0.9 }));
+      const undone = await again.evaluate(() => window.marrow.undo());
+      expect(undone).toBe(true);
+      await expect.poll(() => seen(again)).toEqual(before);
     },
   );
-});
-
-describe('a file that can’t be copied', () => {
-  it('autosave keeps what was read of a file that can’t be copied, every vertex where it was', () =>
-    withSmallPage(
-      async ({ page }) => {
-        await ready(page);
-        const skin =
-          'positions 3 { 0 0 0 1 0 0 0 2 0 } normals 3 { 0 0 1 0 0 1 0 0 1 } ' +
-          'skinweights 3 { 1 0 1 1 0 1 2 0 0.5 1 0.5 } triangles 1 { 0 1 2 } bindings 2 { ' +
-          'matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } matrix { 1 0 0 0 1 0 0 0 1 0 1 0 } }';
-        await dropFiles(page, [
-          { name: 'arm.skel', bytes: ARM },
-          { name: 'arm.skin', bytes: skin },
-        ]);
-        await shown(page, 'arm');
-        await setDof(page, 6, 0.5);
-        await kept(page);
-        const before = await page.evaluate(() => window.marrow.vertices());
-        expect(before.length).toBe(9);
-        await page.reload();
-        await ready(page);
-        await restore(page);
-        await shown(page, 'arm');
-        await expect.poll(() => page.evaluate(() => window.marrow.vertices())).toEqual(before);
-      },
-      {
-        // As if it was changed or removed on disk after opening.
-        before: () => {
-          const { put } = IDBObjectStore.prototype;
-          IDBObjectStore.prototype.put = function (value, key) {
-            if (typeof value === 'object' && value !== null && 'given' in value) {
-              throw new DOMException('It was changed on disk.', 'NotReadableError');
-            }
-            return put.call(this, value, key);
-          };
-        },
-      },
-    ));
 });
 
 describe('where nothing can be kept', () => {
@@ -281,7 +260,7 @@ describe('where nothing can be kept', () => {
   it.each(Object.entries(forbidden))(
     'where nothing can be kept because %s, that is said once, and all else goes on',
     (_why, before) =>
-      withSmallPage(
+      withPage(
         async ({ page }) => {
           await openArm(page);
           await page
@@ -299,7 +278,7 @@ describe('where nothing can be kept', () => {
           await page.waitForFunction(() => document.documentElement.dataset.autosave !== 'waiting');
           await expect.poll(() => page.locator('.message-line[role=status]').isVisible()).toBe(false);
         },
-        before ? { before } : {},
+        before ? { ...SMALL, before } : SMALL,
       ),
   );
 });
