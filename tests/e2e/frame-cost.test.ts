@@ -74,14 +74,14 @@ const SCENES: readonly (readonly [what: string, files: () => Files, frame: Frame
   ['the walker', () => [], { calls: 78, draws: 6, uploads: 2, uploadedBytes: 8192 }],
   ['30 captures', () => captures(30), { calls: 58, draws: 7, uploads: 1, uploadedBytes: 100_800 }],
   [
-    'a skin of 30,000 vertices with 10 morphs of all of them',
-    () => manyMorphs(30_000, 10),
+    'a skin of 3,000 vertices with 10 morphs of all of them',
+    () => manyMorphs(3000, 10),
     { calls: 67, draws: 6, uploads: 1, uploadedBytes: 4096 },
   ],
   [
-    'a star of 20,000 joints',
-    () => [textFile('star.bvh', star(20_000))],
-    { calls: 48, draws: 7, uploads: 1, uploadedBytes: 1_279_968 },
+    'a star of 2,000 joints',
+    () => [textFile('star.bvh', star(2000))],
+    { calls: 48, draws: 7, uploads: 1, uploadedBytes: 127_968 },
   ],
   ['30 walkers', () => walkerFiles(30), { calls: 67, draws: 6, uploads: 1, uploadedBytes: 65_536 }],
 ];
