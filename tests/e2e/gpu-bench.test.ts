@@ -1,25 +1,23 @@
 /** What `npm run bench -- gpu` measures with, in software: that both pages draw and every frame of them is seen. */
 import { fileURLToPath } from 'node:url';
-import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { Pages, type Reference } from '../bench/gpu/pages.ts';
 import { builtPeer } from '../bench/gpu/peer/build.ts';
 import { SMALL, scenesOf } from '../bench/gpu/scenes/scenes.ts';
-import { launchChromium } from '../helpers/chromium.ts';
+import { sharedChromium } from '../helpers/page.ts';
 import { type StaticServer, serveFolder } from '../helpers/server.ts';
 
-let browser: Browser;
 let server: StaticServer;
 let pages: Pages;
 
 beforeAll(async () => {
-  browser = await launchChromium();
   server = await serveFolder(fileURLToPath(new URL('../../dist', import.meta.url)), '/');
-  pages = new Pages(browser, server, await builtPeer(), 0.01, false);
+  // Small and without a second of warming up, since nothing is measured.
+  const how = { size: { width: 960, height: 500 }, warmUpSeconds: 0.01 };
+  pages = new Pages(await sharedChromium(), server, await builtPeer(), 0.01, false, how);
 });
 
 afterAll(async () => {
-  await browser?.close();
   await server?.close();
 });
 
@@ -35,7 +33,7 @@ it('frames of the built page are seen whole, with their script, and how long its
 it('three.js alone draws the walker that the built page writes, on a canvas as large, and the tentacle', async () => {
   // To find the keys that are needed would take half of the time of these tests.
   const reference = await pages.reference(10);
-  expect(reference.size.width).toBeGreaterThan(800);
+  expect(reference.size.width).toBeGreaterThan(400);
   const small: Reference = { ...reference, size: { width: 160, height: 120 } };
   for (const scene of [
     { kind: 'walkers', count: 2 },

@@ -204,7 +204,8 @@ declare global {
 let chromium: Promise<Browser> | undefined;
 const servers = new Map<string, Promise<StaticServer>>();
 
-function sharedChromium(): Promise<Browser> {
+/** That of all test files of a worker; nobody closes it. */
+export function sharedChromium(): Promise<Browser> {
   chromium ??= launchChromium();
   return chromium;
 }

@@ -6,10 +6,7 @@ import { PEER_FOLDER } from './peer/build.ts';
 import { type PeerView, queryOf } from './peer/scene.ts';
 import type { Scene } from './scenes/scenes.ts';
 
-const SIZE = { width: 1440, height: 900 };
 const TIMEOUT_MS = 180_000;
-/** Before frames count: shaders are compiled and caches filled. */
-const WARM_UP_SECONDS = 1;
 const MIN_FRAMES = 5;
 /** Files to open, by their paths from the page's address. */
 const FILES_FOLDER = 'scene/';
@@ -26,6 +23,15 @@ export interface Reference {
   readonly size: PeerView['size'];
 }
 
+export interface Watching {
+  /** Of the window. */
+  readonly size: { readonly width: number; readonly height: number };
+  /** Before frames count: shaders are compiled and caches filled. */
+  readonly warmUpSeconds: number;
+}
+
+const USUAL: Watching = { size: { width: 1440, height: 900 }, warmUpSeconds: 1 };
+
 export class Pages {
   constructor(
     private readonly browser: Browser,
@@ -33,6 +39,7 @@ export class Pages {
     private readonly peer: ExtraFiles,
     private readonly seconds: number,
     private readonly shadow: boolean,
+    private readonly how = USUAL,
   ) {}
 
   /** The built page with a scene that plays. */
@@ -108,7 +115,7 @@ export class Pages {
   private async watched(page: Page): Promise<WatchedFrames> {
     const measured = (seconds: number) =>
       page.evaluate(([s, frames]) => window.frameWatch.measure(s, frames), [seconds, MIN_FRAMES] as const);
-    await measured(WARM_UP_SECONDS);
+    await measured(this.how.warmUpSeconds);
     const frames = await measured(this.seconds);
     // The last may be about to come.
     if (frames.script.length < frames.whole.length - 1) {
@@ -119,7 +126,7 @@ export class Pages {
 
   private async inPage<T>(body: (page: Page) => Promise<T>): Promise<T> {
     const context = await this.browser.newContext({
-      viewport: SIZE,
+      viewport: this.how.size,
       // Camera moves are then immediate.
       reducedMotion: 'reduce',
       serviceWorkers: 'block',
