@@ -6,22 +6,15 @@ import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
 import type { MarrowViewer } from '../../src/package/viewer.ts';
-import { launchChromium } from '../helpers/chromium.ts';
 import { ELEMENT } from '../helpers/element-page.ts';
-import { fillNoPixels } from '../helpers/page.ts';
+import { fillNoPixels, sharedChromium } from '../helpers/page.ts';
 
 const CODE = fileURLToPath(new URL('../../examples/code', import.meta.url));
 const SAMPLES = fileURLToPath(new URL('../../public/samples', import.meta.url));
 const TYPES: Readonly<Record<string, string>> = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript' };
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launchChromium();
-});
-afterAll(() => browser.close());
 
 /** Opens a page of a plain server that has these folders, and one page more. */
 async function onServer(
@@ -44,6 +37,7 @@ async function onServer(
     response.writeHead(404).end();
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const browser = await sharedChromium();
   const tab = await browser.newPage({ reducedMotion: 'no-preference' });
   try {
     await tab.addInitScript(fillNoPixels, false);

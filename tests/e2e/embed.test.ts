@@ -5,8 +5,7 @@ import { fileURLToPath } from 'node:url';
 import type { Browser, Frame, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { FromEmbedded } from '../../src/app/embed/embed-messages.ts';
-import { launchChromium } from '../helpers/chromium.ts';
-import { fillNoPixels } from '../helpers/page.ts';
+import { fillNoPixels, sharedChromium } from '../helpers/page.ts';
 import { type StaticServer, serveFolder } from '../helpers/server.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
@@ -30,7 +29,7 @@ const around = createServer((request, response) => {
 let origin = '';
 
 beforeAll(async () => {
-  browser = await launchChromium();
+  browser = await sharedChromium();
   server = await serveFolder(DIST, '/marrow/', 'http:');
   await new Promise<void>((resolve) => around.listen(0, '127.0.0.1', resolve));
   // Listening on a port, so it has one.
@@ -38,7 +37,6 @@ beforeAll(async () => {
 });
 
 afterAll(async () => {
-  await browser.close();
   await server.close();
   around.close();
 });

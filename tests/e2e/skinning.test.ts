@@ -1,7 +1,6 @@
 /** Skinning on a real GPU (or in software): vertices and pixels read back and compared with the core. */
-import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launchChromium } from '../helpers/chromium.ts';
+import { sharedChromium } from '../helpers/page.ts';
 import { describeShared } from '../helpers/shared.ts';
 import {
   AT_REST,
@@ -21,18 +20,13 @@ import {
 } from './checks/skinning.ts';
 import type { Case, Picture } from './pages/skinning.ts';
 
-let browser: Browser;
 let harness: SkinningPage;
 
 beforeAll(async () => {
-  browser = await launchChromium();
-  harness = await openSkinning(browser);
+  harness = await openSkinning(await sharedChromium());
 }, 120_000);
 
-afterAll(async () => {
-  await harness?.close();
-  await browser?.close();
-});
+afterAll(() => harness?.close());
 
 const ask = {
   pictures: (what: Case) => harness.page.evaluate((w) => window.harness.pictures(w), what),
