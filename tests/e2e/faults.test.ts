@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { ARM, dofs, kept, openArm, restore, SMALL, setDof, shown } from './checks/autosave.ts';
 
@@ -15,9 +16,14 @@ async function savedNames(page: Page): Promise<string[]> {
   return Object.keys(unzipSync(readFileSync(await (await saving).path())));
 }
 
+/** Messages stay in it until it is loaded again, in the test of data that is cleared. */
+const inPage = inOnePage({ ...SMALL, touch: true });
+
 describe('faults', () => {
-  it('drawing that throws is said once, work is kept and saved meanwhile, and the picture comes back with the next edit', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'drawing that throws is said once, work is kept and saved meanwhile, and the picture comes back with the next edit',
+    async ({ page }) => {
+      await undoAll(page);
       await openArm(page);
       await page.evaluate(() => {
         const { prototype } = WebGL2RenderingContext;
@@ -44,7 +50,8 @@ describe('faults', () => {
         return window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.25 }] });
       });
       await expect.poll(() => page.evaluate(() => window.marrow.stats().drawCalls)).toBeGreaterThan(0);
-    }, SMALL));
+    },
+  );
 
   it('a shader that does not compile is said in the page, and an error that nobody caught once, with a report to copy', () =>
     withPage(
@@ -95,38 +102,63 @@ describe('faults', () => {
       },
     ));
 
-  it('a touch anywhere on the page while a mouse button is down on the viewport, as screens with both send it, is no error', () =>
-    withPage(
-      async ({ page }) => {
-        await openArm(page);
-        const session = await page.context().newCDPSession(page);
-        await page.mouse.move(400, 300);
-        await page.mouse.down();
-        for (const point of [
-          { x: 450, y: 300 },
-          { x: 400, y: 590 },
-        ]) {
-          await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [point] });
-          await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-        }
-        await page.mouse.up();
-        await expect.poll(() => page.evaluate(() => window.marrow.stats().drawCalls)).toBeGreaterThan(0);
-      },
-      { ...SMALL, touch: true },
-    ));
-
-  it('a shortcut that is clicked twice before its new key is pressed is changed once', () =>
-    withPage(async ({ page }) => {
+  inPage(
+    'a touch anywhere on the page while a mouse button is down on the viewport, as screens with both send it, is no error',
+    async ({ page }) => {
+      await undoAll(page);
       await openArm(page);
-      await page.evaluate(() => window.marrow.run('help.shortcuts'));
-      const dialog = page.getByRole('dialog', { name: 'Shortcuts' });
-      await dialog.getByRole('button', { name: 'K: press to change' }).first().dblclick();
-      await page.keyboard.press(';');
-      await dialog.getByRole('button', { name: ';: press to change', exact: true }).waitFor();
-    }, SMALL));
+      const session = await page.context().newCDPSession(page);
+      await page.mouse.move(400, 300);
+      await page.mouse.down();
+      for (const point of [
+        { x: 450, y: 300 },
+        { x: 400, y: 590 },
+      ]) {
+        await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [point] });
+        await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+      }
+      await page.mouse.up();
+      await expect.poll(() => page.evaluate(() => window.marrow.stats().drawCalls)).toBeGreaterThan(0);
+    },
+  );
 
-  it('a worker that the browser ends, idle or while it reads, is noticed, told once, and replaced', () =>
-    withPage(async ({ page }) => {
+  inPage('a shortcut that is clicked twice before its new key is pressed is changed once', async ({ page }) => {
+    await undoAll(page);
+    await openArm(page);
+    await page.evaluate(() => window.marrow.run('help.shortcuts'));
+    const dialog = page.getByRole('dialog', { name: 'Shortcuts' });
+    await dialog.getByRole('button', { name: 'K: press to change' }).first().dblclick();
+    await page.keyboard.press(';');
+    await dialog.getByRole('button', { name: ';: press to change', exact: true }).waitFor();
+    await page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'detached' });
+  });
+
+  inPage(
+    'work is stored again at once when the browser’s data is cleared while the page is open',
+    async ({ page, url }) => {
+      await undoAll(page);
+      await openArm(page);
+      await setDof(page, 6, 0.5);
+      await kept(page);
+      const session = await page.context().newCDPSession(page);
+      const { origin } = new URL(url);
+      await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'indexeddb' });
+      const stored = () =>
+        page.evaluate(async () => (await indexedDB.databases()).some(({ name }) => name === 'marrow-sessions'));
+      await expect.poll(stored).toBe(true);
+      await kept(page);
+      await page.reload();
+      await restore(page);
+      await shown(page, 'arm');
+      await expect.poll(async () => (await dofs(page))[6]).toBe(0.5);
+    },
+  );
+
+  inPage(
+    'a worker that the browser ends, idle or while it reads, is noticed, told once, and replaced',
+    async ({ page }) => {
+      await undoAll(page);
       await openArm(page);
       const names = () => page.evaluate(() => window.marrow.characters().map(({ name }) => name));
       const end = () => Promise.all(page.workers().map((worker) => worker.evaluate(() => self.close())));
@@ -147,25 +179,8 @@ describe('faults', () => {
       await expect.poll(() => line(page).getByText('more message').count()).toBe(0);
       await dropFiles(page, [{ name: 'tail.skel', bytes: ARM }]);
       await expect.poll(names).toEqual(['arm', 'leg', 'tail']);
-    }, SMALL));
-
-  it('work is stored again at once when the browser’s data is cleared while the page is open', () =>
-    withPage(async ({ page, url }) => {
-      await openArm(page);
-      await setDof(page, 6, 0.5);
-      await kept(page);
-      const session = await page.context().newCDPSession(page);
-      const { origin } = new URL(url);
-      await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'indexeddb' });
-      const stored = () =>
-        page.evaluate(async () => (await indexedDB.databases()).some(({ name }) => name === 'marrow-sessions'));
-      await expect.poll(stored).toBe(true);
-      await kept(page);
-      await page.reload();
-      await restore(page);
-      await shown(page, 'arm');
-      await expect.poll(async () => (await dofs(page))[6]).toBe(0.5);
-    }, SMALL));
+    },
+  );
 
   it('a save that fails keeps the mark and says why in a sentence, and is tried again; saving needs no connection', () =>
     withPage(

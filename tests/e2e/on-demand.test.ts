@@ -5,11 +5,15 @@ import { fileURLToPath } from 'node:url';
 import { strFromU8, unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { inOnePage } from '../helpers/one-page.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 
 const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
 const shown = (page: Page, name: string) =>
   page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
+
+/** One in which a dialog does not come. */
+const inPage = inOnePage({ expected: /about-/ });
 
 describe('the page', () => {
   it('the page has writers without readers, and its worker readers without writers until texts are compared', () => {
@@ -141,31 +145,26 @@ describe('the page', () => {
       { blank: true },
     ));
 
-  it('makes the test kit when it is asked for', () =>
-    withPage(async ({ page }) => {
-      await shown(page, 'post');
-      const download = page.waitForEvent('download');
-      await page.evaluate(() => window.marrow.run('kit.save'));
-      const saved = await download;
-      expect(saved.suggestedFilename()).toBe('marrow-kit.zip');
-      const files = unzipSync(new Uint8Array(readFileSync(await saved.path())));
-      expect(Object.keys(files)).toEqual(expect.arrayContaining(['marrow-kit/tree.skel', 'marrow-kit/README.md']));
-      const answers = JSON.parse(strFromU8(files['marrow-kit/answers.json']));
-      expect(answers.sets.length).toBeGreaterThan(5);
-    }));
+  inPage('makes the test kit when it is asked for', async ({ page }) => {
+    await shown(page, 'post');
+    const download = page.waitForEvent('download');
+    await page.evaluate(() => window.marrow.run('kit.save'));
+    const saved = await download;
+    expect(saved.suggestedFilename()).toBe('marrow-kit.zip');
+    const files = unzipSync(new Uint8Array(readFileSync(await saved.path())));
+    expect(Object.keys(files)).toEqual(expect.arrayContaining(['marrow-kit/tree.skel', 'marrow-kit/README.md']));
+    const answers = JSON.parse(strFromU8(files['marrow-kit/answers.json']));
+    expect(answers.sets.length).toBeGreaterThan(5);
+  });
 
-  it('says so where a dialog does not come, and goes on', () =>
-    withPage(
-      async ({ page }) => {
-        await shown(page, 'post');
-        await page.route('**/about-*.js', (route) => route.abort('connectionrefused'));
-        await page.evaluate(() => window.marrow.run('help.about'));
-        await page.getByText('The dialog could not be loaded').filter({ visible: true }).first().waitFor();
-        await page.evaluate(() => window.marrow.run('help.shortcuts'));
-        await page.getByRole('dialog', { name: 'Shortcuts' }).waitFor();
-        await page.keyboard.press('Escape');
-        await page.getByRole('dialog').waitFor({ state: 'detached' });
-      },
-      { expected: /about-/ },
-    ));
+  inPage('says so where a dialog does not come, and goes on', async ({ page }) => {
+    await shown(page, 'post');
+    await page.route('**/about-*.js', (route) => route.abort('connectionrefused'));
+    await page.evaluate(() => window.marrow.run('help.about'));
+    await page.getByText('The dialog could not be loaded').filter({ visible: true }).first().waitFor();
+    await page.evaluate(() => window.marrow.run('help.shortcuts'));
+    await page.getByRole('dialog', { name: 'Shortcuts' }).waitFor();
+    await page.keyboard.press('Escape');
+    await page.getByRole('dialog').waitFor({ state: 'detached' });
+  });
 });
