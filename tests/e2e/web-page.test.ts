@@ -8,6 +8,7 @@ import { describe, expect, it } from 'vitest';
 import type { MarrowViewer } from '../../src/viewer/element.ts';
 import { glbOf } from '../helpers/glb.ts';
 import { hero } from '../helpers/hero.ts';
+import { inOnePage } from '../helpers/one-page.ts';
 import { OWN_CAPTURES } from '../helpers/own-files.ts';
 import { type DroppedFile, dropFiles, fillNoPixels, type OpenPage, screenshot, withPage } from '../helpers/page.ts';
 import { openedFrom } from '../helpers/saved-page.ts';
@@ -114,6 +115,8 @@ async function dropped(page: Page, files: readonly DroppedFile[], characters: nu
   );
 }
 
+const inPage = inOnePage();
+
 describe('a saved page', () => {
   it('a saved page shows an edited document from disk: the same pixels at the same time, from the same camera', () =>
     withPage(
@@ -159,37 +162,35 @@ describe('a saved page', () => {
       },
       {
         drawn: 'later',
-        size: { width: 1280, height: 600 },
+        size: { width: 960, height: 400 },
         query: '?sample=walker&time=0.6&camera=2,1.5,3,0,0.8,0&show=skin,bones&theme=dark',
         walking: true,
       },
     ));
 
-  it('a saved page shows captures and characters of other programs, several at once', () =>
-    withPage(async (open) => {
-      const { page } = open;
-      const files = [
-        ...[...OWN_CAPTURES].slice(0, 1).map(([name, bytes]) => ({ name, bytes })),
-        { name: 'hero.glb', bytes: glbOf(await hero(0.2)).bytes },
-      ];
-      await dropped(page, files, 2);
-      await page.evaluate(() => window.marrow.seek(0.5));
-      await expectSame(open, { size: SMALL }, async (saved, text) => {
-        await expect.poll(async () => (await shownIn(saved)).time).toBe(0.5);
-        const { characters } = openedFrom(text);
-        expect(characters.map(({ name }) => name).sort()).toEqual(['hero', 'own-walk']);
-      });
-    }));
+  inPage('a saved page shows captures and characters of other programs, several at once', async (open) => {
+    const { page } = open;
+    const files = [
+      ...[...OWN_CAPTURES].slice(0, 1).map(([name, bytes]) => ({ name, bytes })),
+      { name: 'hero.glb', bytes: glbOf(await hero(0.2)).bytes },
+    ];
+    await dropped(page, files, 2);
+    await page.evaluate(() => window.marrow.seek(0.5));
+    await expectSame(open, { size: SMALL }, async (saved, text) => {
+      await expect.poll(async () => (await shownIn(saved)).time).toBe(0.5);
+      const { characters } = openedFrom(text);
+      expect(characters.map(({ name }) => name).sort()).toEqual(['hero', 'own-walk']);
+    });
+  });
 
-  it('a saved page that was damaged says so, and shows nothing else than its own files', () =>
-    withPage(async (open) => {
-      const { page } = open;
-      const text = (await page.evaluate(async () => (await window.marrow.webPage())?.text())) ?? '';
-      await fromDisk(page, text, { size: SMALL }, async (saved) => {
-        await saved.evaluate(() => document.querySelector('marrow-viewer')?.setAttribute('src', 'other.skel'));
-        await expect
-          .poll(() => saved.locator('marrow-viewer .message').innerText())
-          .toBe('A saved page shows its own files alone.');
-      });
-    }));
+  inPage('a saved page that was damaged says so, and shows nothing else than its own files', async (open) => {
+    const { page } = open;
+    const text = (await page.evaluate(async () => (await window.marrow.webPage())?.text())) ?? '';
+    await fromDisk(page, text, { size: SMALL }, async (saved) => {
+      await saved.evaluate(() => document.querySelector('marrow-viewer')?.setAttribute('src', 'other.skel'));
+      await expect
+        .poll(() => saved.locator('marrow-viewer .message').innerText())
+        .toBe('A saved page shows its own files alone.');
+    });
+  });
 });
