@@ -242,5 +242,5 @@ it('a picture taken as soon as the time is another shows where the followed walk
       expect(pair[0]).toBe(pair[1]);
       expect(pair[0].length).toBeGreaterThan(1000);
     },
-    { walking: true, drawn: true },
+    { walking: true, drawn: true, size: { width: 480, height: 360 } },
   ));

@@ -68,7 +68,7 @@ export const lostContext: Attack = {
         for (const what of [...perLoss, ...grownPast(MAX_LEFT, before, after)]) attempt.gaveWay(what);
       },
       {
-        size: { width: 960, height: 600 },
+        size: { width: 800, height: 480 },
         drawn: true,
         before: countResources,
         expected: /Context Lost|context lost/i,
