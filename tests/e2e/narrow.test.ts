@@ -23,6 +23,13 @@ const faults = (page: Page) =>
       .map((one) => ({ one, name: one.ariaLabel || one.textContent || one.className, box: inView(one) }))
       .filter(({ box }) => box.right - box.left > 1 && box.bottom - box.top > 1);
     const found: string[] = [];
+    // A row that is scrolled shows more than a button of it.
+    for (const { one } of all) {
+      for (let around = one.parentElement; around; around = around.parentElement) {
+        const isRow = getComputedStyle(around).overflowX === 'auto' && around.scrollWidth > around.clientWidth + 1;
+        if (isRow && around.clientWidth < 120) found.push(`${around.className} shows ${around.clientWidth} pixels`);
+      }
+    }
     all.forEach(({ one, name, box }, i) => {
       const { left, right } = one.getBoundingClientRect();
       const isScrolled = one.closest('.timeline-tools, .timeline-head, [role=tablist], .lil-gui, .scrolls') !== null;

@@ -162,6 +162,21 @@ inPage(
   },
 );
 
+inPage('at every width of a desk the curve editor’s tools and numbers are whole', async ({ page }) => {
+  await walks(page);
+  await run(page, 'page.tab.curves');
+  const row = page.locator('.curve-tools');
+  await row.waitFor();
+  const beyond = () => row.evaluate((tools) => tools.scrollWidth - tools.clientWidth);
+  // Before and after each group goes into a menu.
+  for (const width of [1024, 1100, 1106, 1190, 1198, 1254, 1258, 1280, 1302, 1306, 1440]) {
+    await page.setViewportSize({ width, height: 800 });
+    await expect.poll(() => page.evaluate(() => window.innerWidth)).toBe(width);
+    await expect.poll(beyond, { message: `${width} pixels` }).toBe(0);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
 inPage(
   'without a selection there are the curves of the root only, and it is said how to get others',
   async ({ page }) => {
