@@ -162,17 +162,20 @@ inPage(
   },
 );
 
-inPage('at every width of a desk the curve editor’s tools and numbers are whole', async ({ page }) => {
+inPage('at every width of a desk the curve editor’s tools, its numbers and the tabs are whole', async ({ page }) => {
   await walks(page);
-  await run(page, 'page.tab.curves');
-  const row = page.locator('.curve-tools');
-  await row.waitFor();
-  const beyond = () => row.evaluate((tools) => tools.scrollWidth - tools.clientWidth);
-  // Before and after each group goes into a menu.
-  for (const width of [1024, 1100, 1106, 1190, 1198, 1254, 1258, 1280, 1302, 1306, 1440]) {
+  const beyond = (selector: string) =>
+    page.locator(selector).evaluate((row) => Math.max(0, row.scrollWidth - row.clientWidth));
+  // Before and after each group of tools, or of tabs, goes into a menu, which has the name of the open one.
+  for (const width of [1024, 1100, 1106, 1190, 1198, 1256, 1280, 1304, 1440]) {
     await page.setViewportSize({ width, height: 800 });
     await expect.poll(() => page.evaluate(() => window.innerWidth)).toBe(width);
-    await expect.poll(beyond, { message: `${width} pixels` }).toBe(0);
+    for (const tab of ['measure', 'curves']) {
+      await run(page, `page.tab.${tab}`);
+      await expect.poll(() => beyond('.timeline-switches'), { message: `${tab} at ${width} pixels` }).toBe(0);
+    }
+    await page.locator('.curve-tools').waitFor();
+    await expect.poll(() => beyond('.curve-tools'), { message: `${width} pixels` }).toBe(0);
   }
   await page.setViewportSize({ width: 1280, height: 800 });
 });

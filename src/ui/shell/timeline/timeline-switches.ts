@@ -140,6 +140,14 @@ class Switches {
     if (this.element.isConnected) this.giveWay();
   }
 
+  /** By the tab that is open, if it is in there: a name that takes more room. */
+  private nameMore(): void {
+    const { tab } = this.wb.timeline.view.get();
+    const chosen = this.isOpen() && this.inMore().some(({ name }) => name === tab);
+    setText(this.more, chosen ? TABS[tab].label : 'More');
+    this.more.classList.toggle('chosen', chosen);
+  }
+
   /** What yields depends on widths: before a frame is drawn with others. */
   private giveWay(): void {
     const { element: row, list, more } = this;
@@ -152,11 +160,8 @@ class Switches {
       if (row.scrollWidth <= row.clientWidth) break;
       group.classList.add('yields');
       write(more, 'hidden', false);
+      this.nameMore();
     }
-    const { tab } = this.wb.timeline.view.get();
-    const chosen = this.isOpen() && this.inMore().some(({ name }) => name === tab);
-    setText(more, chosen ? TABS[tab].label : 'More');
-    more.classList.toggle('chosen', chosen);
     // One of them has to be the stop of the keyboard.
     const all = this.inRow();
     if (all.length && !all.some(({ element: one }) => one.tabIndex === 0)) all[0].element.tabIndex = 0;
