@@ -17,9 +17,9 @@ const PAIRS = 110;
 const DUMPS = 60;
 
 const FILES: Readonly<Record<string, readonly string[]>> = { ...OWN, ...(hasShared && SHARED) };
-const PLACES = Object.entries(FILES).flatMap(([name, files]) => {
+const PLACES = Object.entries(FILES).flatMap(([name, files], c) => {
   const character = characterOf(...files);
-  return kindsOf(character).map((kind) => ({ name, character, kind }));
+  return kindsOf(character).map((kind, k) => ({ name, character, kind, turn: (c + k) % 2 }));
 });
 
 /** One of a list, the same in every run. */
@@ -86,8 +86,8 @@ describe('planted mistakes', () => {
           if ((other !== 'world' && other !== 'local') || v % 4 < 3) values[v] = value + 0.2 * noise.next().value;
         });
       }
-      const [one, two] = [planted, second].map((dump) => compared(character, dump));
-      if (one.agrees || two.agrees) continue;
+      // One that agrees spares the search in the other.
+      if ([planted, second].some((dump) => compared(character, dump).agrees)) continue;
       wrong++;
       const found = compared(character, together(planted, second));
       const of = (file: string) =>
@@ -104,7 +104,9 @@ describe('planted mistakes', () => {
   it('are never named where a single number is wrong', () => {
     const named: string[] = [];
     const noise = random(11);
-    for (const { name, character, kind } of PLACES) {
+    // Every second kind of numbers of a character, the others of the next: where a search finds nothing, it tries all.
+    for (const { name, character, kind, turn } of PLACES) {
+      if (turn > 0) continue;
       const targets = numbersBy(character, RIGHT_PROGRAM, kind);
       const values = kind === 'channels' ? targets.channels.values : targets.frames[0][kind];
       if (!values) continue;
