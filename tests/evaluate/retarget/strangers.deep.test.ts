@@ -59,7 +59,7 @@ describe('humanoids of unseen kinds', () => {
         expect(fit.tips, fit.worst).toBeLessThan(TIPS);
         expect(fit.toesUp).toBe(0);
       }),
-      { numRuns: 20 },
+      { numRuns: 15 },
     );
   });
 });

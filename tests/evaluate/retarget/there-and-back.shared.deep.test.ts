@@ -16,6 +16,9 @@ const HANDS = 30;
 /** Metres, over the ground, in leg lengths. */
 const SLIDE = 0.004;
 
+/** Each of half of the humanoids in turn. */
+const OTHERS = ['mixamo-names.bvh', 'xsens-armchair.bvh'];
+
 function baked(driven: Character): Character {
   const found = findCharacter(bakeRetarget.run(documentOf(driven), { characterId: driven.id }), driven.id);
   if (!found) throw new Error(`${driven.id} is gone.`);
@@ -25,15 +28,14 @@ function baked(driven: Character): Character {
 describeShared('real takes on another humanoid and back', () => {
   it.each(HUMANOIDS)('%s on another humanoid and back points like itself', (file) => {
     const source = captured(file);
-    for (const other of ['mixamo-names.bvh', 'xsens-armchair.bvh']) {
-      if (other === file) continue;
-      const there = baked(retargeted(source, captured(other)));
-      const fit = pairFit(retargeted(there, captured(file, `${file} copy`)), source);
-      const told = `${file} on ${other} and back: ${JSON.stringify(fit)}`;
-      expect(fit.limbs, told).toBeLessThan(LIMBS);
-      expect(fit.feet, told).toBeLessThan(FEET);
-      expect(fit.hands, told).toBeLessThan(HANDS);
-      expect(fit.slide, told).toBeLessThan(fit.sourceSlide + SLIDE);
-    }
+    const others = OTHERS.filter((name) => name !== file);
+    const other = others[HUMANOIDS.indexOf(file) % others.length];
+    const there = baked(retargeted(source, captured(other)));
+    const fit = pairFit(retargeted(there, captured(file, `${file} copy`)), source);
+    const told = `${file} on ${other} and back: ${JSON.stringify(fit)}`;
+    expect(fit.limbs, told).toBeLessThan(LIMBS);
+    expect(fit.feet, told).toBeLessThan(FEET);
+    expect(fit.hands, told).toBeLessThan(HANDS);
+    expect(fit.slide, told).toBeLessThan(fit.sourceSlide + SLIDE);
   });
 });
