@@ -172,7 +172,7 @@ describe('a saved page', () => {
     expect([...filesIn(pageOf(bvh)).keys()].every((name) => name.endsWith('.bvh'))).toBe(true);
     const walker = await hero();
     // Fitting keys to all of the walk takes longer, and shows nothing else.
-    const takes = walker.takes.map((take) => ({ ...take, range: [0, 0.25] as const }));
+    const takes = walker.takes.map((take) => ({ ...take, range: [0, 0.1] as const }));
     const glb = await opened({ 'hero.glb': glbOf({ ...walker, takes }).bytes });
     await expectSame(glb);
     await expectSame(await opened({ 'points.trc': TRC }));

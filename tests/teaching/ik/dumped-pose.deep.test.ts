@@ -57,7 +57,7 @@ describe.each(Object.keys(FILES))('numbers of %s', (name) => {
         expect(isOne({ world })).toBe(true);
         expect(isOne({ positions })).toBe(true);
       }),
-      { numRuns: 8 },
+      { numRuns: 5 },
     );
   });
 

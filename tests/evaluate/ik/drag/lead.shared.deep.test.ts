@@ -194,7 +194,7 @@ describeShared('a hand that is led anywhere', () => {
         expect([...released.pull.dofs]).toEqual([...seen]);
         expect(frames(released.pull)).toBe(0);
       }),
-      { numRuns: 30 },
+      { numRuns: 20 },
     );
   });
 
