@@ -20,6 +20,7 @@ import { bvhMotion, motion } from '../formats/arbitraries.ts';
 import { character, joint } from '../helpers/builders.ts';
 import { BVH_FILES } from '../helpers/bvh-files.ts';
 import { expectClose } from '../helpers/close.ts';
+import { expectEqual } from '../helpers/equal.ts';
 import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
 
 function opened(name: string): readonly Character[] {
@@ -184,9 +185,9 @@ describeShared('the arrays of the real takes', () => {
     const part = of(character, { crop: { from: 3, to: 5 } });
     const J = part.names.length;
     expect([part.frameCount, part.times[0], part.times[240]]).toEqual([241, 3, 5]);
-    expect(part.positions).toEqual(whole.positions.subarray(360 * 3 * J, 601 * 3 * J));
-    expect(part.contacts).toEqual(whole.contacts.subarray(360 * 2, 601 * 2));
-    expect(part.velocities.subarray(3 * J, 240 * 3 * J)).toEqual(whole.velocities.subarray(361 * 3 * J, 600 * 3 * J));
+    expectEqual(part.positions, whole.positions.subarray(360 * 3 * J, 601 * 3 * J));
+    expectEqual(part.contacts, whole.contacts.subarray(360 * 2, 601 * 2));
+    expectEqual(part.velocities.subarray(3 * J, 240 * 3 * J), whole.velocities.subarray(361 * 3 * J, 600 * 3 * J));
   });
 
   it('at a quarter of its frames per second a take has every fourth frame as it is', () => {
