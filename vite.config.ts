@@ -159,9 +159,13 @@ const READ_BY_NODE = {
   execArgv: [
     '--min-semi-space-size=16',
     '--max-semi-space-size=64',
-    '--import',
-    new URL('./tests/helpers/typescript.mjs', import.meta.url).href,
+    ...['./tests/helpers/typescript.mjs', './tests/helpers/seed.ts'].flatMap((file) => [
+      '--import',
+      new URL(file, import.meta.url).href,
+    ]),
   ],
+  // Once for each process: as one of vitest's, the file would be read anew for every file of tests.
+  setupFiles: [],
   experimental: { viteModuleRunner: false, nodeLoader: false },
 };
 
