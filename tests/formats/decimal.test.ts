@@ -8,13 +8,15 @@ import { bytesOf } from './read-in-pieces.ts';
 function expectLikeNumber(text: string): void {
   const bytes = bytesOf(`${text} `);
   const expected = Number(text);
-  expect(parseDecimal(bytes, 0, bytes.length - 1), text).toBe(expected);
+  const found = parseDecimal(bytes, 0, bytes.length - 1);
+  if (!Object.is(found, expected)) expect.fail(`${text} is ${found}, but ${expected} is meant`);
   if (!Number.isFinite(expected)) return;
   const out = new Float64Array(2);
   const scan: Scan = { at: 0, count: 0, limit: 2, lineFeeds: 0 };
   scanNumbers(bytes, bytes.length, out, scan, undefined);
-  expect(scan.count, text).toBe(1);
-  expect(out[0], text).toBe(expected);
+  if (scan.count !== 1 || !Object.is(out[0], expected)) {
+    expect.fail(`${text} is ${scan.count} numbers in a loop, ${out[0]}, but ${expected} is meant`);
+  }
 }
 
 const digits = (max: number) => fc.stringMatching(new RegExp(`^[0-9]{1,${max}}$`));

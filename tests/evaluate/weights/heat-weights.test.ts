@@ -15,12 +15,11 @@ function expectPartition({ start, joints, weights }: Attachments, vertexCount: n
   expect(start.length).toBe(vertexCount + 1);
   for (let v = 0; v < vertexCount; v++) {
     const own = [...joints.subarray(start[v], start[v + 1])];
-    expect(own.length).toBeGreaterThan(0);
-    expect(own.length).toBeLessThanOrEqual(most);
-    expect(own).toEqual([...new Set(own)].sort((a, b) => a - b));
     const parts = [...weights.subarray(start[v], start[v + 1])];
-    expect(Math.min(...parts)).toBeGreaterThan(0);
-    expect(Math.abs(parts.reduce((a, b) => a + b) - 1)).toBeLessThan(1e-12);
+    const isInOrder = own.every((joint, k) => k === 0 || joint > own[k - 1]);
+    const isWhole = Math.abs(parts.reduce((a, b) => a + b, 0) - 1) < 1e-12;
+    if (own.length > 0 && own.length <= most && isInOrder && Math.min(...parts) > 0 && isWhole) continue;
+    expect.fail(`vertex ${v} has the joints ${own} by ${parts}`);
   }
 }
 
@@ -62,12 +61,14 @@ describe('weights of a tube over three joints', () => {
   });
 
   it('weights of a tube over three joints are the same all around', () => {
+    let most = 0;
     for (let v = 0; v < around * (along + 1); v++) {
       for (let joint = 0; joint < 3; joint++) {
         const first = weightOf(attachments, v - (v % around), joint);
-        expect(Math.abs(weightOf(attachments, v, joint) - first)).toBeLessThan(2 * ROUNDED);
+        most = Math.max(most, Math.abs(weightOf(attachments, v, joint) - first));
       }
     }
+    expect(most).toBeLessThan(2 * ROUNDED);
   });
 
   it('know nothing of units, nor of which way triangles are wound', () => {
@@ -77,12 +78,14 @@ describe('weights of a tube over three joints', () => {
     });
     const bones = chain(0, 2, 4, 6);
     const large = weigh(scaled(1000, mesh), { ...bones, ends: bones.ends.map((x) => 1000 * x) });
+    let most = 0;
     for (let v = 0; v < mesh.positions.length / 3; v++) {
       for (let joint = 0; joint < 3; joint++) {
         const difference = weightOf(large.attachments, v, joint) - weightOf(attachments, v, joint);
-        expect(Math.abs(difference)).toBeLessThan(2 * ROUNDED);
+        most = Math.max(most, Math.abs(difference));
       }
     }
+    expect(most).toBeLessThan(2 * ROUNDED);
   });
 });
 
@@ -184,12 +187,14 @@ describe('a body put together from parts', () => {
     const soup = { positions, triangles: Uint32Array.from(whole.triangles.keys()) };
     const bones = chain(0, 2, 4);
     const [one, many] = [weigh(whole, bones), weigh(soup, bones)];
+    let most = 0;
     whole.triangles.forEach((v, corner) => {
       for (let joint = 0; joint < 2; joint++) {
         const difference = weightOf(one.attachments, v, joint) - weightOf(many.attachments, corner, joint);
-        expect(Math.abs(difference)).toBeLessThan(2 * ROUNDED);
+        most = Math.max(most, Math.abs(difference));
       }
     });
+    expect(most).toBeLessThan(2 * ROUNDED);
   });
 });
 

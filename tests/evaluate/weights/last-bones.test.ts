@@ -72,9 +72,10 @@ describe('a last joint without box, in a tube', () => {
         );
         const { attachments } = finish(heatWeights(mesh, bones, 4));
         for (let v = 0; 3 * v < mesh.positions.length; v++) {
-          if (height(v) > at + 0.4) expect(weightOf(attachments, v, 1)).toBeGreaterThan(0.5);
-          if (height(v) < at - 0.4) expect(weightOf(attachments, v, 1)).toBeLessThan(0.5);
-          if (height(v) > at + 1.5) expect(weightOf(attachments, v, 1)).toBeGreaterThan(0.9);
+          const [beyond, weight] = [height(v) - at, weightOf(attachments, v, 1)];
+          const isRight = (beyond <= 0.4 || weight > 0.5) && (beyond >= -0.4 || weight < 0.5);
+          if (isRight && (beyond <= 1.5 || weight > 0.9)) continue;
+          expect.fail(`vertex ${v}, ${beyond} beyond the joint, has a weight of ${weight}`);
         }
       }),
       { numRuns: 10 },
@@ -300,13 +301,15 @@ describe('a body with two arms and two wings that mirror each other', () => {
   const { attachments } = finish(heatWeights(mesh, bones, 16));
 
   it('a mirrored body has mirrored weights', () => {
+    let most = 0;
     for (let v = 0; v < count; v++) {
       for (let joint = 0; joint < 11; joint++) {
         const other = joint === 0 ? 0 : joint > 5 ? joint - 5 : joint + 5;
         const difference = weightOf(attachments, v, joint) - weightOf(attachments, count + v, other);
-        expect(Math.abs(difference)).toBeLessThan(2 * ROUNDED);
+        most = Math.max(most, Math.abs(difference));
       }
     }
+    expect(most).toBeLessThan(2 * ROUNDED);
   });
 
   it('a mirrored body has limbs at the last joints of both arms and both wings', () => {
