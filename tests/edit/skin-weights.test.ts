@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { makeSamples } from '../../examples/characters/examples.ts';
 import { CommandError } from '../../src/edit/command-error.ts';
 import { autoWeights, autoWeightsSteps, bindPlaces } from '../../src/edit/commands/skin-weights.ts';
 import { Store } from '../../src/edit/store.ts';
@@ -15,6 +14,7 @@ import type { Skeleton } from '../../src/model/skeleton/skeleton.ts';
 import { oneSurface, type Skin } from '../../src/model/skin.ts';
 import { finish, tube, weightOf } from '../evaluate/weights/meshes.ts';
 import { character, documentOf, joint } from '../helpers/builders.ts';
+import { characterOf } from '../teaching/lesson-files.ts';
 
 /** Sums of weights that are 1 to the last bit or so, times lengths of a few units. */
 const STILL = 1e-12;
@@ -156,8 +156,8 @@ describe('automatic weights', () => {
 });
 
 describe('automatic weights of the walker', () => {
-  const sample = makeSamples().find(({ id }) => id === 'walker');
-  const { skeleton, skin } = sample ?? {};
+  const { skeleton, skins } = characterOf('walker.skel', 'walker.skin');
+  const [skin] = skins;
   if (!skeleton || !skin?.attachments) throw new Error('no walker');
   const found = weighted(dressed(skeleton, skin)).skins[0].attachments;
   const made = skin.attachments;

@@ -1,6 +1,5 @@
 /** Feet of real takes, held: measured at frames, halfway between them and at times that are neither. */
 import { describe, expect, it } from 'vitest';
-import { makeSamples } from '../../../examples/characters/examples.ts';
 import { loadFiles } from '../../../src/cli/load.ts';
 import { holdSteps } from '../../../src/edit/commands/hold.ts';
 import { pinPoint } from '../../../src/edit/commands/ik.ts';
@@ -10,8 +9,9 @@ import { reachOfSkeleton } from '../../../src/evaluate/ik/set-up.ts';
 import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { openFiles } from '../../../src/files/open/open-files.ts';
 import { type Character, EMPTY_DOCUMENT, shownSkin, shownTake } from '../../../src/model/document.ts';
-import { character, documentOf } from '../../helpers/builders.ts';
+import { documentOf } from '../../helpers/builders.ts';
 import { describeShared, sharedPath } from '../../helpers/shared.ts';
+import { characterOf } from '../../teaching/lesson-files.ts';
 
 /** As stated of keys, a part of the reach. Frames of samples are what they are: between them nothing is promised. */
 const OF_KEYS = 1e-3;
@@ -49,16 +49,8 @@ function expectHeld(own: Character, { joints, range, tolerance }: Asked): void {
 }
 
 describe('the walker', () => {
-  const [{ skeleton, skin, morphs, take }] = makeSamples();
-  const skins = skin ? [skin] : [];
-  const walker = character({
-    name: 'walker',
-    skeleton,
-    skins,
-    morphs,
-    takes: take ? [take] : [],
-    shownTake: 0,
-  });
+  const morphs = ['blink', 'breathe', 'smile'].map((name) => `walker_${name}.morph`);
+  const walker = characterOf('walker.skel', 'walker.skin', ...morphs, 'walker_walk.anim');
 
   it('the walker keeps a foot in place that would move on', () => {
     expectHeld(walker, { joints: ['foot_l'], range: [0.4, 0.9], tolerance: OF_KEYS });

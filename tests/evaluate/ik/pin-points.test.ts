@@ -1,12 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { makeSamples } from '../../../examples/characters/examples.ts';
 import { defaultPinPoint, pinPoints, skinPinPoint } from '../../../src/evaluate/ik/pin-points.ts';
 import { pointAt } from '../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton/skeleton.ts';
 import { character, joint, skeleton, skin } from '../../helpers/builders.ts';
+import { characterOf } from '../../teaching/lesson-files.ts';
 
 const alone = (more: Partial<Joint>): Skeleton => ({ name: 'one', joints: [joint(-1, more)] });
 const LEG = { min: [-0.05, -0.5, -0.05], max: [0.05, 0, 0.05] } as const;
@@ -129,10 +129,10 @@ describe('a picked point of the skin', () => {
 });
 
 describe('a picked point of the skin of the walker', () => {
-  const walker = makeSamples().find(({ id }) => id === 'walker');
-  if (!walker?.skin?.attachments) throw new Error('The walker has a skin.');
-  const { skeleton: own, skin: body } = walker;
-  const { start, joints, weights } = walker.skin.attachments;
+  const { skeleton: own, skins } = characterOf('walker.skel', 'walker.skin');
+  const [body] = skins;
+  if (!own || !body?.attachments) throw new Error('The walker has a skin.');
+  const { start, joints, weights } = body.attachments;
   const walking = character({ skeleton: own, skins: [body] });
   const world = Float64Array.from(body.bindings);
   const placeOf = (v: number) => [0, 1, 2].map((k) => body.positions[3 * v + k]) as unknown as Vec3;

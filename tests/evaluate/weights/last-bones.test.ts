@@ -1,7 +1,6 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { makeSamples } from '../../../examples/characters/examples.ts';
 import { type BoneSegments, boneSegments, isPoint } from '../../../src/evaluate/weights/bones.ts';
 import { heatWeights } from '../../../src/evaluate/weights/heat-weights.ts';
 import { lastBones } from '../../../src/evaluate/weights/last-bones.ts';
@@ -14,6 +13,7 @@ import { readSkin } from '../../../src/formats/skin/read.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Attachments } from '../../../src/model/skin.ts';
 import { describeShared, sharedPath } from '../../helpers/shared.ts';
+import { characterOf } from '../../teaching/lesson-files.ts';
 import { bonesFrom, finish, type Mesh, together, tube, weightOf } from './meshes.ts';
 
 /** Sums of coordinates of a few units. */
@@ -238,8 +238,8 @@ describe('a sheet', () => {
 });
 
 describe('the crawler without its boxes', () => {
-  const sample = makeSamples().find(({ id }) => id === 'crawler');
-  const { skeleton, skin } = sample ?? {};
+  const { skeleton, skins } = characterOf('crawler.skel', 'crawler.skin');
+  const [skin] = skins;
   if (!skeleton || !skin?.attachments) throw new Error('no crawler');
   const made = skin.attachments;
   const { joints } = skeleton;

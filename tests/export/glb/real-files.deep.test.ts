@@ -36,7 +36,7 @@ const FILES: readonly (readonly string[])[] = [
 /** Seconds of a take: fitting keys to more of it takes longer, and shows nothing else; but one is fitted in several parts. */
 const MAX_SECONDS = 0.5;
 const IN_PARTS = 'data/bvh/cmu-01_01.bvh';
-const SECONDS_OF_PARTS = 14;
+const SECONDS_OF_PARTS = 12;
 
 function shortened(own: Character, most: number): Character {
   const takes = own.takes.map((take) => {
