@@ -37,7 +37,7 @@ function readings(text: string): number {
 
 it('a file of which nearly every word is a problem is read again a few times only', () => {
   const head = 'positions 3 {\n0 0 0\n1 0 0\n0 1 0\n}\n';
-  expect(readings(`${head}${'}'.repeat(200_000)}`)).toBeLessThan(12);
+  expect(readings(`${head}${'}'.repeat(50_000)}`)).toBeLessThan(12);
   expect(readings(`${head}${'skinweights 1e154 {\n'.repeat(5000)}`)).toBeLessThan(12);
   expect(readings(`${head.replace('}\n', '')}triangles 1 {\n0 1 2\n}\n`)).toBeGreaterThan(1);
 });
@@ -45,14 +45,15 @@ it('a file of which nearly every word is a problem is read again a few times onl
 describeShared('values that are not numbers', () => {
   const take = new TextDecoder().decode(sharedBytes('data/bvh/boxing-extra-line.bvh'));
   const broken = (lines: number) => {
-    let text = take;
-    for (let i = 0; i < lines; i++) text = withLine(text, 134 + 20 * i, (line) => line.replace(/^ *\S+/, 'NaN'));
-    return readAsOpened('take.bvh', text).diagnostics.filter(({ severity }) => severity === 'error');
+    const rows = take.split('\n');
+    for (let i = 0; i < lines; i++) rows[133 + 20 * i] = rows[133 + 20 * i].replace(/^ *\S+/, 'NaN');
+    return readAsOpened('take.bvh', rows.join('\n')).diagnostics.filter(({ severity }) => severity === 'error');
   };
 
   it('a few of them are told each on its line', () => {
-    expect(broken(3).map(({ line }) => line)).toEqual([134, 154, 174]);
-    expect(foldUnreadable(broken(3))).toEqual(broken(3));
+    const few = broken(3);
+    expect(few.map(({ line }) => line)).toEqual([134, 154, 174]);
+    expect(foldUnreadable(few)).toEqual(few);
   });
 
   it('many of them are one message, which names the lines', () => {
@@ -66,7 +67,8 @@ describeShared('values that are not numbers', () => {
           'There are more on lines 154, 174, 194, 214, 234 and 36 more.',
       },
     ]);
-    expect(foldUnreadable(foldUnreadable(all))).toEqual(foldUnreadable(all));
+    const folded = foldUnreadable(all);
+    expect(foldUnreadable(folded)).toEqual(folded);
   });
 });
 

@@ -25,12 +25,14 @@ export function expectSeen({ name, character }: Named, count = 20): void {
   const take = character.takes.at(0);
   const [start, end] = take?.range ?? [0, 0];
   const frames = take?.samples;
-  const times = Array.from({ length: count }, (_, i) => {
+  const wanted = Array.from({ length: count }, (_, i) => {
     const time = start + (end - start) * (((i + 0.37) * GOLDEN) % 1);
     if (!frames) return time;
     const { startSeconds, frameSeconds } = frames;
     return startSeconds + frameSeconds * Math.round((time - startSeconds) / frameSeconds);
   });
+  // Of few frames, each once.
+  const times = [...new Set(wanted)];
   const turned = (places: Places) => ((character.space ?? DEFAULT_SPACE).up === 'z' ? upright(places) : places);
   const ours = times.map((time) => turned(placesOf(character, take ? 0 : -1, time)));
   const { seen } = seenByUs(character, made);
