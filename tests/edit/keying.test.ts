@@ -188,8 +188,10 @@ describe('continued keying', () => {
           const shown = posed(only(document), at);
           document = keyPose.run(document, { characterId: 'c1', timeSeconds: at, dofs, tangents }).document;
           const after = posed(only(document), at);
-          for (const [d, was] of shown.entries()) expect(after[d]).toBeCloseTo(was, 9);
-          for (const dof of dofs ?? shown.keys()) expect(isDriven(only(document), dof)).toBe(true);
+          const moved = [...shown.keys()].filter((d) => !(Math.abs(after[d] - shown[d]) < 5e-10));
+          expect(moved).toEqual([]);
+          const free = [...(dofs ?? shown.keys())].filter((dof) => !isDriven(only(document), dof));
+          expect(free).toEqual([]);
           if (i > 0) continue;
           const made = onlyTake(only(document));
           const channels = made.channels.map((c, d) => ({

@@ -78,8 +78,9 @@ describe('painted columns', () => {
             grey = l.grey * part + grey * (1 - part);
           }
           const [shade, , , cover] = at(1, y);
-          expect(Math.abs(cover - 255 * alpha)).toBeLessThan(2 + list.length);
-          expect(Math.abs((shade * cover) / 255 - grey)).toBeLessThan(3 + list.length);
+          const isCovered = Math.abs(cover - 255 * alpha) < 2 + list.length;
+          if (isCovered && Math.abs((shade * cover) / 255 - grey) < 3 + list.length) continue;
+          expect.fail(`row ${y} is ${shade} by ${cover}, where ${grey} by ${alpha} is meant`);
         }
       }),
     );

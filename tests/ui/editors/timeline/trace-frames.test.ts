@@ -21,9 +21,9 @@ describe('the line of a take in a plot', () => {
   it.each([100, 300, 800, 4000])('goes through frames at their times, without steps, %i pixels wide', (width) => {
     const values = Float64Array.from({ length: 2001 }, (_, f) => Math.sin(f / 100));
     const points = traced(values, width);
-    for (const [seconds, value] of points) expect(value).toBeCloseTo(Math.sin(seconds), 9);
+    expect(points.filter(([seconds, value]) => !(Math.abs(value - Math.sin(seconds)) < 5e-10))).toEqual([]);
     // From left to right, so that it rises and falls only as the values do.
-    for (let i = 1; i < points.length; i++) expect(points[i][0]).toBeGreaterThanOrEqual(points[i - 1][0]);
+    expect(points.filter(([seconds], i) => i > 0 && !(seconds >= points[i - 1][0]))).toEqual([]);
     expect([points[0][0], points.at(-1)?.[0]]).toEqual([0, expect.closeTo(20, 9)]);
   });
 

@@ -144,8 +144,9 @@ describe('a traced line', () => {
             bottom = Math.max(bottom, y);
           }
           const cut = (y: number) => Math.min(map.bottom + FAR, Math.max(map.top - FAR, y));
-          expect(line.columns.tops[i]).toBeLessThanOrEqual(cut(top) + WITHIN_PIXELS);
-          expect(line.columns.bottoms[i]).toBeGreaterThanOrEqual(cut(bottom) - WITHIN_PIXELS);
+          const [drawnTop, drawnBottom] = [line.columns.tops[i], line.columns.bottoms[i]];
+          const isIn = drawnTop <= cut(top) + WITHIN_PIXELS && drawnBottom >= cut(bottom) - WITHIN_PIXELS;
+          if (!isIn) expect.fail(`column ${i} goes from ${drawnTop} to ${drawnBottom}, not from ${top} to ${bottom}`);
         }
       }),
       { numRuns: 100 },
