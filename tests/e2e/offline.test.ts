@@ -144,9 +144,16 @@ inStored(
 const PHONE = { width: 390, height: 844 };
 const DESK = { width: 1280, height: 800 };
 
-/** What is wrong with a page of the manual: pictures that are broken, and windows that it is wider than. */
-async function faultsOf(page: Page, sizes: readonly (typeof DESK)[]): Promise<readonly string[]> {
-  const faults = await page.evaluate(async () => {
+interface Read {
+  readonly title: string;
+  /** Of its link *Next*; the last page has none. */
+  readonly next: string | undefined;
+  readonly faults: readonly string[];
+}
+
+/** Reads a page of the manual, with what is wrong: pictures that are broken, and windows that it is wider than. */
+async function read(page: Page, sizes: readonly (typeof DESK)[]): Promise<Read> {
+  const { faults, ...found } = await page.evaluate(async () => {
     const broken = await Promise.all(
       [...document.images].map((image) =>
         image.decode().then(
@@ -155,18 +162,27 @@ async function faultsOf(page: Page, sizes: readonly (typeof DESK)[]): Promise<re
         ),
       ),
     );
-    return [...broken.flat(), ...(getComputedStyle(document.body).margin === '0px' ? [] : ['without its style'])];
+    return {
+      title: document.querySelector('h1')?.innerText ?? '',
+      next: document.querySelector<HTMLAnchorElement>('a[rel=next]')?.href,
+      faults: [...broken.flat(), ...(getComputedStyle(document.body).margin === '0px' ? [] : ['without its style'])],
+    };
   });
   for (const size of sizes) {
-    await page.setViewportSize(size);
-    await expect.poll(() => page.evaluate(() => window.innerWidth)).toBe(size.width);
-    const isWider = await page.evaluate(() => {
-      const { scrollWidth, clientWidth } = document.documentElement;
-      return scrollWidth > clientWidth;
-    });
+    if (page.viewportSize()?.width !== size.width) await page.setViewportSize(size);
+    let isWider = false;
+    const width = async () => {
+      const now = await page.evaluate(() => {
+        const { scrollWidth, clientWidth } = document.documentElement;
+        return { width: window.innerWidth, isWider: scrollWidth > clientWidth };
+      });
+      isWider = now.isWider;
+      return now.width;
+    };
+    await expect.poll(width).toBe(size.width);
     if (isWider) faults.push(`wider than ${size.width} pixels`);
   }
-  return faults.map((fault) => `${page.url()}: ${fault}`);
+  return { ...found, faults: faults.map((fault) => `${page.url()}: ${fault}`) };
 }
 
 inStored(
@@ -191,13 +207,13 @@ inStored(
     const titles: string[] = [];
     const faults: string[] = [];
     // By *Next*; each begins at the size at which the one before ended.
-    for (let next: string | null = manual.url(); next !== null; ) {
+    for (let address: string | undefined = manual.url(); address !== undefined; ) {
       // Waits until the page has its style and pictures.
-      await manual.goto(new URL(next, manual.url()).href);
-      titles.push(await manual.locator('h1').innerText());
-      faults.push(...(await faultsOf(manual, titles.length % 2 ? [PHONE, DESK] : [DESK, PHONE])));
-      const link = manual.locator('a[rel=next]');
-      next = (await link.count()) > 0 ? await link.getAttribute('href') : null;
+      await manual.goto(address);
+      const { title, next, faults: own } = await read(manual, titles.length % 2 ? [DESK, PHONE] : [PHONE, DESK]);
+      titles.push(title);
+      faults.push(...own);
+      address = next;
     }
     expect(titles.length).toBeGreaterThan(20);
     expect(new Set(titles).size).toBe(titles.length);
