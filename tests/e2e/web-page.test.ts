@@ -81,10 +81,9 @@ async function expectSame(
   expect(text.length - files.reduce((sum, length) => sum + length, 0)).toBeLessThan(MAX_BYTES);
   await fromDisk(page, text, how, async (saved) => {
     const { worlds } = await shownIn(saved);
-    expect(worlds.length).toBe(own.worlds.length);
-    worlds.forEach((world, i) => {
-      world.forEach((value, k) => void expect(value).toBeCloseTo(own.worlds[i][k], 9));
-    });
+    expect(worlds.map((world) => world.length)).toEqual(own.worlds.map((world) => world.length));
+    const off = worlds.map((world, i) => Math.max(...world.map((value, k) => Math.abs(value - own.worlds[i][k]))));
+    expect(Math.max(...off)).toBeLessThan(5e-10);
     await look(saved, text);
   });
 }
@@ -155,7 +154,7 @@ describe('a saved page', () => {
           await fromDisk(page, text, { size: { width: 390, height: 844 } }, async (phone) => {
             const { camera } = await shownIn(phone);
             expect(Math.hypot(camera[0], camera[2])).toBeGreaterThan(1.5 * Math.hypot(2, 3));
-            await phone.getByRole('button', { name: 'Play' }).click();
+            await phone.getByRole('button', { name: 'Play' }).dispatchEvent('click');
             await expect.poll(async () => (await shownIn(phone)).time).not.toBe(0.6);
           });
         });
@@ -172,7 +171,7 @@ describe('a saved page', () => {
     const { page } = open;
     const files = [
       ...[...OWN_CAPTURES].slice(0, 1).map(([name, bytes]) => ({ name, bytes })),
-      { name: 'hero.glb', bytes: glbOf(await hero(0.2)).bytes },
+      { name: 'hero.glb', bytes: glbOf(await hero(0.04)).bytes },
     ];
     await dropped(page, files, 2);
     await page.evaluate(() => window.marrow.seek(0.5));
