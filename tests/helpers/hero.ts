@@ -5,7 +5,7 @@ import type { Character } from '../../src/model/document.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { parse } from '../../src/worker/parse.ts';
 import type { GivenBlob } from '../../src/worker/protocol.ts';
-import { glbOf, withJson } from './glb.ts';
+import { type Glb, withJson } from './glb.ts';
 
 const SAMPLES = new URL('../../public/samples/', import.meta.url);
 
@@ -71,9 +71,8 @@ export async function hero(seconds = STRIDE): Promise<Character> {
   return { ...walker, name: 'hero', skeleton: { ...walker.skeleton, joints }, takes };
 }
 
-/** As VRM 1.0: a GLB with the parts of the body. */
-export function vrmOf(character: Character): Uint8Array<ArrayBuffer> {
-  const glb = glbOf(character);
+/** As VRM 1.0: a GLB of it with the parts of the body. */
+export function vrmOf(glb: Glb): Uint8Array<ArrayBuffer> {
   const nodeOf = new Map(glb.json.nodes.map(({ name }, node) => [name, node]));
   const humanBones = Object.fromEntries(
     NAMES.map(([own, , vrm]) => [vrm, { node: nodeOf.get(MIXAMO.get(own)) }] as const),
