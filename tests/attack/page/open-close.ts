@@ -132,23 +132,48 @@ async function openDialog(page: Page, path: MenuPath): Promise<void> {
     for (const item of items)
       byLabel([...document.querySelectorAll<HTMLElement>('[role=menuitem] .menu-label')], item).click();
   }, path);
-  const dialog = page.locator('dialog[open]');
-  await dialog.waitFor();
+  const isOpen = (wanted: boolean) =>
+    page.waitForFunction((open) => (document.querySelector('dialog[open]') !== null) === open, wanted);
+  await isOpen(true);
   await page.keyboard.press('Escape');
-  await dialog.waitFor({ state: 'detached' });
+  await isOpen(false);
 }
 
 /** Everything once, and back. @param dialogs items that open one */
 export async function cycle(page: Page, dialogs: readonly MenuPath[]): Promise<void> {
-  for (const title of await page.locator('.menu-titles [role=menuitem]').all()) {
-    await title.click();
-    await page.getByRole('menu').first().waitFor();
-    await page.keyboard.press('Escape');
-  }
+  await openMenus(page);
   for (const path of dialogs) await openDialog(page, path);
-  for (const tab of await page.locator('.timeline [role=tab]:not([hidden])').all()) await tab.click();
-  for (const id of TOGGLED) await page.evaluate((action) => window.marrow.run(action), id);
+  const tabs = await page.locator('.timeline-tabs [role=tab]:not([hidden])').all();
+  if (tabs.length < 2) throw new Error('The timeline has no tabs.');
+  for (const tab of tabs) {
+    const id = await tab.evaluate((own: HTMLElement) => {
+      own.click();
+      return own.id;
+    });
+    // Some are fetched first, and all of them drawn.
+    await page.waitForFunction((of) => document.querySelector(`[aria-labelledby=${of}] > :not(.empty)`), id);
+    await page.evaluate(() => new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next))));
+  }
+  await page.evaluate(async (toggled) => {
+    await window.marrow.run('page.tab.curves');
+    for (const id of toggled) await window.marrow.run(id);
+  }, TOGGLED);
   for (const files of Object.values(DROPS)) await openAndUndo(page, files);
+}
+
+/** Opens each menu by a click, and closes it by Escape. */
+function openMenus(page: Page): Promise<void> {
+  return page.evaluate(async () => {
+    const menus = () => document.querySelectorAll('[role=menu]').length;
+    for (const title of document.querySelectorAll<HTMLElement>('.menu-titles [role=menuitem]')) {
+      title.click();
+      await new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)));
+      if (menus() === 0) throw new Error(`The menu ${title.textContent} did not open.`);
+      const at = document.activeElement ?? document.body;
+      at.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape', bubbles: true, cancelable: true }));
+      if (menus() > 0) throw new Error(`The menu ${title.textContent} did not close.`);
+    }
+  });
 }
 
 async function openAndUndo(page: Page, files: readonly DroppedFile[]): Promise<void> {
