@@ -5,10 +5,10 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { testAll } from '../helpers/check.ts';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
-import { dropFiles, dropPaths, readPixels, withPage } from '../helpers/page.ts';
+import { dropFiles, dropPaths, readPixels } from '../helpers/page.ts';
 import { ARM, BY_HAND, dof, LOOK, openArm, RAISE, ready, shown } from './checks/page.ts';
 
 const inPage = inOnePage();
@@ -120,41 +120,44 @@ function roomAfterTools(tab: string): number | undefined {
 }
 
 describe('the look', () => {
-  it.each([
+  // three.js logs the lost context.
+  const inLook = inOnePage({ walking: true, expected: /Context Lost|context lost/i });
+
+  for (const { name, run } of LOOK) inLook(name, run);
+
+  for (const [colorScheme, width, height] of [
     ['light', 1440, 900],
     ['dark', 1024, 640],
     ['light', 390, 780],
-  ] as const)('fits %s at %i × %i, without scroll bars of the page', (colorScheme, width, height) =>
-    withPage(
-      async ({ page }) => {
-        await ready(page);
-        // A screenshot waits for a frame.
-        await page.evaluate(() => window.marrow.pause());
-        const overflow = await page.evaluate(() => {
+  ] as const) {
+    inLook(`fits ${colorScheme} at ${width} × ${height}, without scroll bars of the page`, async ({ page }) => {
+      await ready(page);
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height });
+      // A screenshot waits for a frame.
+      await page.evaluate(() => window.marrow.pause());
+      const overflow = () =>
+        page.evaluate(() => {
           const { scrollWidth, clientWidth, scrollHeight, clientHeight } = document.documentElement;
           return [scrollWidth - clientWidth, scrollHeight - clientHeight];
         });
-        expect(overflow).toEqual([0, 0]);
-        const covered = await page.evaluate(() => {
+      await expect.poll(overflow).toEqual([0, 0]);
+      const covered = () =>
+        page.evaluate(() => {
           const controls = [...document.querySelectorAll('.transport-row :is(button, input)')];
           const boxes = controls.map((one) => one.getBoundingClientRect()).filter(({ width }) => width > 0);
           return boxes.filter((a, i) =>
             boxes.some((b, j) => j > i && a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom),
           ).length;
         });
-        expect(covered).toBe(0);
-        // Small pages scroll them.
-        for (const tab of width > 1000 ? ['Takes', 'Pose library'] : []) {
-          await page.evaluate((id) => window.marrow.run(id), `page.tab.${tab === 'Takes' ? 'takes' : 'poses'}`);
-          await expect.poll(() => page.evaluate(roomAfterTools, tab), { message: tab }).toBeGreaterThanOrEqual(0);
-        }
-        const { data } = await readPixels(page, { x: 2, y: 2, width: 4, height: 4 });
-        const isLight = data[0] > 128;
-        expect(isLight).toBe(colorScheme === 'light');
-      },
-      { colorScheme, size: { width, height }, walking: true },
-    ),
-  );
-
-  testAll(LOOK);
+      await expect.poll(covered).toBe(0);
+      // Small pages scroll them.
+      for (const tab of width > 1000 ? ['Takes', 'Pose library'] : []) {
+        await page.evaluate((id) => window.marrow.run(id), `page.tab.${tab === 'Takes' ? 'takes' : 'poses'}`);
+        await expect.poll(() => page.evaluate(roomAfterTools, tab), { message: tab }).toBeGreaterThanOrEqual(0);
+      }
+      const isLight = async () => (await readPixels(page, { x: 2, y: 2, width: 4, height: 4 })).data[0] > 128;
+      await expect.poll(isLight).toBe(colorScheme === 'light');
+    });
+  }
 });

@@ -1,9 +1,9 @@
 /** One ruler for all plots, what is seen below it, and the share of the page that the viewport keeps. */
 import type { Page } from 'playwright-core';
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { GUTTER } from '../../src/ui/widgets/time/time-window.ts';
 import { inOnePage } from '../helpers/one-page.ts';
-import { withPage } from '../helpers/page.ts';
+import { dropFiles } from '../helpers/page.ts';
 
 const run = (page: Page, id: string) => page.evaluate((command) => window.marrow.run(command), id);
 const time = (page: Page) =>
@@ -54,21 +54,19 @@ describe('the viewport', () => {
     );
   }
 
-  it('has nothing below it without a take, until one is begun or a tab is opened', () =>
-    withPage(
-      async ({ page }) => {
-        await page.waitForFunction(() => window.marrow?.characters().length === 1);
-        await expect.poll(() => share(page)).toBeGreaterThanOrEqual(0.65);
-        await run(page, 'page.tab.steps');
-        await page.locator('.timeline').waitFor();
-        await run(page, 'page.timeline');
-        await page.locator('.timeline').waitFor({ state: 'hidden' });
-        await page.getByRole('button', { name: 'New take', exact: true }).click();
-        await page.locator('.scrubber').waitFor();
-        await page.getByRole('button', { name: 'New take', exact: true }).waitFor({ state: 'hidden' });
-      },
-      { firstVisit: true, size: { width: 1440, height: 900 } },
-    ));
+  asNewcomer('has nothing below it without a take, until one is begun or a tab is opened', async ({ page }) => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await dropFiles(page, [{ name: 'post.skel', bytes: 'balljoint post { boxmin 0 0 0 boxmax 1 1 1 }' }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'post');
+    await expect.poll(() => share(page)).toBeGreaterThanOrEqual(0.65);
+    await run(page, 'page.tab.steps');
+    await page.locator('.timeline').waitFor();
+    await run(page, 'page.timeline');
+    await page.locator('.timeline').waitFor({ state: 'hidden' });
+    await page.getByRole('button', { name: 'New take', exact: true }).click();
+    await page.locator('.scrubber').waitFor();
+    await page.getByRole('button', { name: 'New take', exact: true }).waitFor({ state: 'hidden' });
+  });
 });
 
 const inPage = inOnePage({ walking: true });
@@ -193,35 +191,3 @@ inPage(
     await page.getByText('Select a joint to edit its curves').waitFor({ state: 'hidden' });
   },
 );
-
-it('on a phone nothing of transport and ruler overlaps, and every number has a name or a unit', () =>
-  withPage(
-    async ({ page }) => {
-      await walks(page);
-      const faults = () =>
-        page.evaluate(() => {
-          const all = [
-            ...document.querySelectorAll<HTMLElement>('.transport :is(button, input), .time-row > *'),
-          ].filter((one) => one.checkVisibility());
-          const boxes = all.map((one) => one.getBoundingClientRect());
-          const covered = boxes.flatMap((a, i) =>
-            boxes.flatMap((b, j) => {
-              const isOver = a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-              return j > i && isOver ? [`${all[i].ariaLabel} ${all[j].ariaLabel}`] : [];
-            }),
-          );
-          const small = boxes.filter(({ width, height }) => width < 44 || height < 44).length;
-          const unnamed = [...document.querySelectorAll<HTMLElement>('.times .field')].filter(
-            (one) => !/[a-z]/i.test(one.innerText),
-          );
-          return {
-            covered,
-            beyond: boxes.filter(({ right }) => right > innerWidth).length,
-            small,
-            unnamed: unnamed.length,
-          };
-        });
-      await expect.poll(faults).toEqual({ covered: [], beyond: 0, small: 0, unnamed: 0 });
-    },
-    { walking: true, firstVisit: true, touch: true, size: { width: 390, height: 780 } },
-  ));
