@@ -1,9 +1,10 @@
 /** FK by hand on the built page: rings, bones, keys, and limits. */
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { expect } from 'vitest';
 import { testAll } from '../helpers/check.ts';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { dropFiles } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { dofs, middle, openArm, POSING, type Point, pressAndGo, undo } from './checks/posing.ts';
 
@@ -60,6 +61,11 @@ function around(centre: Point, from: Point, degrees: number): Point[] {
 }
 
 const inPage = inOnePage();
+
+const WALKER = ['walker.skel', 'walker.skin', 'walker_walk.anim'].map((name) => ({
+  name,
+  bytes: readFileSync(new URL(`../../public/samples/${name}`, import.meta.url)),
+}));
 
 inPage('turns a DOF by its ring, stops at its limit and says so, in one step', async ({ page }) => {
   await openArm(page);
@@ -276,52 +282,55 @@ async function pointBetween(page: Page, from: string, to: string): Promise<Point
   return place;
 }
 
-it('with the head of the walker selected, drags on six other parts of the body select and rotate those', () =>
-  withPage(
-    async ({ page }) => {
-      await page.evaluate(async () => {
-        window.marrow.pause();
-        window.marrow.seek(0.3);
-        await window.marrow.run('posing.fk');
-        await window.marrow.run('view.front');
-        await window.marrow.run('posing.select');
-      });
-      const parts = [
-        ['forearm_l', 'hand_l'],
-        ['upper_arm_r', 'forearm_r'],
-        ['chest', 'chest'],
-        ['thigh_l', 'shin_l'],
-        ['shin_l', 'foot_l'],
-        ['toe_r', 'toe_r'],
-      ] as const;
-      const shownJoint = () => page.evaluate(() => document.querySelector('.title-note')?.previousSibling?.textContent);
-      const places: { readonly at: Point; readonly joint: string }[] = [];
-      for (const [from, to] of parts) {
-        const at = await pointBetween(page, from, to);
-        await page.evaluate(() => window.marrow.run('select.nothing'));
-        await page.waitForFunction(() => !document.querySelector('.title-note'));
-        // Without the gizmo it is seen what is there: in this pose parts cover each other.
-        await page.mouse.click(at.x, at.y);
-        await page.waitForFunction(() => document.querySelector('.title-note'));
-        places.push({ at, joint: (await shownJoint()) ?? '' });
-      }
-      expect(places.map(({ joint }) => joint)).not.toContain('head');
+inPage(
+  'with the head of the walker selected, drags on six other parts of the body select and rotate those',
+  async ({ page }) => {
+    await undoAll(page);
+    await dropFiles(page, WALKER);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'walker');
+    await page.evaluate(async () => {
+      window.marrow.pause();
+      window.marrow.seek(0.3);
+      await window.marrow.run('posing.fk');
+      await window.marrow.run('view.front');
+      await window.marrow.run('posing.select');
+    });
+    const parts = [
+      ['forearm_l', 'hand_l'],
+      ['upper_arm_r', 'forearm_r'],
+      ['chest', 'chest'],
+      ['thigh_l', 'shin_l'],
+      ['shin_l', 'foot_l'],
+      ['toe_r', 'toe_r'],
+    ] as const;
+    const shownJoint = () => page.evaluate(() => document.querySelector('.title-note')?.previousSibling?.textContent);
+    const places: { readonly at: Point; readonly joint: string }[] = [];
+    for (const [from, to] of parts) {
+      const at = await pointBetween(page, from, to);
+      await page.evaluate(() => window.marrow.run('select.nothing'));
+      await page.waitForFunction(() => !document.querySelector('.title-note'));
+      // Without the gizmo it is seen what is there: in this pose parts cover each other.
+      await page.mouse.click(at.x, at.y);
+      await page.waitForFunction(() => document.querySelector('.title-note'));
+      places.push({ at, joint: (await shownJoint()) ?? '' });
+    }
+    expect(places.map(({ joint }) => joint)).not.toContain('head');
 
-      await page.keyboard.press('q');
-      await page.getByPlaceholder('Search').fill('head');
-      // On the name, which is beside the arrow that folds the row.
-      await page.getByRole('treeitem', { name: /^head/ }).first().getByText('head').click();
-      await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
-      for (const { at, joint } of places) {
-        await pressAndGo(page, at, [{ x: at.x, y: at.y - 10 }]);
-        await showsJoint(page, joint);
-        await page.keyboard.press('Escape');
-        await page.mouse.up();
-        await showsJoint(page, 'head');
-      }
-    },
-    { walking: true },
-  ));
+    await page.keyboard.press('q');
+    await page.getByPlaceholder('Search').fill('head');
+    // On the name, which is beside the arrow that folds the row.
+    await page.getByRole('treeitem', { name: /^head/ }).first().getByText('head').click();
+    await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+    for (const { at, joint } of places) {
+      await pressAndGo(page, at, [{ x: at.x, y: at.y - 10 }]);
+      await showsJoint(page, joint);
+      await page.keyboard.press('Escape');
+      await page.mouse.up();
+      await showsJoint(page, 'head');
+    }
+    await page.getByPlaceholder('Search').fill('');
+  },
+);
 
 inPage('has a select tool without a gizmo: clicks pick, drags orbit, and a button leads back', async ({ page }) => {
   await openArm(page, 'shoulder');
