@@ -2,12 +2,21 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { c3dOf, type PointFrame } from '../helpers/c3d.ts';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropFiles, type OpenPage, type PageOptions, withPage } from '../helpers/page.ts';
 import { ARM, dofs, kept, offer, openArm, RESTORING, ready, restore, SMALL, setDof, shown } from './checks/autosave.ts';
 
 const sample = (name: string) => readFileSync(new URL(`../../public/samples/${name}`, import.meta.url));
 const WALKER = ['walker.skel', 'walker.skin', 'walker_walk.anim'].map((name) => ({ name, bytes: sample(name) }));
+/** Points of which some frames are cropped away. */
+const POINTS = c3dOf({
+  labels: ['LASI', 'RASI'],
+  frames: Array.from(
+    { length: 20 },
+    (_, f): PointFrame => [[100 + f, 1000, 3], f >= 5 && f < 10 ? null : [4, 500 + f, -6.5]],
+  ),
+});
 const TWIN = [{ name: 'twin.skel', bytes: sample('walker.skel') }];
 
 /**
@@ -63,8 +72,6 @@ describe('work', () => {
       // A page with nothing but the example, with another view and time.
       await idle.evaluate(() => window.marrow.seek(0.5));
       await idle.keyboard.press('1');
-      await idle.reload();
-      await ready(idle);
       await setDof(page, 6, 0.75);
       await page.close();
       await idle.reload();
@@ -162,12 +169,17 @@ describe('work', () => {
   });
 
   inFreshPage(
-    'skin, keys, layers, goals of limbs, an attachment and retargeting come back after a crash, and move as they did; ' +
+    'skin, keys with tangents and steps, layers, goals of limbs, sets, locks, cropped points, an attachment and ' +
+      'retargeting come back after a crash, and move as they did; ' +
       'selection and time too, and what was open is gone',
     async ({ page, openAnother }) => {
-      await dropFiles(page, [...WALKER, { name: 'sword.skel', bytes: ARM }, ...TWIN]);
-      await shown(page, 'sword');
-      await shown(page, 'twin');
+      await dropFiles(page, [
+        ...WALKER,
+        { name: 'sword.skel', bytes: ARM },
+        ...TWIN,
+        { name: 'points.c3d', bytes: POINTS },
+      ]);
+      for (const name of ['sword', 'twin', 'points']) await shown(page, name);
       await page.evaluate(async () => {
         const { marrow } = window;
         marrow.pause();
@@ -178,6 +190,13 @@ describe('work', () => {
           return { ...found, jointIn: (joint: string) => found.joints.findIndex((one) => one.name === joint) };
         });
         const characterId = walker.id;
+        const turn = 3 + 3 * walker.jointIn('upper_arm_l') + 2;
+        const tangents = { characterId, keys: [{ channel: turn, indices: [0, 1] }], side: 'both' };
+        await marrow.run('keys.setTangents', { ...tangents, kind: 'auto' });
+        await marrow.run('keys.setTangents', { ...tangents, keys: [{ channel: turn, indices: [1] }], kind: 'step' });
+        await marrow.run('sets.add', { characterId, name: 'feet', joints: [walker.jointIn('foot_l')] });
+        await marrow.run('dofs.setLocked', { characterId, dofs: [turn], locked: true });
+        await marrow.run('samples.crop', { character: 'points', from: 0.04, to: 0.16 });
         const joints = ['thigh_l', 'shin_l', 'foot_l'].map(walker.jointIn);
         await marrow.run('keys.move', {
           characterId,
@@ -193,10 +212,15 @@ describe('work', () => {
         await marrow.run('retarget.set', { characterId: twin.id, sourceId: walker.id });
         const grip = { leaderId: twin.id, joint: twin.jointIn('hand_r'), span: [0.25, 2] };
         await marrow.run('attach.add', { characterId: sword.id, ...grip });
+        // Keys of the base are those that are listed.
+        await marrow.run('layers.activate', { characterId, layer: -1 });
       });
       const seen = (of: Page) =>
-        of.evaluate(() => {
+        of.evaluate(async () => {
           const { marrow } = window;
+          const sets = JSON.parse(await marrow.save('walker.sets.json'));
+          const { joints } = marrow.characters().find(({ name }) => name === 'walker') ?? { joints: [] };
+          const keys = marrow.keys(3 + 3 * joints.findIndex(({ name }) => name === 'upper_arm_l') + 2, 'walker');
           return [0, 0.4, 0.9].map((seconds) => {
             marrow.seek(seconds);
             const moved = marrow.characters().map(({ name }) => marrow.worldMatrices(name));
@@ -206,6 +230,8 @@ describe('work', () => {
               vertices: marrow.vertices('walker'),
               limbs: marrow.limbs('walker'),
               layers: marrow.layers('walker'),
+              sets,
+              keys,
             };
           });
         });
@@ -215,6 +241,15 @@ describe('work', () => {
       expect(last.names).not.toContain('post');
       expect(last.vertices.length).toBeGreaterThan(1000);
       expect(last.layers.map(({ name }) => name)).toEqual(['wave']);
+      // A step is a flat key, and another with its value.
+      expect(last.keys.map(({ tangentOut }) => tangentOut).slice(0, 2)).toEqual(['auto', 'flat']);
+      expect(last.keys[2].value).toBe(last.keys[1].value);
+      expect(last.sets).toMatchObject({
+        sets: [{ joints: ['foot_l'] }],
+        locked: [{ joint: 'upper_arm_l', dofs: ['rz'] }],
+      });
+      // The points are cropped.
+      expect(before[0].moved[last.names.indexOf('points')][0].slice(12, 15)).toEqual([104, 1000, 3]);
       await page.getByRole('treeitem', { name: 'elbow' }).first().click();
       await page.evaluate(() => window.marrow.seek(0.75));
       await kept(page);

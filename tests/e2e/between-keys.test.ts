@@ -2,7 +2,6 @@
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
-import { kept, ready, restore } from './checks/autosave.ts';
 
 const ARM = { joint: 'upper_arm_l', rz: 38 } as const;
 
@@ -142,34 +141,22 @@ inPage(
   },
 );
 
-/** The last: what is restored stays. */
-inPage(
-  'auto tangents and steps come back after a reload as they were, and a key dragged then takes its tangents along',
-  async ({ page }) => {
-    await openWalker(page);
-    await page.locator('.curve-plot').focus();
-    await page.keyboard.press('Control+a');
-    await page.keyboard.press('5');
-    const all = await keys(page);
-    const move = { channel: ARM.rz, indices: [1] };
-    await page.evaluate(
-      (key) => window.marrow.run('keys.setTangents', { keys: [key], side: 'out', kind: 'step' }),
-      move,
-    );
-    await expect.poll(() => keys(page).then((now) => now.length)).toBe(all.length + 1);
-    await kept(page);
-    const before = await keys(page);
-    await page.reload();
-    await ready(page);
-    await restore(page);
-    await expect.poll(() => keys(page)).toEqual(before);
-    const kinds = before.map(({ tangentIn, tangentOut }) => [tangentIn, tangentOut]);
-    const raised = { keys: [move], seconds: 0, values: [0.2] };
-    await page.evaluate((args) => window.marrow.run('keys.move', args), raised);
-    await expect.poll(() => keys(page).then((now) => now[1].value)).toBeCloseTo(before[1].value + 0.2, 9);
-    // The held value follows its key, and the kinds are kept.
-    const moved = await keys(page);
-    expect(moved[2].value).toBe(moved[1].value);
-    expect(moved.map(({ tangentIn, tangentOut }) => [tangentIn, tangentOut])).toEqual(kinds);
-  },
-);
+inPage('a key that is moved takes its auto tangents and the value that it holds along', async ({ page }) => {
+  await openWalker(page);
+  await page.locator('.curve-plot').focus();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('5');
+  const all = await keys(page);
+  const move = { channel: ARM.rz, indices: [1] };
+  await page.evaluate((key) => window.marrow.run('keys.setTangents', { keys: [key], side: 'out', kind: 'step' }), move);
+  await expect.poll(() => keys(page).then((now) => now.length)).toBe(all.length + 1);
+  const before = await keys(page);
+  const kinds = before.map(({ tangentIn, tangentOut }) => [tangentIn, tangentOut]);
+  const raised = { keys: [move], seconds: 0, values: [0.2] };
+  await page.evaluate((args) => window.marrow.run('keys.move', args), raised);
+  await expect.poll(() => keys(page).then((now) => now[1].value)).toBeCloseTo(before[1].value + 0.2, 9);
+  // The held value follows its key, and the kinds are kept.
+  const moved = await keys(page);
+  expect(moved[2].value).toBe(moved[1].value);
+  expect(moved.map(({ tangentIn, tangentOut }) => [tangentIn, tangentOut])).toEqual(kinds);
+});

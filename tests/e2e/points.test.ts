@@ -1,10 +1,9 @@
-/** Points are dropped, listed, scrubbed past what is missing, cropped, restored, and saved as .trc. */
+/** Points are dropped, listed, scrubbed past what is missing, cropped, and saved as .trc. */
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import { c3dOf, type PointFrame } from '../helpers/c3d.ts';
 import { inOnePage, startOver } from '../helpers/one-page.ts';
 import { dropFiles } from '../helpers/page.ts';
-import { kept, restore } from './checks/autosave.ts';
 
 const FRAMES = Array.from(
   { length: 20 },
@@ -68,17 +67,4 @@ inPage('a table of points is a take, and another one is compared', async ({ page
   await expect.poll(() => namesIn(page)).toEqual(['rows']);
   await dropFiles(page, [{ name: 'numbers.csv', bytes: '1,2,3\n' }]);
   await expect.poll(() => page.locator('.compare').count()).toBeGreaterThan(0);
-});
-
-/** The last: what is restored stays. */
-inPage('points that were cropped come back after a reload', async ({ page }) => {
-  await startOver(page);
-  await dropFiles(page, [{ name: 'walk.c3d', bytes: WALK }]);
-  await expect.poll(() => namesIn(page)).toEqual(['walk']);
-  await page.evaluate(() => window.marrow.run('samples.crop', { from: 0.04, to: 0.06 }));
-  await kept(page);
-  await page.reload();
-  await restore(page);
-  await expect.poll(() => namesIn(page)).toEqual(['walk']);
-  await expect.poll(() => placeOf(page, 0)).toEqual([104, 1000, 3]);
 });
