@@ -1,7 +1,7 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { testAll } from '../helpers/check.ts';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { dropFiles } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { course, names, opened, REFERENCE, WASP } from './checks/workbench.ts';
 
@@ -10,26 +10,6 @@ const broken = (name: string) => ({ name, bytes: sharedBytes(`data/malformed/${n
 const inPage = inOnePage();
 
 describe('the page', () => {
-  it('opens with a character that walks', () =>
-    withPage(
-      async ({ page }) => {
-        await opened(page);
-        const heads = () => page.evaluate(() => window.marrow.worldMatrices().flat());
-        const before = await heads();
-        await page.waitForFunction(
-          (then) =>
-            window.marrow
-              .worldMatrices()
-              .flat()
-              .some((v, i) => v !== then[i]),
-          before,
-        );
-        expect(before.every(Number.isFinite)).toBe(true);
-        await page.evaluate(() => window.marrow.pause());
-      },
-      { walking: true, fullMotion: true },
-    ));
-
   inPage('undoes and redoes what a slider does', async ({ page }) => {
     await opened(page);
     await undoAll(page);
@@ -48,18 +28,6 @@ describe('the page', () => {
 
 describeShared('the page with the course’s files', () => {
   testAll(REFERENCE, inPage);
-
-  it('the page with the course’s files takes what the address names', () =>
-    withPage(
-      async ({ page }) => {
-        await opened(page, 'wasp');
-        await expect.poll(() => page.evaluate(() => window.marrow.characters()[0].takes)).toEqual(['wasp_walk']);
-      },
-      {
-        query: `?files=${WASP.map((name) => `given/${name}`).join(',')}`,
-        files: Object.fromEntries(WASP.map((name) => [`given/${name}`, sharedBytes(`data/cse169/${name}`)])),
-      },
-    ));
 
   inPage('leaves everything as it was when a file is wrong, and shows where', async ({ page }) => {
     await opened(page);
