@@ -71,7 +71,6 @@ async function colourAt(page: Page, place: ArrayLike<number>): Promise<string> {
 
 /** What is drawn is where theirs and ours are, and nothing of it is left on the GPU. */
 async function expectDrawn(page: Page): Promise<void> {
-  await page.evaluate(() => window.fillPixels(true));
   const onGpu = async () => {
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
     const { geometries, textures } = await page.evaluate(() => window.marrow.stats());
@@ -89,6 +88,7 @@ async function expectDrawn(page: Page): Promise<void> {
   const moved = 3;
   await dropFiles(page, [{ name: 'moved.txt', bytes: printed([0.8], [moved]) }]);
   await legend(page).getByText('own error').waitFor();
+  await page.evaluate(() => window.fillPixels(true));
   await choose(page, 'Marrow’s');
   const ours = (await page.evaluate(() => window.marrow.worldMatrices()))[moved];
   const theirs = [ours[12] + 1, ours[13], ours[14]];
@@ -106,6 +106,7 @@ async function expectDrawn(page: Page): Promise<void> {
   await expect.poll(bluenessOfTheirs).toBeLessThan(40);
   await choose(page, 'Yours');
   await expect.poll(bluenessOfTheirs).toBeGreaterThan(40);
+  await page.evaluate(() => window.fillPixels(false));
 
   await page.evaluate(() => window.marrow.run('compare.stop'));
   await legend(page).waitFor({ state: 'detached' });
