@@ -37,34 +37,41 @@ async function withoutScript({ page, url }: OpenPage, look: () => Promise<void>)
 
 describe('the frame of the page', () => {
   it.each([
-    { width: 1280, height: 800 },
-    { width: 1024, height: 700 },
-  ])('keeps its place when the script comes, at $width × $height', (size) =>
-    withPage(
-      async (open) => {
-        const { page } = open;
-        const before: string[] = [];
-        await withoutScript(open, async () => void before.push(...(await boxes(page))));
-        await page.reload();
-        await page.waitForFunction(() => window.marrow?.characters().length > 0);
-        await page.locator('.inspector .lil-gui').first().waitFor();
-        await expect.poll(() => boxes(page)).toEqual(before);
-        const shift = await page.evaluate(
-          () =>
-            new Promise<number>((resolve) => {
-              // Includes earlier entries; empty if nothing has moved.
-              const found = (list: PerformanceObserverEntryList) =>
-                resolve(
-                  list.getEntries().reduce((sum, entry) => sum + (entry as unknown as { value: number }).value, 0),
-                );
-              new PerformanceObserver(found).observe({ type: 'layout-shift', buffered: true });
-              setTimeout(() => resolve(0), 500);
-            }),
-        );
-        expect(shift).toBeLessThan(MAX_SHIFT);
-      },
-      { size, blank: true, expected: /\.js/, walking: true, firstVisit: true },
-    ),
+    ['light', 'rgb(246, 247, 248)', { width: 1280, height: 800 }],
+    ['dark', 'rgb(33, 36, 39)', { width: 1024, height: 700 }],
+  ] as const)(
+    'is %s without any script where the system is, and keeps its place when it comes',
+    (colorScheme, surface, size) =>
+      withPage(
+        async (open) => {
+          const { page } = open;
+          const before: string[] = [];
+          await withoutScript(open, async () => {
+            const bar = page.locator('.menu-bar');
+            await expect.poll(() => bar.evaluate((element) => getComputedStyle(element).backgroundColor)).toBe(surface);
+            await expect.poll(() => page.getByText('Marrow').first().isVisible()).toBe(true);
+            before.push(...(await boxes(page)));
+          });
+          await page.reload();
+          await page.waitForFunction(() => window.marrow?.characters().length > 0);
+          await page.locator('.inspector .lil-gui').first().waitFor();
+          await expect.poll(() => boxes(page)).toEqual(before);
+          const shift = await page.evaluate(
+            () =>
+              new Promise<number>((resolve) => {
+                // Includes earlier entries; empty if nothing has moved.
+                const found = (list: PerformanceObserverEntryList) =>
+                  resolve(
+                    list.getEntries().reduce((sum, entry) => sum + (entry as unknown as { value: number }).value, 0),
+                  );
+                new PerformanceObserver(found).observe({ type: 'layout-shift', buffered: true });
+                setTimeout(() => resolve(0), 500);
+              }),
+          );
+          expect(shift).toBeLessThan(MAX_SHIFT);
+        },
+        { size, colorScheme, blank: true, expected: /\.js/, walking: true, firstVisit: true },
+      ),
   );
 
   it('shows its first picture at the size that it keeps, whatever panels were dragged or collapsed to', () =>
@@ -91,22 +98,6 @@ describe('the frame of the page', () => {
         },
       },
     ));
-
-  it.each([
-    ['light', 'rgb(246, 247, 248)'],
-    ['dark', 'rgb(33, 36, 39)'],
-  ] as const)('is %s without any script where the system is', (colorScheme, surface) =>
-    withPage(
-      async (open) => {
-        await withoutScript(open, async () => {
-          const bar = open.page.locator('.menu-bar');
-          await expect.poll(() => bar.evaluate((element) => getComputedStyle(element).backgroundColor)).toBe(surface);
-          await expect.poll(() => open.page.getByText('Marrow').first().isVisible()).toBe(true);
-        });
-      },
-      { colorScheme, blank: true, expected: /\.js/ },
-    ),
-  );
 });
 
 describe('what a newcomer is told', () => {
