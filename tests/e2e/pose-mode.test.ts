@@ -1,11 +1,14 @@
-/** Pose mode on the built page, by real mouse: limbs by their ends, rings, the dot in their middle, and the camera. */
+/**
+ * Pose mode on the built page, by real mouse: limbs by their ends, rings, the dot in their middle, the camera, and feet
+ * that stand, which hold while the body is moved and turned by its handles.
+ */
 import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import { inOnePage, startOver } from '../helpers/one-page.ts';
 import { dropFiles } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
-import { apart, drawn, jointPlace, onPage, standing, undoLabel } from './checks/ik.ts';
-import { dragUp, expectArmOnly, limbFrom, place, shown } from './checks/limb-drag.ts';
+import { apart, drawn, jointPlace, onPage, type Point, standing, undoLabel } from './checks/ik.ts';
+import { dragUp, expectArmOnly, limbFrom, ontoHandle, place, shown } from './checks/limb-drag.ts';
 
 const mode = (page: Page) => page.locator('.mode-switch [aria-checked=true]').textContent();
 const turnOfView = (page: Page) => page.evaluate(() => window.marrow.pointOnPage([1, 0, 0])?.x ?? Number.NaN);
@@ -97,4 +100,115 @@ describeShared('Pose mode with captures and axis-angle skeletons', () => {
       await expectArmOnly(page, { joint: 9, point: [0, 0.05, 0], by: [8, -25] }, [5, 6, 7, 8, 9]);
     },
   );
+});
+
+/** Of lengths in metres; a capture's unit is another. */
+const HOLDS = 1e-3;
+
+interface Handle {
+  readonly body: string;
+  /** Where it is from the middle on, and the chip's text there. */
+  readonly toward: readonly [x: number, y: number];
+  readonly text: RegExp;
+  readonly by: readonly [x: number, y: number];
+}
+
+/** Drags a handle of the body, and has `there` look while the mouse is down. Undo restores every number. */
+async function dragBody(
+  page: Page,
+  { body, toward, text, by: [dx, dy] }: Handle,
+  there: () => Promise<void>,
+): Promise<void> {
+  await page
+    .getByRole('treeitem', { name: new RegExp(`^${body}`) })
+    .first()
+    .click();
+  await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+  await standing(page);
+  const before = await shown(page);
+  const at = await ontoHandle(page, await onPage(page, place(before, before.names.indexOf(body))), toward, text);
+  await page.mouse.down();
+  await page.mouse.move(at.x + dx, at.y + dy, { steps: 5 });
+  await drawn(page);
+  await there();
+  await page.mouse.up();
+  await expect.poll(() => undoLabel(page)).toMatch(/^(Move|Rotate) /);
+  await page.evaluate(() => window.marrow.undo());
+  await expect.poll(() => shown(page)).toEqual(before);
+}
+
+/** The lower foot, and how far it has moved from there. */
+async function lowerFoot(page: Page, feet: readonly [string, string]) {
+  const before = await shown(page);
+  const joints = feet.map((name) => before.names.indexOf(name));
+  const [joint] = joints.sort((a, b) => place(before, a)[1] - place(before, b)[1]);
+  const from: Point = place(before, joint);
+  return { moved: async () => apart(place(await shown(page), joint), from) };
+}
+
+const turnOf = (worlds: readonly (readonly number[])[], joint: number) => worlds[joint].slice(0, 11);
+
+inPage(
+  'the walker’s foot that stands holds while its root is moved by an arrow and its hips are turned by a ring, but not in the air',
+  async ({ page }) => {
+    await startOver(page);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'walker');
+    await page.evaluate(() => window.marrow.run('view.front'));
+    await standing(page);
+    const { names, dofs } = await shown(page);
+    const hips = names.indexOf('hips');
+    const foot = await lowerFoot(page, ['toe_l', 'toe_r']);
+    const down: Handle = { body: 'root', toward: [0, -1], text: /^ty/, by: [0, 14] };
+    await dragBody(page, down, async () => {
+      const now = await shown(page);
+      expect(now.dofs[1]).toBeLessThan(dofs[1] - 0.01);
+      // The body goes along the arrow and nowhere else.
+      expect([now.dofs[0], ...now.dofs.slice(2, 6)]).toEqual([dofs[0], ...dofs.slice(2, 6)]);
+      await expect.poll(foot.moved).toBeLessThan(HOLDS);
+    });
+    // Further up than the leg is long the foot leaves the floor, and the back isn't bent to keep it there.
+    await dragBody(page, { ...down, by: [0, -60] }, async () => {
+      const now = await shown(page);
+      const own = [dofs, now.dofs].map((all) => all.slice(6, 15));
+      expect(own[1]).toEqual(own[0]);
+      await expect.poll(foot.moved).toBeGreaterThan(0.05);
+    });
+    const before = await shown(page);
+    await dragBody(page, { body: 'hips', toward: [0.8, 0.6], text: /^rz/, by: [14, 14] }, async () => {
+      const now = await shown(page);
+      expect(apart(turnOf(now.worlds, hips), turnOf(before.worlds, hips))).toBeGreaterThan(0.02);
+      expect(place(now, hips)).toEqual(place(before, hips));
+      await expect.poll(foot.moved).toBeLessThan(HOLDS);
+    });
+
+    // High above the floor nothing stands.
+    await page.evaluate((ty) => window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: ty + 0.5 }] }), dofs[1]);
+    await page.evaluate(() => window.marrow.run('view.frameAll'));
+    await standing(page);
+    const high = await lowerFoot(page, ['toe_l', 'toe_r']);
+    const from = (await shown(page)).dofs[1];
+    await dragBody(page, down, async () => {
+      const fell = from - (await shown(page)).dofs[1];
+      expect(fell).toBeGreaterThan(0.01);
+      await expect.poll(high.moved).toBeCloseTo(fell, 9);
+    });
+  },
+);
+
+describeShared('a capture’s hips', () => {
+  inPage('are moved by an arrow while the feet that stand hold', async ({ page }) => {
+    await startOver(page);
+    await dropFiles(page, [{ name: 'walk.bvh', bytes: sharedBytes('data/bvh/cmu-01_01.bvh') }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'walk');
+    await page.evaluate(() => window.marrow.run('view.front'));
+    await standing(page);
+    const size = await page.evaluate(() => {
+      const heights = window.marrow.worldMatrices().map((world) => world[13]);
+      return Math.max(...heights) - Math.min(...heights);
+    });
+    const foot = await lowerFoot(page, ['LeftFoot', 'RightFoot']);
+    await dragBody(page, { body: 'Hips', toward: [0, -1], text: /^(ty|py|Yposition)/, by: [0, 10] }, async () => {
+      await expect.poll(foot.moved).toBeLessThan(HOLDS * size);
+    });
+  });
 });
