@@ -1,8 +1,10 @@
 import { describe, expect } from 'vitest';
+import { readAnim } from '../../src/formats/anim/read.ts';
 import { testAll } from '../helpers/check.ts';
 import { inOnePage, undoAll } from '../helpers/one-page.ts';
 import { dropFiles } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { CURVES, drop, expectDrawn } from './checks/curves.ts';
 import { course, names, opened, REFERENCE, WASP } from './checks/workbench.ts';
 
 const broken = (name: string) => ({ name, bytes: sharedBytes(`data/malformed/${name}`) });
@@ -69,5 +71,17 @@ describeShared('the page with the course’s files', () => {
       await expect.poll(() => page.evaluate((n) => window.marrow.save(n), name)).toBe(first);
     }
     await expect.poll(() => names(page)).toEqual(['wasp']);
+  });
+});
+
+testAll(CURVES, inPage);
+
+describeShared('the sample animation of the course', () => {
+  inPage('the sample animation of the course is drawn where the evaluator says', async ({ page }) => {
+    const bytes = sharedBytes('data/cse169/sample.anim');
+    await drop('sample.anim', bytes)(page);
+    const take = readAnim(bytes, 'sample.anim').value;
+    if (!take) throw new Error('sample.anim could not be read.');
+    await expectDrawn(page, take);
   });
 });
