@@ -35,6 +35,8 @@ interface Made {
   readonly tint: string | undefined;
   readonly color?: Vec3 | undefined;
   readonly fade: number;
+  /** A texture that others use too outlives this material, and must not keep it. */
+  leaveTexture(): void;
 }
 
 type MaterialKind = 'solid' | 'textured' | 'heat' | 'xray' | 'wire' | 'normals' | 'depth';
@@ -103,7 +105,10 @@ export class SkinMaterials {
   }
 
   dispose(): void {
-    for (const { material } of this.made.values()) material.dispose();
+    for (const made of this.made.values()) {
+      made.material.dispose();
+      made.leaveTexture();
+    }
     this.made.clear();
   }
 
@@ -128,13 +133,15 @@ export class SkinMaterials {
       throughWorld: kind === 'depth',
     });
     material.name = `skin ${kind}`;
-    const made = { material, kind, tint, color, fade };
-    this.made.set(name, made);
-    this.paint(made);
-    texture?.addEventListener('dispose', () => {
+    const end = () => {
       material.dispose();
       this.made.delete(name);
-    });
+    };
+    texture?.addEventListener('dispose', end);
+    const leaveTexture = () => texture?.removeEventListener('dispose', end);
+    const made = { material, kind, tint, color, fade, leaveTexture };
+    this.made.set(name, made);
+    this.paint(made);
     return material;
   }
 
